@@ -1,4 +1,4 @@
-//! The answer to a scene.
+//! Outcome for a scene.
 
 use super::{Design, Search, design};
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
 
-/// The answer to a scene: a design, or the reason for which none can be shown.
+/// Outcome for a scene: a design, or the reason why none can be shown.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -21,15 +21,16 @@ use crate::scene::Scene;
 /// ```
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// A design. Its verdict says whether it keeps the limits; where none does, it is the best without them.
+    /// A design. Its verdict states whether it satisfies the limits; if infeasible, it is the best design without them.
     Built(Box<Design>),
-    /// There is no cam to show, for this reason.
+    /// No cam can be shown, for this reason.
     NoCam(Error),
 }
 
-/// Answers a scene. `force` is one cycle of the target force, where the scene has one.
+/// Designs the cam of a scene. `force` is one cycle of the target force, if the scene has one.
 ///
 /// # Errors
+///
 /// Faults of the input.
 pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Result<Outcome> {
     let problem = Problem::resolve(scene, force);
@@ -49,10 +50,11 @@ impl Outcome {
         }
     }
 
-    /// The design.
+    /// The design of a scene.
     ///
     /// # Errors
-    /// The reason for which there is none.
+    ///
+    /// The reason why there is none.
     pub fn built(self) -> Result<Design> {
         match self {
             Outcome::Built(design) => Ok(*design),
@@ -60,7 +62,7 @@ impl Outcome {
         }
     }
 
-    /// The design with the changes of its limits that would make it pass, where it breaks them.
+    /// The design, with suggested changes of violated limits.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Outcome {
         match self {

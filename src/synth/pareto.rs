@@ -1,7 +1,5 @@
-//! What one good costs in another: the least force error at each size of cam, jerk, acceleration or stroke.
-//!
-//! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
-//! point of the front, and no point of the front is missed.
+//! Trade-off fronts: the minimum force error for each size of cam, jerk, acceleration or stroke. Each of these is a convex limit, so minimising the
+//! force error for each value gives every point of the front.
 
 use super::design::Design;
 use super::design::figures::{FIGURES, Figure, Figures};
@@ -13,7 +11,7 @@ use crate::error::{Placed, Result, SweepError, SynthError};
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 
-/// A point of the front.
+/// A point of the trade-off front.
 ///
 /// ```
 /// use gaitcam::synth::{Search, trade, traded};
@@ -32,24 +30,28 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Trade {
-    /// The value that was allowed, SI.
+    /// Allowed value, SI.
     pub allowed: f64,
-    /// The design of least force error under it.
+    /// Design with the minimum force error.
     pub design: Design,
 }
 
-/// The front ends where the force error reaches this part of the mean force, or twice what it is at best.
+/// Force error at the end of the front, relative to the mean force or to the minimum.
 const WORST: f64 = 0.1;
-/// Halvings that look for that end.
+/// Number of bisection steps for that end.
 const HALVINGS: usize = 14;
-/// The other end stays this far inside what the unlimited law needs, so that the limit takes part.
+/// Relative distance of the other end from the unlimited law, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Spans of the laws on the front when the scene leaves them open: twice what the unlimited law needs.
+/// Automatic number of spans of the laws on the front: a multiple of that of the unlimited law …
 const MORE_SPANS: usize = 2;
-/// … but no more than this.
+/// … up to this maximum.
 const MOST_SPANS: usize = 64;
 
 /// The figure of a pair such as `force_error:prime_radius`, in either order.
+///
+/// # Errors
+///
+/// Other words, with the known ones.
 ///
 /// # Errors
 /// Other words, saying which are known.
@@ -90,12 +92,12 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
     })
 }
 
-/// How a figure is kept small in a problem.
+/// How a figure is limited in a problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Bound {
-    /// By its own limit.
+    /// By its own limit in the scene.
     Limit(LimitKind),
-    /// A high speed of lift-off, by a least force at the speed of the machine.
+    /// For the lift-off speed, by a minimum force at the speed of the machine.
     LiftoffSpeed,
 }
 
@@ -104,8 +106,7 @@ impl Bound {
         figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// From the value to a quantity that is to be small, and back: of a lift-off speed the inverse, of all others
-    /// itself.
+    /// Conversion of the value to a minimised quantity, and back: the inverse for a lift-off speed, otherwise the value itself.
     fn turned(self, value: f64) -> f64 {
         match self {
             Bound::LiftoffSpeed => 1.0 / value,
@@ -113,7 +114,7 @@ impl Bound {
         }
     }
 
-    /// Refuses problems without a front, and what no limit can hold in this one.
+    /// Rejects problems without a front, and figures that no limit can bound.
     fn check(self, problem: &Problem) -> Result<()> {
         if problem.target.is_none() {
             return Err(SynthError::NoTarget.at_key("gait"));
@@ -136,7 +137,7 @@ impl Bound {
         }
     }
 
-    /// The problem with the figure held at or below a value.
+    /// The problem with a bound on the figure.
     fn held(self, problem: &Problem, value: f64) -> Problem {
         match self {
             Bound::LiftoffSpeed => {
@@ -155,13 +156,13 @@ impl Bound {
     }
 }
 
-/// Whether a word is a column's name, or its beginning.
+/// Whether a word is a column's name or its beginning.
 fn names(column: &str, word: &str) -> bool {
     let rest = column.strip_prefix(word);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
 }
 
-/// The problem whose law only the bound of a point limits: a spline of least force error.
+/// The problem limited only by the bound of a point: a spline with minimum force error.
 fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     let mut law = LawSpec {
         family: Family::Spline,
@@ -177,12 +178,12 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     Ok(problem.with_law(law).without_accuracy())
 }
 
-/// The front between force error and another quantity, from the tightest value to what the unlimited law
-/// needs, in even steps; fewer points where the search was told to end.
+/// The front between force error and another quantity, in even steps from the tightest value to that of the unlimited law; fewer points if the search
+/// was stopped.
 ///
 /// # Errors
-/// A problem without a force, a family other than splines, a given size, and where
-/// the law without the limit cannot be built.
+///
+/// A problem without a force, a family other than splines, a given size, or an infeasible law without the limit.
 pub fn trade(
     problem: &Problem,
     against: &Figure,

@@ -1,8 +1,5 @@
-//! A free phase: where in the cycle of the force the cam's turn begins.
-//!
-//! A law that is tied to cam angles (points, dwells, a programme) meets a force that may be shifted. The
-//! error over the phase has several valleys, so all of them are visited first and the deepest one is
-//! searched by Brent's method; the same scene always gives the same phase.
+//! A free phase between force cycle and cam angle, for laws tied to cam angles (points, dwells, a programme). The error over the phase has several
+//! minima, so a grid finds the best one and Brent's method refines it; the result is deterministic.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -17,22 +14,23 @@ use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 
-/// Phases looked at before the search.
+/// Number of phases examined before the search.
 const VISITED: usize = 36;
 /// Tolerance of the phase, rad.
 const RESOLVED: f64 = 1e-6;
-/// Steps of the search.
+/// Maximum number of steps of the search.
 const STEPS: u64 = 60;
 
-/// The problem at the phase of least force error where its phase is free; otherwise as it is.
+/// The problem at the phase of minimum force error if its phase is free; otherwise unchanged.
 ///
 /// # Errors
-/// No phase has a law, and at some the input is at fault.
+///
+/// No phase is feasible, and at some the input is at fault.
 pub fn best<'p>(problem: &'p Problem, search: &Search) -> Result<Cow<'p, Problem>> {
     deepest(problem, |at| least_error(&at, search))
 }
 
-/// The RMS force error of the best law under the limits of a problem, N; `None` where they leave no law.
+/// The RMS force error of the best law under the limits of a problem, N; `None` if infeasible.
 fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     let of_force = problem.limited_error().is_some() && !problem.is_weighed();
     let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));
@@ -41,7 +39,7 @@ fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     Ok(found.map(|found| force_report(problem, &found.law).rms_error_n))
 }
 
-/// The problem at the phase at which an error is least.
+/// The problem at the phase of the minimum error.
 fn deepest(
     problem: &Problem,
     error: impl Fn(Problem) -> Result<Option<f64>>,
@@ -87,7 +85,7 @@ fn deepest(
     Ok(Cow::Owned(problem.at_phase(found)))
 }
 
-/// The force error by the phase.
+/// The force error as a function of the phase.
 struct Phases<F>(F);
 
 impl<F: Fn(f64) -> Result<Option<f64>>> CostFunction for Phases<F> {

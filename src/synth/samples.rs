@@ -1,4 +1,4 @@
-//! Problems of few numbers whose laws and cams are known in closed form.
+//! Small problems whose laws and cams are known in closed form.
 
 use crate::problem::Problem;
 use crate::units::G;
@@ -14,10 +14,10 @@ pub fn one_wave(cam: &str, limits: &str) -> Problem {
     Problem::resolve(&scene, scene.model_force().unwrap().as_ref()).unwrap()
 }
 
-/// Under a flat face of automatic size.
+/// The problem under a flat face of automatic size.
 pub const FLAT: &str = "follower = \"flat-translating\"";
 
-/// Half the stroke, m, that gives the whole force: 0.3 g/ω².
+/// Half the stroke, m, for the whole force: 0.3 g/ω².
 pub fn amplitude(problem: &Problem) -> f64 {
     0.3 * G / problem.drive.speed.powi(2)
 }

@@ -1,8 +1,8 @@
-//! The conditions of a search: when to end, what is of use.
+//! Conditions of a search: when to stop, and which results are useful.
 
 use crate::halt::Halt;
 
-/// What a search has that is not part of the problem.
+/// Options of a search that are not part of the problem.
 ///
 /// ```
 /// use gaitcam::halt::Halt;
@@ -18,18 +18,18 @@ use crate::halt::Halt;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Search {
-    /// When the search is to end.
+    /// Stop condition of the search.
     pub(crate) halt: Halt,
-    /// Only a design that passes is of use: one that cannot reach the accuracy need not be finished.
+    /// Whether only a passing design is useful, so that one that cannot reach the accuracy need not be finished.
     pub(super) only_passing: bool,
-    /// The law may dip below the base circle: shows what demands ask that no cam does.
+    /// Whether the law may fall below the base circle, to diagnose conditions without a cam.
     pub(super) below_base_circle: bool,
-    /// Spans with which a search for their number begins: those of a design for nearly the same problem.
+    /// Initial number of spans: that of a design for a similar problem.
     pub(super) least_spans: usize,
 }
 
 impl Search {
-    /// A search that ends when `halt` says so.
+    /// A search with a stop condition.
     #[must_use]
     pub fn until(halt: Halt) -> Search {
         Search {
@@ -38,7 +38,7 @@ impl Search {
         }
     }
 
-    /// The same search with another end.
+    /// The search with another stop condition.
     #[must_use]
     pub fn ended_by(&self, halt: &Halt) -> Search {
         Search {
@@ -47,7 +47,7 @@ impl Search {
         }
     }
 
-    /// The same search, for laws that may dip below the base circle.
+    /// The search for laws that may fall below the base circle.
     pub(super) fn below_base_circle(&self) -> Search {
         Search {
             below_base_circle: true,
@@ -55,7 +55,7 @@ impl Search {
         }
     }
 
-    /// The same search, for designs that pass and no others.
+    /// The search for passing designs only.
     pub(super) fn for_passing_designs(&self) -> Search {
         Search {
             only_passing: true,

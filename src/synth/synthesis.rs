@@ -1,4 +1,4 @@
-//! From a problem to its design: one force or many walkers, a plain machine or one whose motion depends on the cam.
+//! The design of a problem: one force or many walkers, a plain machine or one whose motion depends on the cam.
 
 use super::attempt::{attempt, under_limits};
 use super::design::Design;
@@ -12,9 +12,10 @@ use crate::cam::Verdict;
 use crate::error::Result;
 use crate::problem::Problem;
 
-/// The design of a problem, complete even where no law keeps its limits.
+/// The design of a problem, also if its limits are infeasible.
 ///
 /// # Errors
+///
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     check_arm(problem)?;
@@ -31,7 +32,11 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     Ok(finished(problem, search, plain, Reports::default()))
 }
 
-/// A design that keeps every limit, not the best of them: soon enough to follow a hand. `None` where none is found.
+/// A feasible design, not the optimum, fast enough for interactive use. `None` if none is found.
+///
+/// # Errors
+///
+/// Faults of the input.
 ///
 /// ```
 /// use gaitcam::synth::{Search, passing};
@@ -53,9 +58,10 @@ pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     kept(problem, &search.for_passing_designs())
 }
 
-/// The design of a problem where it keeps every limit; why there is none is not looked for.
+/// The design of a problem if it satisfies every limit, without diagnosing infeasibility.
 ///
 /// # Errors
+///
 /// Faults of the input.
 pub fn kept(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     let design = if machine::responds(problem) || population::is_judged(problem) {

@@ -1,4 +1,4 @@
-//! The class of a finished cam and all the reasons for it (docs/verdict.md).
+//! The verdict on a finished cam and all its reasons (docs/verdict.md).
 
 use super::limits::{GEOMETRY, is_usual, usual_pressure_angle};
 use super::sizing::smallest_without_undercut;
@@ -11,7 +11,7 @@ use crate::synth::report::force::ForceReport;
 use crate::synth::report::reason::{Reason, place, quantity};
 use crate::units::{Dimension, Quantity};
 
-/// The class of the cam and every reason for it, the worst first.
+/// The verdict on the cam and every reason for it, the worst first.
 pub fn verdict(
     problem: &Problem,
     cam: &Cam,
@@ -39,7 +39,7 @@ pub fn verdict(
     (class, bad)
 }
 
-/// A moving axis carries M·g on the mean, whatever its cam (theory §1).
+/// Reason for a mean force other than M·g, which a moving axis always has (theory §1).
 pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     problem.mean_force_gap().map(|gap| Reason::MeanForce {
         mean: Quantity::force(force.target_mean_n),
@@ -48,7 +48,7 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     })
 }
 
-/// What is open about the recording as a reason.
+/// Reason for an open question about the recording.
 fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     let mut keys: Vec<&'static str> = Vec::new();
     for key in because.iter().flat_map(|note| note.settled_by()) {
@@ -64,7 +64,7 @@ fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     }
 }
 
-/// The first jump of a derivative as a reason.
+/// Reason for the first jump of a derivative.
 fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     let at = place(cam.follower.measures(), cam.first_jump(order)?);
     Some(match order {
@@ -74,7 +74,7 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     })
 }
 
-/// The follower leaves the cam: the contact force would have to be negative.
+/// Reason for loss of contact: the contact force would have to be negative.
 fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> Reason {
     let drive = &problem.drive;
     let measures = cam.follower.measures();
@@ -97,7 +97,7 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// The preload of a spring and the least force of a target below it: no lift presses with less. A mass may.
+/// The preload of a spring and the minimum force of a target below it, which no lift reaches; a mass may.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();
@@ -105,7 +105,7 @@ fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     (held && drive.rest_force - least > problem.wanted_error()).then_some([drive.rest_force, least])
 }
 
-/// A pressure angle above the usual one, on a side that the scene does not limit.
+/// Reason for a pressure angle above the usual one, on a side without a limit.
 fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let [usual, _] = usual_pressure_angle(problem)?;
     let angles = checks.iter().filter(|c| is_usual(problem, c.name));
@@ -117,7 +117,7 @@ fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// A profile without a limit on its curvature may end in an edge.
+/// Reason for a profile with an edge, without a limit on its curvature.
 fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let convex = checks.iter().find(|c| c.name == LimitKind::Curvature)?;
     let prime = cam.follower.prime_radius();
@@ -129,7 +129,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// What would mend a radius that is too small.
+/// Remedy for a radius that is too small.
 fn larger(problem: &Problem, cam: &Cam) -> Reason {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
         return Reason::LengthenTravel;
@@ -142,7 +142,7 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
     }
 }
 
-/// A profile, its second cam or a wall of a groove that is sharper than allowed.
+/// Reason for a profile, its second cam or a wall of a groove that is too sharp.
 fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -> Reason {
     match check.name {
         Criterion::SecondCurvature => Reason::SecondTooSharp {
@@ -164,7 +164,7 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
     }
 }
 
-/// A check that failed, and its cure where one is known.
+/// Reason for another failed check, with its remedy if known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);

@@ -1,4 +1,4 @@
-//! The library's messages in English and Spanish, one Fluent file an area ([`gaitcam_base::wording`] says how they are made).
+//! The library's messages in English and Spanish, one Fluent file per area (see [`gaitcam_base::wording`]).
 
 #[cfg(test)]
 mod tests;

@@ -31,7 +31,7 @@ impl Words {
         self.language().tag()
     }
 
-    /// A number that is written already, with the decimal sign of the language.
+    /// A formatted number with the decimal sign of the language.
     pub fn decimal(&self, written: String) -> String {
         match self.language() {
             Language::En => written,
@@ -44,12 +44,12 @@ impl Words {
         self.0.fixed(value, decimals)
     }
 
-    /// A number for people: at most four significant digits.
+    /// A number for display: at most four significant digits.
     pub fn number(&self, value: f64) -> String {
         number(self.language(), value)
     }
 
-    /// A number for people; what is only rounding beside values as large as `scale` is 0.
+    /// A number for display; rounding errors relative to `scale` become 0.
     ///
     /// ```
     /// use gaitcam::wording::{Language, Words, catalogue};
@@ -62,12 +62,12 @@ impl Words {
         self.number(if is_rounding { 0.0 } else { value })
     }
 
-    /// "low … high" for people.
+    /// A range "low … high" for display.
     pub fn range(&self, low: f64, high: f64) -> String {
         range(self.language(), low, high)
     }
 
-    /// A length given in m, in mm; what is below a picometre is 0.
+    /// A length given in m, in mm; values below a picometre are 0.
     pub fn millimetres(&self, length: f64) -> String {
         let length = if length.abs() < 1e-12 { 0.0 } else { length };
         format!("{} mm", self.number(1e3 * length))
@@ -96,8 +96,7 @@ impl Words {
         self.0.sentence(area, &Value::from(message))
     }
 
-    /// The name of a follower, law, limit or machine where the language has one, otherwise as it is typed but
-    /// with spaces.
+    /// The name of a follower, law, limit or machine in the language, otherwise as typed but with spaces.
     pub fn name(&self, typed: &str) -> String {
         let name = catalogue(self.language()).name(typed);
         if name == typed {

@@ -1,4 +1,4 @@
-//! The convex program of a problem over splines or harmonics: demands, what is minimised, convex limits.
+//! The convex program of a problem over splines or harmonics: equalities, objective, convex limits.
 
 use std::f64::consts::TAU;
 
@@ -14,17 +14,17 @@ use crate::synth::qp::{self, Basis, MeanSquare, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
-/// leaves open (phases of zero weight) and is far below any accuracy.
+/// Weight of the jerk term against the force term, both made dimensionless: it determines the law at phases of zero weight, and is far below any
+/// accuracy.
 const JERK_TERM: f64 = 1e-12;
-/// Exact demands on one law: their dense system costs the cube of their number.
+/// Maximum number of equality constraints on one law, since their dense system has cubic cost.
 const MOST_DEMANDS: usize = 2000;
-/// Quadrature nodes on half a wave of the highest harmonic.
+/// Number of quadrature nodes on half a wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
-/// Edges of a weight nearer to a break than this stand there, rad.
+/// Distance of a weight's edge from a break below which they coincide, rad.
 const SAME_ANGLE: f64 = 1e-12;
 
-/// The program without limits, and the force distance alone.
+/// The program without limits, and the force-error objective alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
     let (basis, whole, force) = problem.objective_over(spans, || objective(problem, spans))?;
     let mut equalities = point_demands(problem, &basis)?;
@@ -54,8 +54,8 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     })
 }
 
-/// The force fit in a given number of harmonics under the convex limits. `unlimited` is the law without
-/// them: where nothing fixes the lift, it touches the base circle where it is lowest.
+/// The force fit in a given number of harmonics under the convex limits. `unlimited` is the law without them; if nothing fixes the level, its minimum
+/// touches the base circle.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,
@@ -81,7 +81,7 @@ pub fn of_harmonics(
     }
 }
 
-/// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
+/// Convexity α: the objective's quadratic part is at least ½ α mean(s″²); `None` if it has none.
 fn stiffness(problem: &Problem) -> Option<f64> {
     let inertia = problem.drive.weights()[2];
     let force = problem.least_weight() * inertia * inertia;
@@ -93,7 +93,7 @@ fn stiffness(problem: &Problem) -> Option<f64> {
     (alpha > 0.0).then_some(alpha)
 }
 
-/// What is minimised, over its functions; beside it the force distance alone.
+/// The objective over its basis functions, and the force-error objective alone.
 fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadratic)> {
     let degree = problem.spline_degree;
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
@@ -123,8 +123,7 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     Ok((basis, whole, force))
 }
 
-/// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
-/// derivatives at the dwells' ends.
+/// Periodic splines over the turn with `spans` spans outside the dwells, and `smooth` continuous derivatives at the dwells' ends.
 fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
     if dwells.is_empty() {
         let space = SplineSpace::periodic_uniform(degree, spans, TAU);
@@ -183,7 +182,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
     })
 }
 
-/// Dwells as ranges inside [0, 2π], those across 0 cut in two.
+/// Dwells as ranges inside [0, 2π]; those across 0 are split.
 fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     let mut out = Vec::new();
     for (i, d) in dwells.iter().enumerate() {
@@ -216,7 +215,7 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     Ok(out)
 }
 
-/// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.
+/// ½ mean((F − F*)²) over the turn, with the weights of the problem; 0 without a target force.
 fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     match &problem.target {
         Some(target) if problem.is_weighed() => weighed_distance(problem, basis, target),
@@ -224,7 +223,7 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     }
 }
 
-/// The same with every part of the turn counted once.
+/// The unweighted force-error objective.
 fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     if let Some((target, wanted)) = wanted(problem, basis) {
@@ -237,7 +236,7 @@ fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     force
 }
 
-/// The same as a sum of squares.
+/// The force-error objective as a sum of squares.
 fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     let Some((target, wanted)) = wanted(problem, basis) else {
         return MeanSquare::distance(basis, &[0.0], 1, |_, _, _, out| out.fill(0.0));
@@ -251,23 +250,23 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     }
 }
 
-/// The wanted force less that at rest, at the nodes of every piece of a basis.
+/// The target force less that at rest, at the nodes of every piece of a basis.
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
-    /// Whether they are those of the nearest polynomials and not of the force itself.
+    /// Whether they are the values of the nearest polynomials, not of the force itself.
     is_nearest: bool,
 }
 
 impl Wanted {
-    /// Piece after piece, as a distance takes them.
+    /// Values piece after piece, in the order of a distance.
     fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
         let mut pieces = self.values.chunks_exact(self.nodes);
         move |_, _, _, out| out.copy_from_slice(pieces.next().unwrap_or_default())
     }
 }
 
-/// `None` where no force is wanted. Against polynomials the target is its nearest polynomial on every span.
+/// `None` without a target force. For polynomials the target is replaced by its nearest polynomial on every span.
 fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted)> {
     let target = problem.target.as_ref()?;
     let breaks = basis.breaks();
@@ -301,7 +300,7 @@ fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
     HARMONIC_NODES.max(target.samples().div_ceil(pieces))
 }
 
-/// The same weighed by phase: a quadrature of its own on every range over which law and weight are smooth (theory §9).
+/// The weighted force-error objective: a quadrature on every range over which law and weight are smooth (theory §9).
 fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
@@ -335,7 +334,7 @@ fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadra
     force
 }
 
-/// Weighed mean square of the distance of the target from a force, N²: four nodes on every cell are exact.
+/// Weighted mean square of the distance of the target from a force, N²; four nodes on every cell are exact.
 fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     let count = target.cells().count();
     let cells: Vec<f64> = (0..=count).map(|i| TAU * i as f64 / count as f64).collect();

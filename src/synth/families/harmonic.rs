@@ -13,8 +13,8 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// The force's harmonics inverted, without a look at the limits, and what lies in the rest, N RMS: `count`
-/// of them, or the fewest that leave no more than `wanted`.
+/// The inverse of the force's harmonics without limits, and the RMS of the rest, N: `count` harmonics, or the minimum number that leaves at most
+/// `wanted`.
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(SolvedLaw, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let spectral = invert(target, &problem.drive, count, wanted)?;
@@ -38,7 +38,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
     Ok((law, spectral.left_over))
 }
 
-/// The harmonics that the problem asks for, inverted, or solved for with the limits where those are broken.
+/// The problem's number of harmonics, inverted, or by a program if that violates the limits.
 pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let wanted = problem.asked_error();
     let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;
@@ -68,7 +68,7 @@ pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     )))
 }
 
-/// The refusal of families that follow a force where there is none.
+/// The error of families that require a target force.
 pub fn no_force() -> Error {
     SynthError::FamilyNeedsForce.at_key("law.family")
 }

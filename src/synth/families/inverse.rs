@@ -6,7 +6,7 @@ use crate::law::Law;
 use crate::problem::Target;
 use crate::synth::qp::Basis;
 
-/// A harmonic law and its remainder.
+/// A harmonic law and its residual.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -27,24 +27,25 @@ use crate::synth::qp::Basis;
 pub struct Spectral {
     /// Mean, then cosine and sine amplitudes of lift, m.
     pub x: Vec<f64>,
-    /// Number of harmonics.
+    /// Number of harmonics of the law.
     pub count: usize,
-    /// RMS force left in the harmonics that are not used, N.
+    /// RMS force of the omitted harmonics, N.
     pub left_over: f64,
 }
 
 impl Spectral {
-    /// The law; its mean is that of the drive, or zero where the drive leaves it open.
+    /// The law; its mean comes from the drive, or is zero if the drive leaves it open.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)
     }
 }
 
-/// The best law of `count` harmonics, or of the fewest whose remainder is at most `wanted` newtons RMS.
+/// The best law of `count` harmonics, or of the minimum number whose residual is at most `wanted` newtons RMS.
 ///
 /// # Errors
-/// Fewer samples than the harmonics asked need; a drive in resonance with a harmonic that the force contains.
+///
+/// Fewer samples than the harmonics need; resonance of the drive with a harmonic of the force.
 pub fn invert(
     target: &Target,
     drive: &Drive,

@@ -1,5 +1,4 @@
-//! From a problem to a law, one file per family. Where the family is open the harmonics in closed form answer if they suffice,
-//! and a spline otherwise.
+//! From a problem to a law, one file per family. An automatic family uses harmonics in closed form if they suffice, and a spline otherwise.
 
 mod demands;
 mod double_harmonic;
@@ -26,7 +25,7 @@ use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::Quantity;
 use harmonic::inverted;
 
-/// The law of the problem's family; a spline where the family is open and the closed form does not pass every check.
+/// The law of the problem's family; for an automatic family a spline, if the closed form fails a check.
 pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let passed_over = match problem.law.family {
         Family::Polynomial => return Ok(Ok(polynomial::polynomial_law(problem)?)),
@@ -49,18 +48,18 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// What the harmonics in closed form come to.
+/// Result of the harmonics in closed form.
 enum ClosedForm {
-    /// Their cam passes every check: the optimum (theory §1).
+    /// Their cam passes every check, so they are the optimum (theory §1).
     Passes(Box<SolvedLaw>),
-    /// What they miss; `None` where they cannot be asked.
+    /// Requirements that they miss; `None` if they do not apply.
     Missed(Option<PassedOver>),
 }
 
-/// The name of the closed form in [`PassedOver`].
+/// Name of the closed form in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
-/// The harmonics in closed form, or what they miss.
+/// The harmonics in closed form, or the requirements that they miss.
 fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     if !suits(problem) {
         return Ok(ClosedForm::Missed(None));
@@ -99,7 +98,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether only the force is asked for. Only a spline meets demands and other objectives.
+/// Whether only the force is required; other conditions and objectives need a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

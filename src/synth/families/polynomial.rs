@@ -13,14 +13,13 @@ use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
-/// Lifts of neighbouring dwells may differ by this part of the typical lift.
+/// Relative difference of the lifts of neighbouring dwells that counts as none.
 const SAME_LIFT: f64 = 1e-9;
 
-/// The problem's polynomial with how it was found; its monomial coefficients in (θ − θ₀)/β are for output only.
+/// The problem's polynomial with its method; its monomial coefficients in (θ − θ₀)/β are for output only.
 ///
-/// # Errors
-/// The conditions do not fix a polynomial of the degree asked for, a force is given that lift alone does not
-/// decide, or the ends cannot be joined by a dwell.
+/// # Errors The conditions do not determine a polynomial of the requested degree, a given force does not determine the lift, or the ends cannot be
+/// joined by a dwell.
 pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let conditions = conditions(problem)?;
     let [start, end] = range(problem)?;
@@ -65,7 +64,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Where the polynomial moves: from the first point to the last, rad.
+/// Range in which the polynomial moves: from the first point to the last, rad.
 fn range(problem: &Problem) -> Result<[f64; 2]> {
     let angles = problem.law.points.iter().map(|p| p.angle);
     let start = angles.clone().fold(f64::INFINITY, f64::min);
@@ -80,7 +79,7 @@ fn range(problem: &Problem) -> Result<[f64; 2]> {
     Ok([start.max(0.0), end.min(TAU)])
 }
 
-/// The conditions fix another degree than the one asked for.
+/// The error that the conditions determine another degree than the requested one.
 fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
     let conditions = fixed + 1;
     if degree < fixed {

@@ -11,8 +11,7 @@ use crate::synth::report::solver::{SolverReport, Tier};
 
 /// The law of the problem's segments.
 ///
-/// # Errors
-/// Segments that do not cover what the cam covers.
+/// # Errors Segments that do not cover the extent of the cam.
 pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     let segments: Vec<Segment> = problem
         .law
@@ -46,7 +45,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// The programme over what its cam covers: a turn, several, a length, or the half that a breadth mirrors.
+/// The programme over the extent of its cam: one or several turns, a length, or the half turn of a constant breadth.
 fn assembled(problem: &Problem, segments: &[Segment]) -> Result<Law> {
     let cam = &problem.cam;
     let total: f64 = segments.iter().map(|s| s.angle).sum();

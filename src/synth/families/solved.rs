@@ -1,4 +1,4 @@
-//! A law with how it was found: the limits that shape it, and what relaxing them would buy.
+//! A law with its method: active limits, and the gain from relaxing them.
 
 use std::collections::HashMap;
 
@@ -12,28 +12,28 @@ use crate::synth::report::limited::{Binding, Easing, Minimised};
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::SolverReport;
 
-/// A law with how it was found, before it has a cam.
+/// A law with its method, before the cam.
 #[derive(Clone)]
 pub struct SolvedLaw {
-    /// The law, its zero where the family puts it.
+    /// The law, with the zero of its family.
     pub law: Law,
-    /// Family that answered.
+    /// Family of the law.
     pub family: Family,
-    /// Degree of its polynomials as users name it.
+    /// Degree of its polynomials for display.
     pub degree: usize,
-    /// Spans, without dwells, that are enough for a spline; 0 of another family.
+    /// Sufficient number of spans, without dwells, for a spline; 0 for another family.
     pub spans: usize,
-    /// The functions that the coefficients belong to.
+    /// Basis functions of the coefficients.
     pub functions: Functions,
-    /// Parameters as `summary.json` lists them.
+    /// Parameters as in `summary.json`.
     pub coefficients: Vec<f64>,
-    /// Prime circle and offset on which the program found it, where they are among its variables.
+    /// Prime circle and offset of the program's optimum, if they are among its variables.
     pub circle: Option<PrimeCircle>,
-    /// Limits that shape it.
+    /// Active limits of the law.
     pub binding: Vec<Binding>,
-    /// What relaxing them would buy.
+    /// Gain from relaxing them.
     pub easing: Vec<Easing>,
-    /// How it was found.
+    /// Method of the solution.
     pub solver: SolverReport,
 }
 
@@ -68,7 +68,7 @@ pub fn solved_law(
     }
 }
 
-/// The smallest prime circle of a solution's distance and offset.
+/// The prime circle and offset of a solution.
 fn circle(solution: &Solution) -> PrimeCircle {
     let offset = solution.extra[OFFSET];
     PrimeCircle {
@@ -77,10 +77,10 @@ fn circle(solution: &Solution) -> PrimeCircle {
     }
 }
 
-/// Part of a limit's largest multiplier below which a row is what an interior point leaves of one that does not bind.
+/// Fraction of a limit's largest multiplier below which a row is not active, but a residue of the interior point.
 const BINDS: f64 = 1e-6;
 
-/// Active rows as a user reads them: rows of one limit within half a piece are one contact.
+/// Active rows for display: rows of one limit within half a piece form one contact.
 fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
     let mut largest: HashMap<(Option<usize>, &str), f64> = HashMap::new();

@@ -1,4 +1,4 @@
-//! The spline family: least squares in force space under demands and limits.
+//! The spline family: least squares of the force error under equalities and limits.
 
 use super::formulation;
 use super::solved::{SolvedLaw, solved_law};
@@ -10,24 +10,24 @@ use crate::synth::qp;
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Spans tried first.
+/// Initial number of spans.
 const FEWEST: usize = 3;
-/// Spans tried before "auto" gives up.
+/// Maximum automatic number of spans.
 const MOST_AUTO_SPANS: usize = 400;
-/// Spans for laws that follow no force.
+/// Number of spans for laws without a target force.
 const SPANS_WITHOUT_FORCE: usize = 48;
-/// Spans tried first inside a band.
+/// Initial number of spans inside a band …
 const FEWEST_IN_BAND: usize = 8;
-/// … and last.
+/// … and maximum number.
 const MOST_IN_BAND: usize = 120;
-/// A limit that is broken may want more spans; they grow by this factor while the error still falls.
+/// Factor by which the spans grow under active limits while the error decreases …
 const GROWTH: f64 = 1.5;
-/// … by at least this part.
+/// … by at least this fraction.
 pub const WORTHWHILE: f64 = 0.02;
-/// Below this number of spans the error is not monotone in it where limits are active, and there may be no law at all.
+/// Number of spans below which the error is not monotone in it under active limits, and there may be no feasible law.
 pub const TELLING: usize = 12;
 
-/// The problem's spline with how it was found.
+/// The problem's spline with its method.
 pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let (mut optimum, spans) = match fit(problem, search)? {
         Ok(found) => found,
@@ -42,18 +42,18 @@ pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// How many spans a law gets.
+/// Choice of the number of spans.
 enum Spans {
-    /// This number.
+    /// Exactly this number.
     Given(usize),
-    /// As few as have a law that keeps the band or the accuracy, from the first number to the second.
+    /// The minimum number that is feasible for the band or the accuracy, in a range.
     Fewest(usize, usize),
-    /// This number, which reaches the accuracy (N RMS) without limits, or more where limits ask for more.
+    /// This number, which reaches the accuracy (N RMS) without limits, or more if limits require it.
     AtLeast(usize, f64),
 }
 
-/// The fit with the problem's own number of spans, or with the fewest that reach the accuracy; and the number that was enough,
-/// which may be smaller than that of the best fit.
+/// The fit with the problem's own number of spans, or with the minimum that reaches the accuracy; also the sufficient number, which may be smaller
+/// than that of the best fit.
 fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     let optimum = match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans)?,
@@ -66,7 +66,7 @@ fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     }))
 }
 
-/// The number of spans with which the search begins.
+/// Initial number of spans of the search.
 fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
     if let Some(spans) = problem.law.spans {
         return Ok(Spans::Given(spans));
@@ -93,8 +93,7 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
     })
 }
 
-/// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
-/// without limits miss it with them.
+/// Minimum number of spans that reaches an accuracy without limits, a lower bound that is cheap to compute.
 fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Result<usize> {
     let mut spans = search.least_spans.max(FEWEST);
     while spans < MOST_AUTO_SPANS {
@@ -107,13 +106,13 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
     Ok(spans)
 }
 
-/// The number of spans, or harmonics, tried after one.
+/// The next trial number of spans or harmonics.
 pub fn larger(size: usize) -> usize {
     let next = (size as f64 * GROWTH) as usize;
     next.max(size + 1).min(MOST_AUTO_SPANS)
 }
 
-/// Limits that bind may want more spans: more are tried while the error falls for them.
+/// Increases the number of spans under active limits while the error decreases.
 fn while_worthwhile(
     problem: &Problem,
     search: &Search,
@@ -157,7 +156,7 @@ fn while_worthwhile(
     }
 }
 
-/// The fewest spans that have a law; with none, the answer of the most. Spans serve band and accuracy only.
+/// The minimum number of spans with a feasible law; without one, the result of the maximum number. Spans affect only band and accuracy.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
         match solve(problem, search, spans)? {
@@ -179,7 +178,7 @@ fn solve(problem: &Problem, search: &Search, spans: usize) -> Sought<Optimum> {
     Ok(optimum::solve(problem, search, formulation))
 }
 
-/// Where the spread, not the accuracy, ended the choice of spans (or harmonics in closed form).
+/// The note that the spread, not the accuracy, limited the number of spans (or harmonics in closed form).
 pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
     let auto = match problem.law.family {
         Family::Spline => problem.law.spans.is_none(),

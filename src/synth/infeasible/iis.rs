@@ -1,5 +1,4 @@
-//! An irreducible infeasible set of a program: limits that cannot hold together, any of which could be
-//! dropped to let the others hold.
+//! An irreducible infeasible set of a program: conflicting limits that become feasible if any one is dropped.
 
 use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
@@ -13,13 +12,13 @@ use crate::synth::qp::{
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
-/// More demands than this are named without looking for the few that are to blame: each costs a program.
+/// Number of equalities above which all are named, since the search for a minimal set costs a program for each.
 const MOST_DEMANDS: usize = 64;
 
-/// A solution that exceeds a limit by more than this part of its size does not hold it.
+/// Relative excess above which a solution violates a limit.
 const BROKEN: f64 = 1e-6;
 
-/// Explains a program without solution.
+/// Explains why a program has no solution.
 pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
     let because = |reason: Reason, conflict: Vec<Conflicting>| Infeasible {
         conflict,
@@ -63,7 +62,7 @@ fn members(demands: &[Demand]) -> Vec<Conflicting> {
     demands.iter().copied().map(Conflicting::Demand).collect()
 }
 
-/// Limits in conflict with what would help.
+/// Conflicting limits with suggested changes.
 fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
     let conflict: Vec<Conflicting> = kept.iter().copied().map(Conflicting::Limit).collect();
     let mut reasons = vec![conflicting(kept)];
@@ -78,8 +77,8 @@ fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>, measures: Measu
     }
 }
 
-/// Deletion filter: what remains cannot hold together, and could without any one of its members. An item
-/// whose removal was not proved to leave nothing (`None`) stays.
+/// Deletion filter: the remaining set is infeasible, but feasible without any one of its members. An item stays if infeasibility without it was not
+/// proved (`None`).
 fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Option<bool>) -> Vec<T> {
     let mut kept = all.to_vec();
     for item in all {
@@ -91,7 +90,7 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
     kept
 }
 
-/// Limits of the scene that conflict, given the demands; empty where the demands alone are infeasible.
+/// Conflicting limits of the scene, given the equalities; empty if the equalities alone are infeasible.
 fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
     let nonconvex = refusal
@@ -124,7 +123,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     irreducible(&names, holds)
 }
 
-/// The points and dwells that cannot hold together on or above the base circle.
+/// The points and dwells that are infeasible on or above the base circle.
 fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     let mut names: Vec<Demand> = Vec::new();
     for demand in &program.equalities {
@@ -146,17 +145,17 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     })
 }
 
-/// A limit on a mean that everything keeps: it still says which law is easily found.
+/// A harmless limit on a mean, so that a program without limits has an easily computed law.
 fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row is a number of the scene, and not the base circle, a monotone flank or the objective.
+/// Whether a row comes from a value of the scene, not from the base circle, a monotone flank or the objective.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }
 
-/// Whether a law was found that keeps everything; `None` where the solver stopped without an answer.
+/// Whether a feasible law was found; `None` if the solver stopped without an answer.
 fn can_hold(
     problem: &Problem,
     program: &Program,
@@ -178,7 +177,7 @@ fn can_hold(
     }
 }
 
-/// The law of the least root mean square, which keeps the limit on it, or none does.
+/// The law of the minimum root mean square, which satisfies the limit on it if any law does.
 fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     let mut least = program
         .of_least_rms(limit.name)
@@ -189,7 +188,7 @@ fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     holds.then_some(own).ok_or(Failure::Infeasible)
 }
 
-/// A bore around which no cam fits under the limit on the prime radius, where the size is open.
+/// A bore around which no cam satisfies the limit on the prime radius, for an automatic size.
 pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let (bore, limit) = (problem.cam.bore?, problem.limits[LimitKind::PrimeRadius]?);
     let least = problem.outside_bore() + problem.cam.roller_radius;
@@ -205,7 +204,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     Some(in_conflict(&conflict, relaxations, problem.cam.measures()))
 }
 
-/// The smallest force error under the other limits, as an accuracy; `None` for another limit.
+/// The minimum force error under the other limits, as an accuracy; `None` for another limit.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.iter().find(|l| l.name == name)?;
     let best = program.of_least_rms(name)?.solve().ok();
@@ -214,8 +213,8 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))
 }
 
-/// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.
-/// `None` for what is no number of the scene. The whole design may ask for more: `relaxation` begins here.
+/// The smallest relaxation of one limit for which the others are feasible, by minimising its bound. `None` for limits that are not values of the
+/// scene. The whole design may require more; `relaxation` starts here.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);

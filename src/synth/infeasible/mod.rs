@@ -1,5 +1,5 @@
-//! Why there is no cam: an irreducible infeasible set of limits, by a deletion filter on the program that has no solution. A
-//! stop of the solver is no proof that limits leave nothing, and is reported as what it is.
+//! Diagnosis of infeasibility: an irreducible infeasible set of limits, by a deletion filter on the program. A solver that stops does not prove
+//! infeasibility, and is reported as such.
 
 mod iis;
 pub mod reasons;

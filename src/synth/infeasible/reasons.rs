@@ -1,4 +1,4 @@
-//! Conflicts and relaxations as reasons, and values of limits in the units people use.
+//! Conflicts and suggested changes as reasons, with values in customary units.
 
 use crate::cam::{Criterion, Measures};
 use crate::synth::report::limited::Relaxation;
@@ -6,7 +6,7 @@ use crate::synth::report::named::unit;
 use crate::synth::report::reason::{Change, Reason, quantity};
 use crate::wording::{Language, exact};
 
-/// Which limits cannot hold together.
+/// Reason of conflicting limits.
 pub fn conflicting(conflict: &[Criterion]) -> Reason {
     let mut limits = conflict.to_vec();
     match limits.pop() {
@@ -21,7 +21,7 @@ pub fn conflicting(conflict: &[Criterion]) -> Reason {
     }
 }
 
-/// Relaxations with their units; those without a value are left out.
+/// Suggested changes with their units; those without a value are omitted.
 pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
     let change = |r: &Relaxation| {
         Some(Change::Change {
@@ -34,7 +34,7 @@ pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
     relaxations.iter().filter_map(change).collect()
 }
 
-/// What would help.
+/// Reason with the suggested changes.
 pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> Reason {
     let changes = changes(relaxations, measures);
     match changes.len() {
@@ -44,7 +44,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
     }
 }
 
-/// A limit's value in the units people use for it on a cam of these measures, exact enough to be typed back.
+/// A limit's value in its customary unit on a cam of these measures, exact enough to be typed back.
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;

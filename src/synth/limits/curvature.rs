@@ -1,4 +1,4 @@
-//! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
+//! Limits on the convex radius of the finished cam, undercut, the roller in a concave part, and interference.
 
 use super::finished::GEOMETRY;
 use super::slack::{ProfileSize, Slack};
@@ -8,14 +8,14 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Points of the profile among which interference is looked for.
+/// Number of profile points for the interference check.
 const INTERFERENCE_POINTS: usize = 360;
-/// Depth of interference below this share of the prime radius is rounding.
+/// Depth of interference relative to the prime radius that counts as rounding.
 const TOUCH: f64 = 1e-6;
-/// s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
+/// Weights of s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
-/// Under a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
+/// Limit under a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     let rho = problem.limits[LimitKind::Curvature];
     let (base, rho, scale) = if is_sized {
@@ -36,7 +36,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     (problem.cam.follower == FollowerKind::FlatTranslating).then_some(limit)
 }
 
-/// w^{3/2}/ρ − (w + vY − aX).
+/// Clearance w^{3/2}/ρ − (w + vY − aX) of a roller.
 pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     let (x, y) = (size.rise + at.s, at.v - size.offset);
     let w = x * x + y * y;
@@ -56,9 +56,7 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     }
 }
 
-/// W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′: the tangent in the fixed frame is
-/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (theory §6
-/// in other letters).
+/// Clearance W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′:
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
@@ -78,7 +76,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of theory §6, the face's offset added.
+/// Clearance (ρ_face − ρ) q³ of a face on an arm, with q = 1 + ξ′ and the radius of theory §6, including the face's offset.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
     let q = 1.0 + at.v;
@@ -95,8 +93,7 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// Convex and concave radii of a profile. Asked for or not, a negative convex radius is a cam that cuts
-/// itself.
+/// Checks of convex and concave radii of a profile. A negative convex radius is always an error, since the cam cuts itself.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -115,8 +112,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// Roller or face against other parts of the profile; `None` where nothing can interfere: a flat
-/// translating face on a convex cam touches it once.
+/// Roller or face against other parts of the profile; `None` if interference is impossible, as for a translating flat face on a convex cam.
 pub fn interference(cam: &Cam) -> Option<Check> {
     match cam.follower {
         Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,

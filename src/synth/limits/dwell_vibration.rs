@@ -1,8 +1,6 @@
-//! Vibration that is left over in a dwell (theory §10).
-//!
-//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. The law
-//! without the limit is looked at first. Where it leaves more than allowed, the disc |(q, p)| ≤ limit enters by its tangents.
-//! Whatever shaped the law, the finished cam is checked with the model that simulates it.
+//! Limit on the residual vibration in a dwell (theory §10). The state (q, p) of the vibration at the start of a dwell is linear in the law; its
+//! length is the amplitude. If the law without the limit exceeds it, the disc |(q, p)| ≤ limit enters by its tangents. The finished cam is checked
+//! with the simulation model.
 
 use std::f64::consts::TAU;
 
@@ -15,12 +13,12 @@ use crate::poly::{Extreme, Peak, gauss_legendre};
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
-/// A limit counts as kept within this part of it.
+/// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// An excess counts in parts of the limit, or of this part of the deflections whose difference the vibration is: they round.
+/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding.
 const CANCELLED: f64 = 1e-4;
 
-/// The vibration of the finished cam: of a polydyne follower's end, what it misses of its law.
+/// The vibration of the finished cam: for a polydyne follower's end, its deviation from the law.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
     let limit = problem.limits[LimitKind::Residual]?;
@@ -34,7 +32,7 @@ pub fn check(design: &Finished) -> Option<Check> {
     Some(Check::of(LimitKind::Residual, worst?, limit, SLACK))
 }
 
-/// Largest amplitude in a dwell, m; infinite where nothing bounds it. `None` without dwells or a compliant follower.
+/// Largest amplitude in a dwell, m; infinite if it is unbounded. `None` without dwells or a compliant follower.
 fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
     let train = problem.train().ok()??;
     let starts: Vec<f64> = problem.rests().iter().map(|r| r.0).collect();
@@ -45,10 +43,10 @@ fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
         .max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// det(1 − e^{2πA}) below this is an undamped resonance.
+/// Determinant det(1 − e^{2πA}) below which there is an undamped resonance.
 const RESONANCE: f64 = 1e-11;
 
-/// Motions from the end of one rest to the begin of the next, as angles counted on over the turn.
+/// Motions between consecutive rests, as angles over several turns.
 fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
     (0..rests.len())
         .map(|k| {
@@ -69,16 +67,16 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Free vibration of the follower, by the angle: a unit of q at rest is after φ at e^{−ζrφ}(C + ζS, −S).
+/// Free vibration of the follower as a function of the angle: a unit of q at rest becomes e^{−ζrφ}(C + ζS, −S) after φ.
 struct Free {
-    /// r = √(K/m)/ω.
+    /// Frequency ratio r = √(K/m)/ω.
     rate: f64,
-    /// ζ of all dampers.
+    /// Damping ratio ζ of all dampers.
     damping: f64,
 }
 
 impl Free {
-    /// C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or what they become at ζ ≥ 1; both times e^{−ζrφ}.
+    /// The functions C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or their limits for ζ ≥ 1; both times e^{−ζrφ}.
     fn waves(&self, angle: f64) -> [f64; 2] {
         let (z, x) = (self.damping, self.rate * angle);
         let square = 1.0 - z * z;
@@ -94,15 +92,14 @@ impl Free {
         [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
     }
 
-    /// e^{A φ} with A = r (0 1; −1 −2ζ).
+    /// The matrix e^{A φ} with A = r (0 1; −1 −2ζ).
     fn carried(&self, angle: f64) -> [[f64; 2]; 2] {
         let ([c, s], z) = (self.waves(angle), self.damping);
         [[c + z * s, s], [-s, c - z * s]]
     }
 }
 
-/// The vibrations at the starts of the dwells as rows over the coefficients of a law: q and p of each, in the periodic
-/// steady state.
+/// The vibrations at the starts of the dwells as rows on the coefficients of a law: q and p of each, in the periodic steady state.
 pub struct Vibrations {
     rests: Vec<(f64, f64)>,
     rows: Vec<[Vec<f64>; 2]>,
@@ -110,8 +107,8 @@ pub struct Vibrations {
 }
 
 impl Vibrations {
-    /// Those that a problem limits; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower rests
-    /// where its law does.
+    /// The limited vibrations of a problem; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower is at rest where its
+    /// law is.
     pub fn of(problem: &Problem, basis: &Basis) -> Option<Vibrations> {
         let limit = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne)?;
         let (train, rests) = (problem.train().ok()??, problem.rests());
@@ -135,7 +132,7 @@ impl Vibrations {
         Some(Vibrations { rests, rows, limit })
     }
 
-    /// Tangents of the discs at the vibrations of a law that lie outside of them.
+    /// Tangents of the discs at the vibrations of a law outside them.
     pub fn tangents(&self, x: &[f64]) -> Vec<Row> {
         let sum = |row: &[f64]| row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
         let mut out = Vec::new();
@@ -166,7 +163,7 @@ impl Vibrations {
     }
 }
 
-/// What one motion leaves of a follower at rest before it: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
+/// Vibration after one motion of a follower that was at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
 fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) -> [Vec<f64>; 2] {
     let mut out = [vec![0.0; basis.columns()], vec![0.0; basis.columns()]];
     for (theta, weight) in quadrature(&basis.breaks(), motion, free.rate) {
@@ -201,8 +198,7 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f6
     out
 }
 
-/// The same in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping nothing fades, and what is
-/// left of each motion stands for its dwell.
+/// The vibrations in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping each motion is considered alone.
 fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
     let n = rests.len();
     // own[k] ends at the start of rest k + 1.

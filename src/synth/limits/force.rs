@@ -1,4 +1,4 @@
-//! Smallest and largest contact force, the band about the target, and the accuracy.
+//! Limits on the contact force, the band about the target, and the accuracy.
 
 use super::finished::{Finished, SLACK};
 use crate::cam::{Check, Criterion, LimitKind};
@@ -12,7 +12,7 @@ use crate::synth::qp::{
 };
 use crate::synth::report::force::ForceReport;
 
-/// Smallest and largest force.
+/// Limits on the smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let [s, v, a, _] = problem.drive.weights();
     let rest = problem.drive.rest_force;
@@ -38,8 +38,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Limits on the distance of the force to the target: the band, and the largest error where that is what is
-/// minimised. Their shapes and cost join the program.
+/// Limits on the difference of force and target: the band, and the maximum error if it is minimised. Their shapes and cost join the program.
 pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Some(target) = &problem.target else {
         return Vec::new();
@@ -78,7 +77,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     out
 }
 
-/// The accuracy, where it limits a law that minimises something else; `half` is half the mean square of the force error.
+/// The accuracy limit of a law with another objective; `half` is half the mean square of the force error.
 pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<RmsLimit> {
     let most = problem.limited_error()?;
     Some(RmsLimit {
@@ -89,7 +88,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Distance of the force of a law from the target, exact on the pieces of both.
+/// Difference of the force of a law from the target, exact on the pieces of both.
 pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.force_curve(law);
     let (low, high) = problem.force_extremes(law);
@@ -109,10 +108,10 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// A contact force below zero by this part of the largest is rounding.
+/// Negative contact force relative to the largest that counts as rounding.
 const TOUCHES: f64 = 1e-7;
 
-/// Smallest and largest force of the design; contact is kept, asked for or not.
+/// Checks of the smallest and largest force; contact is always required.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.force_extremes(design.pressing);
@@ -132,7 +131,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// The band, which is the accuracy where there is one, otherwise the RMS error that is allowed.
+/// The check of the band or of the accuracy, otherwise of the allowed RMS error.
 pub fn accuracy_check(design: &Finished) -> Option<Check> {
     let (problem, force) = (design.problem, design.force);
     if let Some([low, high]) = &problem.band {
@@ -156,7 +155,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, limit, TOLERANCE))
 }
 
-/// Rounding of a force, N.
+/// Rounding error of a force, N.
 fn slack(design: &Finished) -> f64 {
     let rest = design.problem.drive.rest_force.abs();
     SLACK * design.force.target_mean_n.abs().max(rest)

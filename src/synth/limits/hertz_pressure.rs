@@ -1,6 +1,4 @@
-//! Limit on the line pressure between a cam and what it drives.
-//!
-//! Under a flat face the limit is linear in law and size: a row. Under a roller it is not convex.
+//! Limit on the line pressure between cam and follower. Under a flat face it is linear in law and size; under a roller it is not convex.
 
 use std::f64::consts::PI;
 
@@ -15,7 +13,7 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
+/// Fraction of the squared pressure due to the roller alone above which the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
 /// Steel on steel under a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together (`is_sized`: the radius is
@@ -44,7 +42,7 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     Some(Meaning::Sized.of(limit))
 }
 
-/// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
+/// Minimum base radius under a flat face for the pressure limit: the maximum of F E*/(π L p²) − s − a.
 pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
     let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;
@@ -60,8 +58,7 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         .value
 }
 
-/// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
-/// that presses on any cam.
+/// The pressure limit, if a sufficiently large roller cam can satisfy it, since the roller's own curvature contributes to the pressure.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (
         problem.limits[LimitKind::HertzPressure]?,
@@ -72,21 +69,19 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }
 
-/// Line pressure between a roller and its cam.
+/// Limit on the line pressure between a roller and its cam.
 #[derive(Debug, Clone, Copy)]
 pub struct Pressure {
-    /// π L/E*, so that p² is the normal force times the sum of curvatures over this, m²/N.
+    /// Factor π L/E*; p² is the normal force times the sum of curvatures over this, m²/N.
     pub spread: f64,
     /// Radius of the roller, m.
     pub roller: f64,
-    /// Largest pressure, Pa.
+    /// Maximum pressure, Pa.
     pub most: f64,
 }
 
 impl Pressure {
-    /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
-    /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
-    /// (theory §6, §10).
+    /// Clearance q R_f X (w^{3/2} − R_f K) − F w², with q = p² π L/E*: for X = D + s,
     pub fn slack(&self, drive: &Drive, at: Svaj, force: f64, size: ProfileSize) -> Slack {
         let [k, c, m, _] = drive.weights();
         let (x, y) = (size.rise + at.s, at.v - size.offset);
@@ -117,7 +112,7 @@ impl Pressure {
     }
 }
 
-/// Highest pressure on the finished cam; infinite on an undercut profile, which is cut away where it would be highest.
+/// Maximum pressure on the finished cam; infinite on an undercut profile.
 pub fn worst(design: &Finished) -> Extreme {
     let press = Press::of(design.problem, design.pressing);
     let worst = press.worst(design.cam, design.second, design.groove);

@@ -1,4 +1,4 @@
-//! Base circle, stroke, face width, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
+//! Limits on base circle, stroke, face width, velocity, acceleration and jerk, monotone flanks, and the maximum of a derivative.
 
 use super::finished::SLACK;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
@@ -9,13 +9,12 @@ use crate::synth::qp::{
     FACE_END, LOWEST, Limit, Meaning, PEAK, Program, Variable, only, structural,
 };
 
-/// A law may dip below its base circle by this part of the stroke: rounding.
+/// Depth below the base circle, relative to the stroke, that counts as rounding.
 const DIP: f64 = 1e-7;
-/// A dip below this counts as none, m or rad: the tolerance of a program on a lift of a centimetre, which is what it leaves of a
-/// law without a stroke.
+/// Depth below the base circle that counts as none, m or rad: the program's tolerance for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
-/// The law stays above its base circle, where something else says how high it stands.
+/// The limit that the law stays above its base circle, if something else fixes its level.
 pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
@@ -23,19 +22,19 @@ pub fn base_circle(problem: &Problem) -> Option<Limit> {
     (problem.level_is_known() || stroke.is_some()).then_some(limit)
 }
 
-/// The same with the size of the cam among the variables.
+/// The base-circle limit with the size of the cam among the variables.
 pub fn above_base_circle(problem: &Problem) -> Limit {
     structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length())
 }
 
-/// The law's zero is its base circle: it does not dip below.
+/// The limit that the law is not below its base circle, which is its zero.
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
     let dips = lowest.value < -(DIP * cam.law.stroke()).max(NO_LIFT);
     dips.then(|| Check::of(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 
-/// Lift within the stroke, counted from the base circle, or from the lowest lift where the level is known.
+/// Limit on the lift, counted from the base circle, or from the minimum lift if the level is free.
 pub fn stroke(problem: &Problem) -> Vec<Limit> {
     let Some(h) = problem.limits[LimitKind::Stroke] else {
         return Vec::new();
@@ -44,7 +43,7 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
     range(problem, LimitKind::Stroke, 0, h, window)
 }
 
-/// The contact on a flat face moves by v (theory §6): its range is the face's width.
+/// Limit on the face width: the contact on a flat face moves by v (theory §6).
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
     match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
         (Some(width), FollowerKind::FlatTranslating) => {
@@ -54,7 +53,7 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// A derivative within a range of the given width, from 0 on or from the value of a variable on.
+/// Limit of a derivative to a range of the given width, from 0 on or from the value of a variable on.
 fn range(
     problem: &Problem,
     name: LimitKind,
@@ -75,12 +74,12 @@ fn range(
     }
 }
 
-/// Derivatives by time that are limited: limit, order, bound.
+/// Limited time derivatives: limit, order, bound.
 fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
     LimitKind::by_time().filter_map(|(kind, order)| Some((kind, order, problem.limits[kind]?)))
 }
 
-/// Velocity, acceleration and jerk, both signs.
+/// Limits on velocity, acceleration and jerk, both signs.
 pub fn timed(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     for (name, order, limit) in limited(problem) {
@@ -99,7 +98,7 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Stroke and derivatives by time of the finished cam; where one jumps the next is infinite.
+/// Checks of stroke and time derivatives of the finished cam; a jump makes the next derivative infinite.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
@@ -123,7 +122,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// The law rises or falls steadily between neighbouring points whose lifts differ, where the scene asks for it.
+/// Limits that make the law monotone between neighbouring points of different lift, if the scene requires it.
 pub fn monotone(problem: &Problem) -> Vec<Limit> {
     if !problem.law.monotone {
         return Vec::new();
@@ -150,7 +149,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         .collect()
 }
 
-/// The largest absolute value of a derivative, where that is the quantity to minimise. Its cost joins the program.
+/// The maximum absolute value of a derivative as the objective. Its cost joins the program.
 pub fn peak(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Minimise::Peak(order) = problem.objective() else {
         return Vec::new();

@@ -1,5 +1,5 @@
-//! Loads that are not convex in the law, h(s, v, a, j, D, e) ≥ 0 with its derivatives: shaft torque, its rate and its power,
-//! and the pressure under a roller.
+//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0 with its derivatives: shaft torque, its rate and its power, and the pressure
+//! under a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -14,28 +14,28 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
 
-/// A limit counts as kept within this part of it.
+/// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// What is not convex in the loads of a problem; `None` = no limit.
+/// Nonconvex load limits of a problem; `None` = no limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
-    /// Lift to force.
+    /// Relation of lift and force.
     pub drive: Drive,
-    /// What a varying speed or a floor adds to it.
+    /// Additions of a varying speed or a floor.
     pub on_shaft: Option<Arc<OnShaft>>,
-    /// Largest |F v|, N·m.
+    /// Maximum |F v|, N·m.
     pub torque: Option<f64>,
-    /// Largest |F v| that a limit on the power leaves at the mean speed, N·m.
+    /// Maximum |F v| that a limit on the power allows at the mean speed, N·m.
     pub power: Option<f64>,
-    /// Largest |d(F v)/dθ|, N·m/rad.
+    /// Maximum |d(F v)/dθ|, N·m/rad.
     pub torque_rate: Option<f64>,
-    /// Pressure under a roller.
+    /// Limit on the pressure under a roller.
     pub pressure: Option<Pressure>,
 }
 
 impl Loads {
-    /// The loads that are limited and not convex; the pressure is one where the size `under_roller` is known.
+    /// The nonconvex load limits; the pressure is included if the size `under_roller` is known.
     pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
         let limits = &problem.limits;
         let roller = Some(problem.cam.roller_radius).filter(|r| under_roller && *r > 0.0);
@@ -57,7 +57,7 @@ impl Loads {
         (!loads.named().is_empty()).then_some(loads)
     }
 
-    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    /// Every limit at a point of the law; h ≥ 0 if it holds.
     pub fn slacks(&self, at: Svaj, theta: f64, size: ProfileSize, out: &mut Vec<Slack>) {
         let shaft = self.on_shaft.as_ref();
         let [extra, extra_rate] = shaft.map_or([0.0; 2], |shaft| {
@@ -75,7 +75,7 @@ impl Loads {
         out.extend(pressure.map(|p| p.slack(&self.drive, at, force, size)));
     }
 
-    /// The limits on the torque; at constant speed the lesser, from which the other one follows.
+    /// The limits on the torque; at constant speed only the smaller one is needed.
     fn on_torque(&self, theta: f64) -> [Option<(LimitKind, f64)>; 2] {
         let speed = (self.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref());
         let torque = self.torque.map(|most| (LimitKind::Torque, most));
@@ -92,7 +92,7 @@ impl Loads {
         }
     }
 
-    /// The limits there are, with their values.
+    /// The active kinds of limits, with their values.
     pub fn named(&self) -> Vec<(LimitKind, f64)> {
         [
             (LimitKind::Torque, self.torque),
@@ -105,7 +105,7 @@ impl Loads {
         .collect()
     }
 
-    /// The same with one limit at another value, or left out.
+    /// The limits with one of them changed or removed.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = self.clone();
         match name {
@@ -121,7 +121,7 @@ impl Loads {
         out
     }
 
-    /// T − (±F v).
+    /// Torque clearance T − (±F v).
     fn torque_slack(&self, name: LimitKind, at: Svaj, force: f64, most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         Slack {
@@ -135,7 +135,7 @@ impl Loads {
         }
     }
 
-    /// R − (±(F′ v + F a)).
+    /// Torque-rate clearance R − (±(F′ v + F a)).
     fn rate_slack(&self, at: Svaj, [force, extra]: [f64; 2], most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         let rate = k * at.v + c * at.a + m * at.j + extra;
@@ -152,7 +152,7 @@ impl Loads {
     }
 }
 
-/// Torque, its rate, the pressure and the power of the finished cam against the limits.
+/// Checks of torque, its rate, pressure and power of the finished cam.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(design.problem.force_curve(design.pressing), &design.cam.law);
@@ -175,7 +175,7 @@ pub fn torque_curve(force: PiecewisePoly, law: &Law) -> PiecewisePoly {
     product(&law.combination([0.0, 1.0, 0.0, 0.0], 0.0), &force)
 }
 
-/// Power of a shaft torque over the turn, W, at the speed that the shaft has.
+/// Power of a shaft torque over the turn, W, at the actual shaft speed.
 pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
     match (problem.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref()) {
         Some(speed) => product(&torque, speed),
@@ -183,7 +183,7 @@ pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
     }
 }
 
-/// Largest absolute value, by roots.
+/// Maximum absolute value, by roots.
 pub fn largest(curve: &PiecewisePoly) -> Extreme {
     Extreme::largest(curve.extremes())
 }

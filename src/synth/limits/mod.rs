@@ -1,8 +1,7 @@
 //! The limits of a problem, one file per limit or natural group.
 //!
-//! Each file answers the same questions, so that row and check of a limit stand side by side: which rows it
-//! is in a convex program (on a given size, or with the size among the variables), what of it is not convex,
-//! and how it is checked on the finished design.
+//! Each file contains the rows of its limit in a convex program (for a given size, or with the size among the variables), its nonconvex part, and its
+//! check on the finished design.
 
 mod curvature;
 mod dwell_vibration;

@@ -1,4 +1,4 @@
-//! All limits that are not convex in the law together: those of the profile and those of shaft and contact.
+//! All nonconvex limits together: those of the profile and those of shaft and contact.
 
 use super::loads::Loads;
 use super::profile::Profile;
@@ -8,20 +8,20 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_in_for_difference};
 use crate::problem::Problem;
 
-/// Part by which a sequence of convex programs enlarges the size in the end, so that the curvature holds to rounding.
+/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds to rounding.
 pub const ENLARGED: f64 = 4e-6;
 
 /// All limits of a problem that are not convex in the law.
 #[derive(Debug, Clone)]
 pub struct NonconvexLimits {
-    /// Those of the profile.
+    /// Nonconvex limits of the profile.
     pub profile: Option<Profile>,
-    /// Those of shaft and contact.
+    /// Nonconvex limits of shaft and contact.
     pub loads: Option<Loads>,
 }
 
 impl NonconvexLimits {
-    /// The limits that no row of a convex program can express; `None` where there are none.
+    /// The limits that a convex program cannot express; `None` if there are none.
     pub fn of(problem: &Problem) -> Option<NonconvexLimits> {
         let profile = Profile::of(problem);
         let under_roller = matches!(profile, Some(Profile::Roller(_)));
@@ -29,7 +29,7 @@ impl NonconvexLimits {
         (profile.is_some() || loads.is_some()).then_some(NonconvexLimits { profile, loads })
     }
 
-    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    /// Every limit at a point of the law; h ≥ 0 if it holds.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         if let Some(loads) = &self.loads {
@@ -38,12 +38,12 @@ impl NonconvexLimits {
         out
     }
 
-    /// The size where it may be among the variables.
+    /// The size, if it may be among the variables.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }
 
-    /// The names of all of them.
+    /// The names of all limits.
     pub fn names(&self) -> Vec<Criterion> {
         let mut out: Vec<Criterion> = Vec::new();
         for slack in self.slacks(Svaj::default(), 0.0) {
@@ -54,7 +54,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Those of them that `kept` names.
+    /// The limits that `kept` selects.
     pub fn only(&self, kept: impl Fn(Criterion) -> bool) -> Self {
         let left_out = |loads: Loads| {
             let named = loads.named().into_iter();
@@ -68,7 +68,7 @@ impl NonconvexLimits {
         }
     }
 
-    /// The same limits at another size.
+    /// The limits at another size.
     pub fn at_size(&self, size: ProfileSize) -> Self {
         NonconvexLimits {
             profile: self.profile.map(|f| f.at_size(size)),
@@ -77,7 +77,7 @@ impl NonconvexLimits {
     }
 }
 
-/// h/w over the law, for each of the limits.
+/// Clearance h/w over the law, for each of the limits.
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
@@ -103,13 +103,13 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
         .collect()
 }
 
-/// Smallest h/w over the law, for each of the limits.
+/// Minimum clearance h/w over the law, for each of the limits.
 pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
     let curves = relative(law, limits);
     curves.iter().map(|c| c.extremes().0.value).collect()
 }
 
-/// The same of the loads alone; ∞ where there are none.
+/// Minimum clearance of the loads alone; ∞ without load limits.
 pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
     let names: Vec<Criterion> = limits
         .loads

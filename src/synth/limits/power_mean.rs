@@ -1,7 +1,5 @@
-//! Mean power of the shaft, without friction: what damping uses up (theory §10).
-//!
-//! Over a closed law spring, mass and weight give back what they take. At constant speed the mean of F·v·ω is then
-//! ω·w₁·mean(v²), with w₁ the force per velocity: a limit on the root mean square of v.
+//! Limit on the mean shaft power, without friction: the power dissipated by damping (theory §10). Over a closed law spring, mass and weight return
+//! their energy. At constant speed the mean of F·v·ω is then ω·w₁·mean(v²), with w₁ the force per velocity: a limit on the root mean square of v.
 
 use super::finished::{Finished, SLACK};
 use super::loads::torque_curve;
@@ -10,10 +8,10 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, MeanSquare, Meaning, RmsLimit, only};
 
-/// Quadrature nodes on a piece of a sum of harmonics, as for an energy.
+/// Number of quadrature nodes on a piece of a sum of harmonics, as for an energy.
 const HARMONIC_NODES: usize = 9;
 
-/// √mean(v²) ≤ √(P/(ω w₁)), at the mean speed; `None` where nothing is used up.
+/// Limit √mean(v²) ≤ √(P/(ω w₁)), at the mean speed; `None` without dissipation.
 pub fn root_mean_square(problem: &Problem, basis: &Basis) -> Option<RmsLimit> {
     let limit = problem.limits[LimitKind::PowerMean]?;
     let factor = problem.drive.speed * problem.drive.weights()[1];

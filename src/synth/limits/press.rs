@@ -1,4 +1,4 @@
-//! Highest line pressure between a cam and what it drives, steel on steel: p² = N κ E*/(π L) (theory §10).
+//! Maximum line pressure between cam and follower, steel on steel: p² = N κ E*/(π L) (theory §10).
 
 use std::f64::consts::PI;
 
@@ -11,26 +11,26 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
 use crate::problem::{Problem, sum};
 
-/// Rounds of the search for the highest quotient; it settles in three or four.
+/// Maximum number of iterations for the highest quotient; three or four are usual.
 const ROUNDS: usize = 40;
-/// A gain below this part of the quotient is rounding.
+/// Relative gain of the quotient below which it is rounding.
 const SETTLED: f64 = 1e-14;
 
-/// A machine that presses on its cams: force, the law that makes it, and the contact's length, m.
+/// Data for the contact pressure: force, the law that determines it, and the contact's length, m.
 #[derive(Debug, Clone, Copy)]
 pub struct Press<'a> {
-    /// Lift to force.
+    /// Relation of lift and force.
     pub drive: &'a Drive,
     /// Thickness of the plate, m.
     pub thickness: f64,
-    /// The law that makes the force.
+    /// The law that determines the force.
     pub law: &'a Law,
-    /// What a varying speed or a floor adds to it, N.
+    /// Force added by a varying speed or a floor, N.
     pub extra: Option<&'a PiecewisePoly>,
 }
 
 impl<'a> Press<'a> {
-    /// Of a problem, under the law that makes the force.
+    /// Data of a problem, for the law that determines the force.
     pub fn of(problem: &'a Problem, law: &'a Law) -> Self {
         Press {
             drive: &problem.drive,
@@ -47,8 +47,8 @@ impl<'a> Press<'a> {
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Highest pressure on any contact, Pa: of a conjugate pair the second cam's where it bears, of a groove
-    /// both walls' at its floor and at its rim. `None` where a profile is undercut.
+    /// Maximum pressure on any contact, Pa: for a conjugate pair the second cam where it is loaded, for a groove both walls at its floor and at its
+    /// rim. `None` if a profile is undercut.
     pub fn worst(
         &self,
         cam: &Cam,
@@ -66,7 +66,7 @@ impl<'a> Press<'a> {
         Some(higher(first, on_profile(second, bears)?))
     }
 
-    /// Highest pressure where the force presses on a cam, Pa; infinite under a knife edge.
+    /// Maximum pressure where the force is positive on a cam, Pa; infinite under a knife edge.
     pub fn on(&self, cam: &Cam) -> Extreme {
         let follower = &cam.follower;
         if !follower.is_flat() && follower.roller_radius() == 0.0 {
@@ -82,7 +82,7 @@ impl<'a> Press<'a> {
         }
     }
 
-    /// Whether the force would pull anywhere.
+    /// Whether the force is negative anywhere.
     fn pulls(&self) -> bool {
         match self.extra {
             None => self.drive.force_extremes(self.law).0.value < 0.0,
@@ -94,8 +94,8 @@ impl<'a> Press<'a> {
         modulus(STEEL, STEEL) / (PI * self.thickness)
     }
 
-    /// Square root of the highest p², from normal force and curvature at `sign` times the force; `bearing`
-    /// gives both for the motion of the cam and the force at one place.
+    /// Square root of the maximum p², from normal force and curvature at `sign` times the force; `bearing` returns both for the motion of the cam and
+    /// the force at one point.
     fn square_root(
         &self,
         cam: &Cam,
@@ -133,8 +133,8 @@ impl<'a> Press<'a> {
         root(square)
     }
 
-    /// Where the radius of curvature is linear in the law, ρ = Rb + s + a, the highest F/ρ is found by
-    /// Dinkelbach's method: the extreme of F − λρ gives a higher quotient λ, until there is none.
+    /// Maximum F/ρ for a radius of curvature that is linear in the law, ρ = Rb + s + a, by Dinkelbach's method: the maximum of F − λρ gives a higher
+    /// quotient λ, until it converges.
     fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
         let force = self.force_curve();
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
@@ -159,7 +159,7 @@ impl<'a> Press<'a> {
         })
     }
 
-    /// Both walls, each where its roller bears, at the floor and at the rim.
+    /// Both walls, each where its roller is in contact, at the floor and at the rim.
     fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
         let (floor, rim) = groove.depth();
         let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
@@ -180,7 +180,7 @@ impl<'a> Press<'a> {
     }
 }
 
-/// The pressure on a profile; `None` where it is undercut, infinite on a cusp.
+/// The pressure on a profile; `None` if it is undercut, infinite on a cusp.
 fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
     let convex = cam.curvature().convex;
     if convex.value <= 0.0 {
@@ -201,7 +201,7 @@ fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     }
 }
 
-/// Normal force and curvature where a roller runs in a groove, unrolled at `radius`.
+/// Normal force and curvature of a roller in a groove, unrolled at `radius`.
 fn groove_contact(
     groove: &BarrelGroove,
     radius: f64,
@@ -221,7 +221,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// The highest F/ρ at an end of a piece, and where: near enough to the highest of all that few pieces stay in question.
+/// The highest F/ρ at an end of a piece, with its position, as a good initial value.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {
@@ -236,8 +236,7 @@ fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) 
     highest
 }
 
-/// Where F − λρ is highest, if above 0, on the pieces that are left; those on which it is nowhere are taken out: no higher
-/// λ has its place there, since ρ is positive.
+/// Maximum of F − λρ, if above 0, on the remaining pieces. Pieces without a positive value are removed, since no higher λ occurs there.
 fn most_gained(
     force: &PiecewisePoly,
     radius: &PiecewisePoly,
@@ -262,7 +261,7 @@ fn most_gained(
     place
 }
 
-/// The higher of F/ρ on both sides of a place.
+/// The higher of F/ρ on both sides of a point.
 fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
     let (i, u) = force.locate(at);
     let ends = |k: usize, u: f64| {

@@ -1,4 +1,4 @@
-//! Pressure angle on rise and fall.
+//! Limits on the pressure angle on rise and fall.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,12 +10,12 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, OFFSET, RISE, structural};
 
-/// A pressure angle that is no limit, where its tangent must be a number.
+/// Pressure angle that means no limit, for code that needs its tangent.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
 /// Limits on rise and fall, in this order.
 pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];
-/// Sign of velocity less offset at which each of them is active.
+/// Sign of velocity less offset for which each of them is active.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
 /// A row of the pressure angle: `side`·(m v − e) ≤ `tan`·(s + D), with m = 1 all round or 0 where the follower turns.
@@ -24,13 +24,13 @@ const SIGNS: [f64; 2] = [1.0, -1.0];
 /// |e| ≤ tan φ·(s + D) with the smaller tangent; with these rows the other sign of φ is within its limit between turns, too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
-    /// The limit.
+    /// Name of the limit.
     pub name: LimitKind,
-    /// Tangent of the angle allowed.
+    /// Tangent of the allowed angle.
     pub tan: f64,
-    /// +1 where a larger velocity is limited, −1 where a smaller one is.
+    /// +1 if a larger velocity is limited, −1 if a smaller one is.
     pub side: f64,
-    /// m.
+    /// Factor m of the velocity.
     pub moves: bool,
 }
 
@@ -55,13 +55,13 @@ pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
 }
 
 impl AngleRow {
-    /// For a roller that slides, with the lift scaled to `scale`; the bound without size and offset.
+    /// Row for a roller on a translating follower, with the lift scaled to `scale`; the bound without size and offset.
     fn limit(self, scale: f64) -> Limit {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// On a prime circle of given radius and offset.
+    /// Row on a prime circle of given radius and offset.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -70,7 +70,7 @@ impl AngleRow {
         Meaning::PrimeRadius { tan, offset }.of(limit)
     }
 
-    /// With D, and e where it is open, among the variables.
+    /// Row with D, and e if it is free, among the variables.
     fn sized(self, length: f64, offset: Option<f64>) -> Limit {
         let mut limit = Meaning::Sized.of(self.limit(length));
         limit.bound = self.side * offset.unwrap_or(0.0);
@@ -82,8 +82,7 @@ impl AngleRow {
     }
 }
 
-/// ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e where it is open, among the variables
-/// (`is_sized`).
+/// ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e if it is free, among the variables (`is_sized`).
 pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     let kind = problem.cam.follower;
     let prime = problem.prime_radius();
@@ -112,7 +111,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     rows.map(row_of).collect()
 }
 
-/// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
+/// Clearance of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ),
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
     let (tan, side) = (row.tan, row.side);
@@ -127,8 +126,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Pressure angles up to which a cam is good for any machine and for slow ones, on a side that the scene does not limit: the
-/// bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
+/// Default bounds of the pressure angle for any machine and for slow ones, on a side without a limit: those of CAM-DAS (Serrano Muñoz 2010). A flat
+/// face has none.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;
@@ -147,7 +146,7 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     Some([any_machine, 45.0].map(f64::to_radians))
 }
 
-/// The finished cam's pressure angle on rise and fall against the limits, or against what is usual.
+/// Check of the finished cam's pressure angle on rise and fall against the limits or default bounds.
 pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
     (SIDES.into_iter().zip(worst))
@@ -158,7 +157,7 @@ pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
         .collect()
 }
 
-/// Checks of the sides that the scene does not limit, of either cam.
+/// Checks of the sides without a limit in the scene, on either cam.
 pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
     let open = SIDES
         .into_iter()

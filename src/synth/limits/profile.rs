@@ -8,43 +8,42 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// A sharp edge has no radius of its own; this part of the cam's keeps the division finite.
+/// Minimum radius of a sharp edge, relative to the cam's, which keeps divisions finite.
 pub const SHARP: f64 = 1e-6;
 
-/// A profile whose limits are not convex in the law, with all that fixes them.
+/// Dimensions of a profile with nonconvex limits.
 #[derive(Debug, Clone, Copy)]
 pub enum Profile {
-    /// A roller that slides along +y.
+    /// A roller that translates along +y.
     Roller(ProfileSize),
     /// A roller on an arm: pivot at distance c, arm A.
     Arm {
-        /// c.
+        /// Pivot distance c.
         pivot: f64,
-        /// A.
+        /// Arm length A.
         arm: f64,
         /// Radius of the prime circle.
         prime: f64,
-        /// Smallest pitch radius allowed.
+        /// Minimum allowed pitch radius.
         rho: f64,
-        /// Tangents of the pressure angles allowed on the rise and on the fall.
+        /// Tangents of the allowed pressure angles on the rise and on the fall.
         tan: [Option<f64>; 2],
     },
-    /// A flat face that swings about a pivot at distance c.
+    /// A flat face that oscillates about a pivot at distance c.
     Face {
-        /// c.
+        /// Pivot distance c.
         pivot: f64,
         /// Distance of the face from the pivot.
         offset: f64,
         /// Radius of the base circle.
         base: f64,
-        /// Smallest convex radius allowed.
+        /// Minimum allowed convex radius.
         rho: f64,
     },
 }
 
 impl Profile {
-    /// The follower with the nonconvex limits of its profile; `None` where there are none, or where the size follows
-    /// from the law.
+    /// The follower with the nonconvex limits of its profile; `None` if there are none, or if the size follows from the law.
     pub fn of(problem: &Problem) -> Option<Profile> {
         let (cam, limits) = (&problem.cam, &problem.limits);
         let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -105,7 +104,7 @@ impl Profile {
         }
     }
 
-    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    /// Every limit at a point of the law; h ≥ 0 if it holds.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
             Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
@@ -135,7 +134,7 @@ impl Profile {
         }
     }
 
-    /// The size where it may be among the variables.
+    /// The size, if it may be among the variables.
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
@@ -152,7 +151,7 @@ impl Profile {
         }
     }
 
-    /// The limits that `kept` names; `None` where it names no limit.
+    /// The limits that `kept` selects; `None` if it selects none.
     pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
         let curved = kept(LimitKind::Curvature.into());
         match &mut self {
@@ -171,7 +170,7 @@ impl Profile {
         }
     }
 
-    /// The same follower at another size.
+    /// The limits at another size.
     pub fn at_size(mut self, size: ProfileSize) -> Self {
         match &mut self {
             Profile::Roller(own) => {
@@ -188,20 +187,20 @@ impl Profile {
     }
 }
 
-/// ξ of an arm on the prime circle, rad, and its derivative by the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
+/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
 fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
     let rest = cos.clamp(-1.0, 1.0).acos();
     (rest, prime / (arm * pivot * rest.sin()))
 }
 
-/// ξ of a face on the base circle, rad, and its derivative by the circle's radius: Rb = c sin ξ + offset.
+/// Face angle ξ on the base circle, rad, and its derivative with respect to the circle's radius: Rb = c sin ξ + offset.
 fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     let rest = ((base - offset) / pivot).clamp(-1.0, 1.0).asin();
     (rest, 1.0 / (pivot * rest.cos()))
 }
 
-/// A follower that swings knows its size by ξ = rest + s alone.
+/// Arm angle at rest, which is the only size parameter of an oscillating follower: ξ = rest + s.
 fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
     for slack in &mut slacks {
         slack.by_radius = slack.by_lift * by_radius;

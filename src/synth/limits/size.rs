@@ -1,4 +1,4 @@
-//! Face width, prime radius and bore.
+//! Limits on face width, prime radius and bore.
 
 use super::finished::{GEOMETRY, SLACK};
 use super::nonconvex::ENLARGED;
@@ -51,8 +51,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     limits
 }
 
-/// A size that no cost holds down is held by its limit: one row, at angle 0. What the sequence for a
-/// roller's curvature enlarges in the end is kept free.
+/// A limit on a size without cost: one row, at angle 0, with the final enlargement for a roller's curvature as margin.
 fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     let kept = if Profile::of(problem).is_some() {
         1.0 - 2.0 * ENLARGED
@@ -65,12 +64,12 @@ fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     }
 }
 
-/// The smallest size that a cam has, whatever the objective.
+/// The minimum size of a cam, independent of the objective.
 fn at_least(problem: &Problem, size: f64, variable: Variable) -> Limit {
     on_size(problem, variable, -1.0, -size)
 }
 
-/// A bound on the size from the geometry, which no scene gives: weight · size ≤ bound.
+/// A geometric bound on the size, not from the scene: weight · size ≤ bound.
 fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Limit {
     let scale = problem.length() * problem.lever();
     let mut limit = structural(Criterion::BaseCircle, [0.0; 5], bound, scale);
@@ -79,7 +78,7 @@ fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Li
     limit
 }
 
-/// Face width, prime radius and bore of the finished cam.
+/// Checks of face width, prime radius and bore of the finished cam.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let size = |value: f64| Extreme { at: 0.0, value };
     let follower = &cam.follower;

@@ -1,17 +1,17 @@
-//! A nonconvex limit at one place of the law: h(s, v, a, j, D, e) ≥ 0 with its derivatives, and the size that enters it.
+//! A nonconvex limit at one point of the law: h(s, v, a, j, D, e) ≥ 0 with its derivatives, and the size.
 
 use crate::cam::Criterion;
 
-/// What fixes the size of a cam, and the smallest radius allowed on it; all 0 where the size is no part of the limits.
+/// Size parameters of a cam, and the minimum radius allowed on it; all 0 if the size is not part of the limits.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ProfileSize {
-    /// D of a roller that slides.
+    /// Height D of a translating roller.
     pub rise: f64,
-    /// e of the same.
+    /// Offset e of a translating roller.
     pub offset: f64,
-    /// Radius of the prime circle under a follower that swings.
+    /// Radius of the prime circle of an oscillating follower.
     pub radius: f64,
-    /// Smallest radius allowed; under a roller that of the pitch curve: the cam's plus the roller's.
+    /// Minimum radius allowed; under a roller that of the pitch curve: the cam's plus the roller's.
     pub rho: f64,
 }
 
@@ -22,14 +22,14 @@ impl ProfileSize {
     }
 }
 
-/// h and its derivatives by s, v, a, j, D, e, Rp.
+/// Value h and its derivatives with respect to s, v, a, j, D, e, Rp.
 pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
     pub h: f64,
-    /// ProfileSize of which h is a part: what the clearance is counted in.
+    /// Scale of h, in which the clearance is expressed.
     pub w: f64,
-    /// Largest term in h.
+    /// Largest term of h.
     pub largest: f64,
     pub by_lift: f64,
     pub by_velocity: f64,
@@ -41,7 +41,7 @@ pub struct Slack {
 }
 
 impl Slack {
-    /// A limit that nothing enters, to be filled in.
+    /// A limit with zero derivatives, to be completed.
     pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
             name: name.into(),

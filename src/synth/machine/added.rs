@@ -1,5 +1,5 @@
-//! What a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law, as numbers that rounds of designs
-//! carry on.
+//! Additions of a varying speed, a floor and a learned force to force, velocity, acceleration and jerk of a law, as the state of the design
+//! iteration.
 
 use std::f64::consts::{PI, TAU};
 
@@ -12,32 +12,31 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Equal parts of the turn, between the breaks of the law where a limit depends on what is added, else without those; and the
-/// degree of what is added on each.
+/// Number of equal parts of the turn, between the breaks of the law if a limit depends on the additions, else without those; and the polynomial
+/// degree on each.
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
-/// A part is no shorter than this share of an equal one.
+/// Minimum length of a part, relative to an equal one.
 const SHORTEST: f64 = 0.3;
-/// Equal angles of the target.
+/// Number of equal angles of the target.
 const ANGLES: usize = 240;
 
-/// The numbers of a state, in this order: what is added to the force at the nodes, what is added by time where that is
-/// limited, the speed, and the parts of the period at equal angles. Each is in units in which 1 is about the whole.
+/// The state vector, in this order: added force at the nodes, added time derivatives if limited, speed, and parts of the period at equal angles. The
+/// units scale each to about 1.
 pub struct Layout {
     breaks: Vec<f64>,
-    /// Bernstein coefficients from the values at the nodes.
+    /// Matrix from values at the nodes to Bernstein coefficients.
     coefficients: SMatrix<f64, NODES, NODES>,
-    /// Limits on velocity, acceleration and jerk, where the speed varies.
+    /// Whether velocity, acceleration and jerk are limited while the speed varies.
     limits: [Option<f64>; 3],
-    /// Whether it does.
+    /// Whether the speed varies.
     varies: bool,
 }
 
 impl Layout {
-    /// The parts that suit a law, on a shaft whose speed `varies` or is constant, exact between the breaks of the
-    /// law or smooth.
+    /// The parts for a law, on a shaft whose speed `varies` or is constant, divided at the breaks of the law or smooth.
     pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
         let mut limits = [None; 3];
         for (kind, order) in LimitKind::by_time() {
@@ -74,7 +73,7 @@ impl Layout {
         self.breaks.windows(2).flat_map(part)
     }
 
-    /// The state that a law `at` every angle makes with the machine in motion.
+    /// The state of a law `at` every angle with the machine in motion.
     pub fn state(
         &self,
         problem: &Problem,
@@ -113,7 +112,7 @@ impl Layout {
         parts.concat().into_iter().chain(phases).collect()
     }
 
-    /// The parts of the period at equal angles, rad, and what is added, of a state.
+    /// The parts of the period at equal angles, rad, and the additions of a state.
     pub fn extra(&self, problem: &Problem, state: &[f64]) -> (Vec<f64>, Extra) {
         let mut left = state;
         let count = NODES * (self.breaks.len() - 1);
@@ -145,7 +144,7 @@ impl Layout {
     }
 }
 
-/// Chebyshev's nodes: what is added may jump at the ends of a part.
+/// Chebyshev nodes, since the additions may jump at the ends of a part.
 fn node(k: usize) -> f64 {
     0.5 * (1.0 - (PI * (k as f64 + 0.5) / NODES as f64).cos())
 }

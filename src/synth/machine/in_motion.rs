@@ -1,10 +1,9 @@
 //! A law for the speed that the motor gives the shaft, and for a floor that moves.
 //!
-//! The design at constant speed on a stiff floor is a motion in time. Run by the motor it fixes power and so ω(θ); at that
-//! speed the same motion in time is another law. The wanted force fixes z″ of the floor by one linear answer per harmonic. With
-//! ω(θ) and z″(θ) known the force is linear in the law ([`crate::problem`]): the program is solved again for what the law
-//! before makes of the machine, and so on; each round multiplies the change by about the ripple, and by what the law leaves of
-//! the target (theory §10).
+//! The design at constant speed on a stiff floor is a motion in time. Run by the motor it fixes power and so ω(θ); at that speed the same motion in
+//! time is another law. The target force determines z″ of the floor by one linear response per harmonic. With ω(θ) and z″(θ) known the force is
+//! linear in the law ([`crate::problem`]): the program is solved again for the machine motion under the previous law. Each iteration multiplies the
+//! change by about the ripple, and by the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
@@ -30,21 +29,21 @@ use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::{Dimension, Quantity};
 
-/// Largest difference of target and force between what a law is designed for and what it makes, part of the mean, at which
-/// the design is final; and that at which the last of all rounds is accepted.
+/// Maximum difference, relative to the mean, between the assumed and the actual force at which the design is final; and that at which the last
+/// iterate is accepted.
 const SETTLED: f64 = 1e-6;
 const ACCEPTED: f64 = 1e-4;
-/// Designs with a tighter accuracy at most, where a law keeps it over the angle and not over time, and what they leave free.
+/// Maximum number of designs with a tighter accuracy, if a law satisfies it over the angle but not over time, and their margin.
 const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
-/// Ripple at which the rounds usually agree.
+/// Ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Parts by which the inertia that is sufficient for a law is enlarged in turn, until the design with it is good.
+/// Successive enlargements of the inertia that suffices for a law, until the design passes.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
-/// Rounds that come no nearer than one before them, after which the law gets more spans.
+/// Number of iterations without improvement after which the law gets more spans.
 const STALLED: usize = 3;
 
-/// One iterate: problem, law on its cam, and the motion that it makes of the machine.
+/// One iterate: problem, law on its cam, and the resulting machine motion.
 struct Iterate {
     problem: Problem,
     attempt: Attempt,
@@ -52,9 +51,10 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// The same law, its cam checked in a state of the machine.
+    /// The iterate with its cam checked in another machine state.
     ///
     /// # Errors
+    ///
     /// Those of the sizing of the cam.
     fn judged(mut self, problem: &Problem, layout: &Layout, state: &[f64]) -> Result<Iterate> {
         let (phases, extra) = layout.extra(problem, state);
@@ -64,7 +64,7 @@ impl Iterate {
         Ok(self)
     }
 
-    /// The optimum was found for one motion of the machine, not among all laws with theirs.
+    /// Marks the optimum as found for one machine motion, not compared with other motions.
     fn hold_for_its_motion(&mut self) {
         let solver = &mut self.attempt.law.solver;
         if solver.certificate.is_some() && solver.certified {
@@ -73,7 +73,7 @@ impl Iterate {
         }
     }
 
-    /// Takes the error over time, and checks that one.
+    /// Replaces the error by that over time, and its check.
     fn take_error_over_time(&mut self, error: Option<InTime>) {
         let Some(error) = error else { return };
         let allowed = self.problem.judged_error();
@@ -92,8 +92,7 @@ impl Iterate {
         }
     }
 
-    /// The part of the accuracy over the angle that may be left for a law to keep it over time too; nothing where it does, or
-    /// misses it over the angle.
+    /// Reduced accuracy over the angle with which a law satisfies it over time too; `None` if it is satisfied already, or violated over the angle.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -102,7 +101,7 @@ impl Iterate {
         (part < 1.0 && keeps && self.attempt.refusal.is_none()).then_some((1.0 - ROOM) * part)
     }
 
-    /// Takes the means of target and force over the period.
+    /// Replaces the means of target and force by those over the period.
     fn take_means_over_time(&mut self, problem: &Problem) {
         let force = &mut self.attempt.cam.force;
         force.target_mean_n = problem.target_mean();
@@ -110,11 +109,11 @@ impl Iterate {
     }
 }
 
-/// The design of a problem, for the machine that it has; where limits leave no law at constant speed and the machine does not
-/// turn with the one without them, that one.
+/// The design of a problem for its machine; if the limits are infeasible at constant speed, and the machine fails without them, that law.
 ///
 /// # Errors
-/// The shaft stops; the rounds do not contract; an undamped mode in resonance.
+///
+/// The shaft stops; the iteration does not converge; an undamped mode at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;
     match on_machine(problem, search, &first) {
@@ -132,7 +131,7 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     }
 }
 
-/// The last iterate on its machine from the law for constant speed, with what the machine does.
+/// The last iterate, starting from the law for constant speed, with the machine report.
 fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(Iterate, Reports)> {
     let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let target = problem.target.as_ref().map(|t| &**t.curve());
@@ -210,8 +209,8 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     Ok((last, reports))
 }
 
-/// The inertia of the shaft with which the design meets the accuracy over time, where it misses it: that with which its law
-/// does, or a little more, designed again.
+/// The inertia of the shaft for which the design meets the accuracy over time, if it misses it: starting from the inertia sufficient for its law, and
+/// designed again.
 fn larger_inertia(
     problem: &Problem,
     search: &Search,
@@ -249,8 +248,7 @@ fn larger_inertia(
     Some((note, relaxation))
 }
 
-/// The last round from the law for constant speed and its motion, judged in the state of the machine that it is settled in; with
-/// the number of rounds and the factor between their last changes.
+/// The final iterate, judged in the converged machine state, with the number of iterations and the ratio of the last changes.
 fn corrected(
     first: &Attempt,
     before: MachineMotion,
@@ -311,16 +309,16 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     sum / all
 }
 
-/// Where rounds begin.
+/// Start of the iteration.
 #[derive(Clone, Copy)]
 enum Begin<'a> {
-    /// At the law for constant speed on a stiff floor, and the motion that it makes.
+    /// The law for constant speed on a rigid floor, and its machine motion.
     ConstantSpeed(&'a Attempt, &'a MachineMotion),
-    /// At the last of other rounds.
+    /// The last iterate of an earlier iteration.
     Settled(&'a Iterate),
 }
 
-/// Designs for the machine that the design before makes until both agree.
+/// Iterates until design and machine motion agree.
 fn rounds(
     begin: Begin,
     run: &Runner,

@@ -1,5 +1,5 @@
-//! Laws for a machine that responds to the cam: a follower that gives, a shaft whose speed varies, a floor that moves. Each
-//! designs for a rigid machine at constant speed, runs it, and designs again for what that says.
+//! Laws for a machine that responds to the cam: a compliant follower, a shaft with varying speed, a moving floor. The first design is for a rigid
+//! machine at constant speed; the next ones use its simulated motion.
 
 mod added;
 mod in_motion;
@@ -12,7 +12,7 @@ use super::search::Search;
 use crate::error::Result;
 use crate::problem::Problem;
 
-/// Whether the machine that a problem is designed for responds to the cam.
+/// Whether the machine of a problem responds to the cam.
 pub fn responds(problem: &Problem) -> bool {
     let machine = &problem.machine;
     if problem.on_shaft.is_some() {
@@ -28,8 +28,7 @@ pub fn responds(problem: &Problem) -> bool {
 
 /// The design for such a machine.
 ///
-/// # Errors
-/// Faults of the input; the shaft stops; the rounds do not contract; an undamped mode in resonance.
+/// # Errors Faults of the input; the shaft stops; the iteration does not converge; an undamped mode at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     if problem.law.polydyne
         && let Some(train) = problem.train()?

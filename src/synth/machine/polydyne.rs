@@ -1,5 +1,5 @@
-//! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam is cut so that the end
-//! follows it, and every limit of the cam holds for the cam's own law.
+//! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam moves the end along it, and every limit of the cam
+//! applies to the cam's own law.
 
 use crate::cam::Criterion;
 use crate::dynamics::Train;
@@ -16,18 +16,17 @@ use crate::synth::report::end::End;
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 
-/// Times that the end's limits are moved so that the cam keeps its own.
+/// Maximum number of corrections of the end's limits.
 const ROUNDS: usize = 12;
-/// The end's limit aims at this part of it inside what the cam needs, so that the rounds end.
+/// Relative margin of the end's limit inside the required one, so that the iteration ends.
 const AIM: f64 = 1e-6;
-/// A limit that binds the end is reached by the cam when it is this near to its own.
+/// Relative distance at which an active limit of the end is reached by the cam.
 const NEAR: f64 = 1e-4;
 
 /// The design of the law of the end and the cam that gives it.
 ///
-/// Limits of the program hold for the end; the cam's law differs from it by the follower's give. Where the
-/// cam breaks a limit, or keeps away from one that binds the end, the end's limit moves by as much and the
-/// law is found again.
+/// Limits of the program apply to the end; the cam's law differs from it by the follower's deflection. If the cam violates a limit, or has slack in
+/// one that is active for the end, the end's limit is changed and the law is computed again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {
@@ -58,7 +57,7 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
     Ok(finished(problem, search, best, reports))
 }
 
-/// The law of the end on the cam that gives it, with the checks of the problem.
+/// The law of the end on its cam, with the checks of the problem.
 fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt> {
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
@@ -66,7 +65,7 @@ fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt>
     Ok(Attempt::of(law, cam))
 }
 
-/// Moves the end's limits by what the cam lacks or leaves of its own; `false` where none had to be.
+/// Changes the end's limits by the cam's violation or slack; `false` if no change was needed.
 fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     let mut any = false;
     for check in &tried.cam.checks {
@@ -89,13 +88,13 @@ fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     any
 }
 
-/// The scene's number behind a check, where rows of the program can hold it.
+/// The scene's value behind a check, if rows of the program can enforce it.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| kind.facts().moves_with_end)?;
     limits[kind].as_mut()
 }
 
-/// The end with its deviation from its law, for this cam and for one cut to the law itself.
+/// The end with its deviation from its law, for this cam and for a cam with the law itself.
 fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
     // Undamped and in resonance with a harmonic there is no steady state.

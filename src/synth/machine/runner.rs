@@ -14,19 +14,19 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::report::shaft::Forecast;
 
-/// Equal angles at which speed and force are given.
+/// Number of equal angles for speed and force.
 pub const ROWS: usize = 240;
-/// Equal angles at which the force of a walker is taken.
+/// Number of equal angles for the force of a walker.
 const WALKER: usize = 720;
-/// Steps of the motion between the breaks of the law.
+/// Number of steps of the motion between the breaks of the law.
 const STEPS: usize = 32;
-/// Rounds of the speed alone, before the first design, and the relative change of speed at which they end.
+/// Maximum number of initial iterations of the speed alone, and the relative change of speed at which they end.
 const SPEED_ROUNDS: usize = 12;
 const SAME_SPEED: f64 = 3e-3;
-/// Part of the accuracy, without one of the mean force, below which a forecast change of the force is neglected.
+/// Fraction of the accuracy, or of the mean force, below which an estimated change of force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
-/// An inertia that meets the accuracy is sought up to this factor, to this part.
+/// Maximum factor of the search for an inertia that meets the accuracy, and its tolerance.
 const LARGEST_FACTOR: f64 = 1e6;
 const INERTIA_PART: f64 = 1e-4;
 
@@ -37,12 +37,12 @@ pub struct Runner<'a> {
     pub carrier: Carrier<'a>,
     /// The target at equal parts of the period, N.
     target: Option<Vec<f64>>,
-    /// The learned force, N.
+    /// Learned force of the machine, N.
     learned: Vec<f64>,
 }
 
 impl<'a> Runner<'a> {
-    /// A machine with the cam of a problem whose target over the period is given.
+    /// A machine for a problem with a given target over the period.
     pub fn new(
         problem: &Problem,
         cam: &Cam,
@@ -70,27 +70,27 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// The same at constant speed.
+    /// The machine at constant speed.
     pub fn evenly(&self) -> Runner<'a> {
         let mut out = self.clone();
         out.carrier.motor = None;
         out
     }
 
-    /// The load of a law on a stiff floor.
+    /// The load of a law on a rigid floor.
     pub fn load_of_law(&self, law: &Law) -> Load {
         let at = |x: f64| law.svaj(x);
         self.carrier.load(0.0, law.breaks(), &at, &|_| 0.0)
     }
 
-    /// The motion under a law.
+    /// The machine motion under a law.
     pub fn of_law(&self, law: &Law, near: Option<&MachineMotion>) -> Result<MachineMotion> {
         let at = |x: f64| law.svaj(x);
         let motion = self.carrier.motion(0.0, law.breaks(), &at, near);
         motion.map_err(|e| e.at_key("machine.motor"))
     }
 
-    /// The motion under the wanted force and the motion in time that a law makes at constant speed.
+    /// The machine motion under the target force and the law's motion in time at constant speed.
     pub fn in_time(&self, law: &Law, first: MachineMotion) -> Result<MachineMotion> {
         let drive = &self.carrier.drive;
         let floor = match self.carrier.floor {
@@ -120,7 +120,7 @@ impl<'a> Runner<'a> {
         Ok(motion)
     }
 
-    /// Force error over time of a law under its motion on the shaft at equal angles.
+    /// Force error over time of a law under its machine motion at equal angles.
     pub fn error(&self, law: &Law, motion: &MachineMotion, shaft: &Motion) -> Option<InTime> {
         let (target, drive) = (self.target.as_ref()?, &self.carrier.drive);
         let at = |i: usize| {
@@ -143,7 +143,7 @@ impl<'a> Runner<'a> {
         ))
     }
 
-    /// What inertia, motor and energy of the load say of a law for constant speed that errs so in its run; nothing without a motor.
+    /// Estimate from inertia, motor and load energy for a law for constant speed with this error; `None` without a motor.
     pub fn forecast(
         &self,
         problem: &Problem,
@@ -168,7 +168,7 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Force error over time of a law with another motor or wheel, percent of the mean.
+    /// Force error over time of a law with another motor or flywheel, percent of the mean.
     pub fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
         let mut run: Runner = self.clone();
         run.carrier.motor = Some(motor);
@@ -177,7 +177,7 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// The smallest inertia with which a law meets the accuracy over time, kg·m², where its own does not.
+    /// The minimum inertia with which a law meets the accuracy over time, kg·m², if its own does not suffice.
     pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
@@ -204,12 +204,12 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Equal angles, rad.
+/// Equal angle number i, rad.
 pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / ROWS as f64
 }
 
-/// The law that makes under a clock the motion in time that `law` makes at constant speed: s(φ(x)).
+/// The law with the same motion in time on the varying shaft as `law` at constant speed: s(φ(x)).
 pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     let [phase, rate, bend, third] = clock.phase(x);
     let at = law.svaj(phase);
@@ -221,7 +221,7 @@ pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     }
 }
 
-/// Whether what the speed adds is in a limit or in the objective, and not in the target alone.
+/// Whether a limit or the objective depends on the additions of the speed, not only the target.
 pub fn depends_on_speed(problem: &Problem) -> bool {
     let is_limited = LimitKind::ALL
         .iter()

@@ -1,4 +1,4 @@
-//! What another inertia or motor would make of a finished design.
+//! Sensitivity of a finished design to inertia and motor.
 
 use serde::Serialize;
 
@@ -6,21 +6,21 @@ use super::runner::Runner;
 use crate::drive::Motor;
 use crate::synth::design::Design;
 
-/// Part by which inertia, torque line and friction may differ from what is given.
+/// Relative variation of inertia, torque line and friction.
 const DEVIATION: f64 = 0.1;
 
-/// Force error of the cam on another machine.
+/// Force error of the cam on a varied machine.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
-    /// Key of what differs.
+    /// Key of the varied value.
     pub key: &'static str,
     /// Force error with 10 % less and 10 % more, percent of the mean.
     pub percent: [Option<f64>; 2],
 }
 
 impl Design {
-    /// Force error over time, percent of the mean, where the machine differs by ±10 %, its supply set again; nothing at
-    /// constant speed or without a target.
+    /// Force error over time, percent of the mean, for a machine that differs by ±10 %, with an adjusted supply; `None` at constant speed or without
+    /// a target.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

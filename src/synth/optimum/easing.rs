@@ -1,4 +1,4 @@
-//! What relaxing each active limit would buy, in the quantity that a scene minimises.
+//! Gain from relaxing each active limit, in the minimised quantity.
 
 use crate::criterion::Criterion;
 use crate::law::Law;
@@ -6,24 +6,23 @@ use crate::scene::Minimise;
 use crate::synth::qp::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use crate::synth::report::limited::{Easing, Minimised};
 
-/// Part of a limit by which it is relaxed.
+/// Relative change of a limit.
 pub const RELAXED: f64 = 0.01;
 
-/// What relaxing one limit by 1 % would do to the objective, to first order.
+/// First-order effect on the objective of relaxing one limit by 1 %.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sensitivity {
-    /// Name of the limit, or key of the scene where that is another.
+    /// Name of the limit, or key of the scene if that differs.
     limit: Criterion,
     /// Present value of the limit, SI.
     from: f64,
-    /// The value relaxed, SI.
+    /// The relaxed value, SI.
     to: f64,
-    /// Fall of the objective.
+    /// Decrease of the objective.
     gain: f64,
 }
 
-/// What easing each active limit by 1 % would do to the objective, to first order; the limits that are
-/// numbers of the scene, largest gain first.
+/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, largest gain first.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
     // A size that is given becomes no smaller, whatever a limit allows.
     if minimised == Minimise::Size && SIZES.iter().all(|&k| program.cost[k] == 0.0) {
@@ -45,7 +44,7 @@ pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> V
         .collect()
 }
 
-/// A gain of the objective as the quantity that is minimised: name, before, after.
+/// A gain of the objective in the minimised quantity: name, before, after.
 fn measured(
     program: &Program,
     solution: &Solution,
@@ -83,7 +82,7 @@ fn measured(
     }
 }
 
-/// The key of the value behind a limit: its own, or that of the prime radius.
+/// The key of the value of a limit: its own, or that of the prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
@@ -91,8 +90,7 @@ pub fn key(limit: &Limit) -> Criterion {
     }
 }
 
-/// What relaxing each active limit by 1 % would do to the objective, to first order; the limits that are
-/// numbers of the scene, largest gain first.
+/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, largest gain first.
 fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     let mut out: Vec<Sensitivity> = Vec::new();
     for row in &solution.active {
@@ -107,7 +105,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// The limit on a root mean square, where a row is its tangent.
+/// The limit on a root mean square, if a row is its tangent.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;
@@ -119,7 +117,7 @@ fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     })
 }
 
-/// The numbers of the scene that could relax one row.
+/// The values of the scene that could relax one row.
 fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
         return of_rms(program, row).into_iter().collect();

@@ -1,5 +1,4 @@
-//! From a convex program to the best law under all limits: the angle at which the law touches its base circle, then the
-//! limits that are not convex, by a sequence of convex programs.
+//! The best law under all limits: first the touching angle on the base circle, then nonconvex limits by a sequence of convex programs.
 
 pub mod easing;
 mod refusal;

@@ -1,4 +1,4 @@
-//! Why a problem has no law.
+//! Reasons why a problem has no law.
 
 use crate::criterion::Criterion;
 use crate::error::Result;
@@ -6,21 +6,21 @@ use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Basis, Failure, Program};
 
-/// What is sought, or why the limits leave none; the outer error is a fault of the input.
+/// A result, or the reason why the limits are infeasible; the outer error is a fault of the input.
 pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
-/// A program without solution.
+/// A program without a solution.
 pub struct Refusal {
-    /// The program.
+    /// The program without a solution.
     pub program: Program,
-    /// How the solver ended.
+    /// Reason of the solver's end.
     pub failure: Failure,
-    /// The nonconvex limits, where the program has a solution that breaks them and none was found that does not.
+    /// The nonconvex limits, if the program has a solution that violates them and no feasible one was found.
     pub nonconvex: Option<NonconvexLimits>,
 }
 
 impl Refusal {
-    /// A convex program without solution.
+    /// A convex program without a solution.
     pub fn of(program: Program, failure: Failure) -> Box<Refusal> {
         Box::new(Refusal {
             program,
@@ -29,18 +29,18 @@ impl Refusal {
         })
     }
 
-    /// Whether the limits were found to leave no law; otherwise the solver stopped before an answer.
+    /// Whether infeasibility was found; otherwise the solver stopped early.
     pub fn is_found(&self) -> bool {
         !matches!(&self.failure, Failure::Numerical { .. })
     }
 
-    /// Whether there is a law without the accuracy.
+    /// Whether a law without the accuracy exists.
     pub fn is_of_accuracy(&self) -> bool {
         let open = self.program.of_least_rms(Criterion::Accuracy);
         self.nonconvex.is_none() && open.is_some_and(|open| open.solve().is_ok())
     }
 
-    /// Family of the laws that it refuses.
+    /// Family of the rejected laws.
     pub fn family(&self) -> Family {
         match &self.program.basis {
             Basis::Spline { .. } => Family::Spline,

@@ -1,4 +1,4 @@
-//! A formulation with its solution, and what is proved of it.
+//! A formulation with its solution and proof.
 
 use crate::law::Law;
 use crate::problem::Problem;
@@ -11,27 +11,26 @@ use crate::synth::report::solver::{SolverReport, Step, Tier};
 /// Relative rounding of a lower bound of the force error.
 const BOUND_ROUNDING: f64 = 1e-6;
 
-/// The last law of a sequence, its steps and why no more were taken.
+/// The last law of a sequence, its steps and its end.
 pub type Refined = (Solution, Vec<Step>, Ended);
 
-/// The convex program of a problem over the functions of a family, with what its solution needs beside it.
+/// The convex program of a problem over the functions of a family, with additional data for its solution.
 #[derive(Clone)]
 pub struct Formulation {
-    /// Demands, objective and convex limits.
+    /// Equalities, objective and convex limits.
     pub program: Program,
-    /// Half the mean square of the force error.
+    /// Half the mean square of the force error, as a function of the coefficients.
     pub force: Quadratic,
-    /// α: the square part of the objective is at least ½ α mean(s″²); `None` where it has none.
+    /// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if it has none.
     pub stiffness: Option<f64>,
-    /// s ≥ 0, where the law has to stay above its base circle.
+    /// The limit s ≥ 0, if the law must stay above its base circle.
     pub above_base_circle: Option<Limit>,
-    /// Spans, or half waves of the highest harmonic: contacts nearer than half of one are one contact.
+    /// Number of spans or half waves of the highest harmonic; contacts nearer than half of one coincide.
     pub pieces: usize,
 }
 
 impl Formulation {
-    /// Whether a law with these coefficients breaks a limit, its lowest point standing on the base circle where nothing
-    /// else fixes the level.
+    /// Whether a law with these coefficients violates a limit, with its minimum on the base circle unless something else fixes the level.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
         if program.limits.is_empty() && program.rms.is_empty() {
@@ -48,25 +47,25 @@ impl Formulation {
 
 /// The best law found for a formulation.
 pub struct Optimum {
-    /// The formulation, at the touching angle.
+    /// The formulation at the touching angle.
     pub formulation: Formulation,
-    /// The solution of its program, or the last one of the sequence.
+    /// Solution of its program, or the last one of the sequence.
     pub solution: Solution,
-    /// The touching angle, where there was one to choose.
+    /// The touching angle, if it was free.
     pub at: Option<f64>,
-    /// No touching angle gives an objective below this; `None` where none was to choose or nothing is proved.
+    /// Lower bound of the objective over all touching angles; `None` if the angle is fixed or nothing is proved.
     pub bound: Option<f64>,
-    /// The sequence of convex programs, where one was needed.
+    /// The sequence of convex programs, if one was needed.
     pub sequence: Option<Sequence>,
-    /// Limits that are not convex and that no law was found to keep.
+    /// Nonconvex limits for which no feasible law was found.
     pub left_out: bool,
 }
 
-/// How a sequence of convex programs went.
+/// Record of a sequence of convex programs.
 pub struct Sequence {
-    /// Programs that improved the law, in order.
+    /// Improving programs, in order.
     steps: Vec<Step>,
-    /// Why no more were taken.
+    /// Reason why the sequence ended.
     ended: Ended,
     /// Lower bound of the objective from the convex limits.
     least: Option<f64>,
@@ -95,7 +94,7 @@ impl Optimum {
         }
     }
 
-    /// The certificate of the law, and what else keeps it from being a proof.
+    /// The certificate of the law, and other obstacles to a proof.
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();
@@ -111,7 +110,7 @@ impl Optimum {
         (evidence, (!is_global).then_some(Doubt::Local))
     }
 
-    /// The same of the convex program alone, over all touching angles.
+    /// The certificate of the convex program alone, over all touching angles.
     fn of_convex(&self) -> (Certificate, Option<Doubt>) {
         let program = &self.formulation.program;
         let mut evidence = qp::certificate(program, &self.solution);
@@ -127,15 +126,15 @@ impl Optimum {
         (evidence, None)
     }
 
-    /// A lower bound of the objective over all laws that keep the convex limits, where one is known.
+    /// A lower bound of the objective over all laws within the convex limits, if known.
     fn least(&self) -> Option<f64> {
         let (evidence, doubt) = self.of_convex();
         let value = self.formulation.program.merit(&self.solution);
         doubt.is_none().then_some(value - evidence.duality_gap)
     }
 
-    /// Whether the multipliers prove that no law which keeps the convex limits reaches the accuracy (theory §8): then a
-    /// sequence of convex programs is of no use. With an open number of spans more of them may reach it.
+    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8), so that a sequence of convex programs is
+    /// useless. With an automatic number of spans more of them may reach it.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
@@ -146,7 +145,7 @@ impl Optimum {
         })
     }
 
-    /// Which tier answered, how, and what is proved.
+    /// Solver report: method, iterations and proof.
     pub fn report(&self) -> SolverReport {
         let solution = &self.solution;
         let violation = solution.violation;
@@ -178,7 +177,7 @@ impl Optimum {
         })
     }
 
-    /// Takes the last law of a sequence in place of the convex optimum.
+    /// Replaces the convex optimum by the last law of a sequence.
     pub fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
         let least = self.least();
         self.sequence = Some(Sequence {

@@ -1,9 +1,8 @@
 //! The angle at which a law of open level touches its base circle.
 //!
-//! On a moving axis the force does not see the level of the law: its lowest point stands on the base circle.
-//! Limits on curvature, pressure angle and contact pressure count the lift from there, so for a touching angle φ
-//! they read Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex program with the optimum f(φ);
-//! a law that is lower elsewhere only gains room, so what is sought is the least f(φ) over the turn.
+//! On a moving axis the force does not depend on the level of the law, so its minimum is on the base circle. Limits on curvature, pressure angle and
+//! contact pressure count the lift from there, so for a touching angle φ they read Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex
+//! program with the optimum f(φ); a law that is lower elsewhere only gains slack, so the optimum is the minimum of f(φ) over the turn.
 //!
 //! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀
 //! the Lagrangian changes by ν (s(φ) − s(c)), hence
@@ -25,28 +24,28 @@ use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::synth::qp::{self, Failure, Program, Row, Solution};
 
-/// Part of the objective's size to which the least over all angles is proved.
+/// Relative tolerance of the proved minimum over all angles.
 const GAP: f64 = 4e-7;
-/// Programs after which the proof is given up.
+/// Maximum number of programs of the proof.
 const MOST_PROGRAMS: usize = 48;
-/// Descent steps of the touching angle to its law's lowest point …
+/// Maximum number of descent steps of the touching angle to its law's minimum …
 const MOST_DESCENTS: usize = 8;
-/// … which end when it moves by less, rad.
+/// … and minimum step, rad.
 const SETTLED: f64 = 1e-7;
-/// The longest secant, in ways to the lowest point.
+/// Maximum secant step, as a multiple of the distance to the minimum.
 const FARTHEST: f64 = 20.0;
-/// Parts of the turn with which the search begins.
+/// Initial number of parts of the turn.
 const PARTS: usize = 16;
-/// Parts narrower than this are not cut again, rad.
+/// Minimum width of a part, rad.
 const NARROWEST: f64 = TAU / 65536.0;
-/// Angles tried where the first leaves no law.
+/// Number of trial angles if the first is infeasible.
 const TRIED: usize = 12;
 
-/// The optimum under the convex limits alone, at the touching angle that serves it best; a program that counts no lift from the
-/// base circle is solved as it is.
+/// The optimum under the convex limits alone, at the best touching angle; a program without lifts from the base circle is solved directly.
 ///
 /// # Errors
-/// The program without solution.
+///
+/// The program without a solution.
 pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> {
     let program = &formulation.program;
     let (program, solution, at, bound) = if program.limits.iter().any(|l| l.from_reference) {
@@ -73,8 +72,7 @@ pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> 
     })
 }
 
-/// The best touching angle, and the objective below which none comes; `stiffness` is α above, where the objective has a square
-/// part.
+/// The best touching angle, and a lower bound of the objective; `stiffness` is α above, if the objective has a quadratic part.
 fn searched(
     program: &Program,
     stiffness: Option<f64>,
@@ -101,20 +99,20 @@ fn searched(
     Ok((search.finished(), bound))
 }
 
-/// A solved touching angle.
+/// A touching angle with its solution.
 struct Node {
     at: f64,
     solution: Solution,
     law: Law,
-    /// Objective with its constant.
+    /// Objective including its constant.
     value: f64,
-    /// What the multipliers prove at this angle.
+    /// Lower bound by the multipliers at this angle.
     dual: f64,
-    /// ν.
+    /// Multiplier sum ν.
     multiplier: f64,
-    /// s_c(c).
+    /// Level s_c(c) of the law.
     level: f64,
-    /// Local minima of the law, by angle.
+    /// Local minima of the law, sorted by angle.
     lows: Vec<(f64, f64)>,
 }
 
@@ -137,7 +135,7 @@ impl Node {
     }
 }
 
-/// An angle in [−π, π).
+/// An angle reduced to [−π, π).
 fn signed(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }
@@ -147,13 +145,13 @@ fn apart(a: f64, b: f64) -> f64 {
     signed(a - b).abs()
 }
 
-/// What nodes prove of f on [a, b].
+/// Lower bound of f on [a, b] from the nodes.
 fn bound(nodes: &[Node], a: f64, b: f64, alpha: f64) -> f64 {
     let each = nodes.iter().map(|n| n.least(a, b, alpha));
     each.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// α Q(t).
+/// The distance α Q(t).
 fn distance(t: f64) -> f64 {
     4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
 }
@@ -165,7 +163,7 @@ struct Search {
 }
 
 impl Search {
-    /// The first law: at the given angle, or where something ties the law to its angles at another.
+    /// The first law: at the given angle, or at another one if the law is tied to its angles.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -189,8 +187,7 @@ impl Search {
         Err(Refusal::of(self.touching(first), failure))
     }
 
-    /// The angle at which the law of the least root mean square under the other limits touches: where the limit on that leaves
-    /// few angles, they lie about this one.
+    /// The touching angle of the law with the minimum root mean square under the other limits; if that limit is tight, feasible angles are near it.
     fn at_least_rms(&self, first: f64) -> Option<f64> {
         let mut least = Search {
             program: self.program.of_least_rms(Criterion::Accuracy)?,
@@ -208,7 +205,7 @@ impl Search {
         program
     }
 
-    /// Solves at an angle, beginning with the contacts of the nearest one; its index.
+    /// Solves at an angle, starting with the contacts of the nearest one; returns its index.
     fn visit(&mut self, at: f64) -> Result<usize, Failure> {
         let at = at.rem_euclid(TAU);
         let mut program = self.touching(at);
@@ -228,7 +225,7 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// A symmetric target can make the stationary angle a local maximum: tries ±¼ span about the best angle.
+    /// Tries ±¼ span about the best angle, since a symmetric target can make the stationary angle a local maximum.
     fn beside(&mut self) {
         let at = self.nodes[self.best()].at;
         let part = 0.25 * self.program.width(0);
@@ -239,8 +236,8 @@ impl Search {
         }
     }
 
-    /// Moves the touching angle of a node towards the lowest point of its law while that improves the objective: by the
-    /// way to it at first, then by the secant at which that way ends.
+    /// Moves the touching angle of a node towards the minimum of its law while that improves the objective, first by the distance to it, then by
+    /// secant steps.
     fn descend(&mut self, mut node: usize) {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {
@@ -304,7 +301,7 @@ impl Search {
         }
     }
 
-    /// The best node, with the iterations of all.
+    /// The best node, with the total iterations.
     fn finished(mut self) -> Node {
         let mut best = self.nodes.swap_remove(self.best());
         let others = self.nodes.iter().map(|n| n.solution.iterations);

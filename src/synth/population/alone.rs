@@ -1,4 +1,4 @@
-//! The cam that each walker would have alone.
+//! Individual cams of the walkers.
 
 use super::errors::{Aim, Nodes};
 use super::{gap, limits, phase, weighed};
@@ -8,19 +8,19 @@ use crate::synth::families;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 
-/// The cam of one walker alone.
+/// The individual cam of one walker.
 pub struct Point {
     /// Force at the quadrature nodes, N.
     pub at: Vec<f64>,
-    /// How far from it the best one may be, N.
+    /// Bound of its distance from the optimum, N.
     pub slack: f64,
-    /// γ, 1/N.
+    /// Factor γ, 1/N.
     pub scale: f64,
-    /// Least mean square error.
+    /// Minimum mean square error.
     pub least: f64,
 }
 
-/// The cam of each cycle alone; none where the sets of laws are not convex.
+/// The individual cam of each cycle; `None` if the sets of laws are not convex.
 pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
     let Some(walkers) = problem.walkers.as_deref() else {
         return Ok(Vec::new());

@@ -1,4 +1,4 @@
-//! What relaxing a limit of the scene buys all walkers, from what it buys the mean curve at the reference machine.
+//! Gain for all walkers from relaxing a limit of the scene, from the gain for the mean curve at the reference machine.
 
 use super::limits::for_all;
 use crate::criterion::{Criterion, DependsOn};
@@ -7,8 +7,8 @@ use crate::scene::Robust;
 use crate::synth::optimum::easing::RELAXED;
 use crate::synth::report::limited::{Easing, Minimised};
 
-/// The easing of a limit for all walkers, whose mean square error is `square` times that of the mean force. `None` where their
-/// mean is not minimised: the weights of the walkers change with the limit; and where the mean curve would be reached.
+/// The gain from relaxing a limit for all walkers, whose mean square error is `square` times that of the mean force. `None` unless their mean is
+/// minimised, since otherwise the weights change, or if the mean curve would be reached.
 pub fn of_all(
     easing: &Easing,
     problem: &Problem,

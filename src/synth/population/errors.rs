@@ -9,35 +9,35 @@ use crate::poly::{Cells, gauss_legendre};
 use crate::problem::Served;
 use crate::scene::Robust;
 
-/// Ranges and nodes on each of them for laws that are no polynomials.
+/// Number of ranges, and of nodes on each, for laws that are not polynomials.
 const RANGES: usize = 256;
 const NODES: usize = 5;
-/// Highest degree of polynomials that a target is nearest to.
+/// Maximum degree of the nearest polynomials of a target.
 const HIGHEST: usize = 9;
 
-/// Places of the turn at which forces are compared: integrals of products of laws of one basis are exact.
+/// Quadrature nodes of the turn for comparing forces; integrals of products of laws of one basis are exact.
 pub struct Nodes {
-    /// Cam angles, rad.
+    /// Cam angles of the nodes, rad.
     at: Vec<f64>,
     /// Roots of the weights; the sum of their squares is 1.
     roots: Vec<f64>,
     breaks: Vec<f64>,
-    /// Degree of the polynomials between the breaks; `None` of harmonics.
+    /// Degree of the polynomials between the breaks; `None` for harmonics.
     degree: Option<usize>,
 }
 
-/// A walker's target over the nodes.
+/// A walker's target at the nodes.
 pub struct Aim {
-    /// β/unit, 1/N.
+    /// Factor β/unit, 1/N.
     pub scale: f64,
-    /// (F − R)/unit, times the roots.
+    /// Target (F − R)/unit, times the roots of the weights.
     pub towards: Vec<f64>,
-    /// Mean square of the error that remains under the best law of the basis.
+    /// Mean square of the residual under the best law of the basis.
     pub left: f64,
 }
 
 impl Nodes {
-    /// The nodes of the basis of a law.
+    /// Nodes for the basis of a law.
     pub fn of(law: &Law) -> Nodes {
         let pieces = law.breaks().len() - 1;
         let is_polynomial = (0..pieces).all(|i| law.waves(i).is_empty());
@@ -65,7 +65,7 @@ impl Nodes {
         }
     }
 
-    /// Force of a law less that at rest, N, times the roots.
+    /// Force of a law less that at rest, N, times the roots of the weights.
     pub fn force(&self, drive: &Drive, law: &Law) -> Vec<f64> {
         let rest = drive.rest_force;
         let at = self.at.iter().zip(&self.roots);
@@ -73,7 +73,7 @@ impl Nodes {
             .collect()
     }
 
-    /// A walker's target.
+    /// The target of a walker at the nodes.
     pub fn aim(&self, walker: &Served) -> Aim {
         let mut ends = walker.target.force_n.clone();
         ends.push(ends[0]);
@@ -96,7 +96,7 @@ impl Nodes {
 }
 
 impl Aim {
-    /// Mean square error under a law's force, parts of the unit.
+    /// Mean square error under a law's force, in the square of the unit.
     pub fn square(&self, force: &[f64]) -> f64 {
         let both = force.iter().zip(&self.towards);
         both.map(|(f, y)| (self.scale * f - y).powi(2)).sum::<f64>() + self.left
@@ -104,8 +104,7 @@ impl Aim {
 }
 
 impl Nodes {
-    /// What a walker's error under a law's force consists of, as mean squares that add up: of the mean force, of the size of
-    /// what varies about it, and of its shape.
+    /// Components of a walker's error under a law's force, as mean squares that add up: mean force, amplitude and shape.
     pub fn parts(&self, aim: &Aim, force: &[f64]) -> [f64; 3] {
         let centred = |mut values: Vec<f64>| {
             let mean = dot(&values, &self.roots);
@@ -129,7 +128,7 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What is minimised over mean square errors of walkers with these shares.
+/// Objective over mean square errors of walkers with these shares.
 pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
     match robust {
         Robust::Mean => dot(squares, shares),
@@ -143,7 +142,7 @@ pub fn tail(part: f64, values: &[f64], shares: &[f64]) -> f64 {
     dot(&in_tail(part, values, shares), values)
 }
 
-/// What each value counts in the mean of the largest.
+/// Weight of each value in the mean of the largest.
 pub fn in_tail(part: f64, values: &[f64], shares: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));

@@ -1,4 +1,4 @@
-//! Limits that hold for every walker: as one set of limits at the reference machine, and checked at the machine of each.
+//! Limits for every walker: combined into one set at the reference machine, and checked at the machine of each.
 
 use crate::cam::Check;
 use crate::criterion::{DependsOn, Direction, LimitKind};
@@ -7,8 +7,8 @@ use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
-/// The problem at its reference machine whose limits on motion and force are those of the walker who needs most; `loads` is the
-/// part of the limits on loads that the reference machine may use.
+/// The problem at its reference machine with the motion and force limits of the most critical walkers; `loads` is the fraction of the load limits
+/// that the reference machine may use.
 pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     let (drive, mut limits) = (problem.drive, problem.limits.clone());
     let fastest = walkers
@@ -34,7 +34,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     problem.with_limits(limits)
 }
 
-/// A law on the largest of the cams that the walkers need, each limit checked at the machine of its most critical walker.
+/// A law on the largest cam that a walker needs, with each limit checked at the machine of its most critical walker.
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
     let extremes = extremes(problem, walkers).into_iter();
     let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
@@ -59,13 +59,13 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Limits that no factor carries from the machine of one walker to that of another.
+/// Limits that no factor transfers between the machines of two walkers.
 pub fn loads() -> impl Iterator<Item = LimitKind> {
     let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
     LimitKind::ALL.iter().copied().filter(is_load)
 }
 
-/// Part of the usable limits on loads after checks that fail; `None` where none of them does.
+/// Usable fraction of the load limits after failed checks; `None` if none failed.
 pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     let failing = checks.iter().filter(|c| !c.pass);
     let of_loads = failing.filter(|c| loads().any(|kind| c.name == kind));
@@ -73,10 +73,9 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     parts.reduce(f64::min)
 }
 
-/// The walkers one of whom is the worst in every checked quantity. Force, torque and its rate are linear in the force at rest R
-/// and in β, power in ωR and ωβ; pressure grows with the force, motion with ω. Each is linear in a pair of numbers, so
-/// that its largest value over all walkers, at any θ, stands at a corner of the convex hull of their pairs. Vibration in a dwell has
-/// no such form: all are checked.
+/// The walkers one of whom is the worst in every checked quantity. Force, torque and its rate are linear in the force at rest R and in β, power in ωR
+/// and ωβ; pressure grows with the force, motion with ω. Each is linear in a pair of numbers, so its maximum over all walkers is at a corner of the
+/// convex hull of their pairs. For vibration in a dwell all walkers are checked.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
     let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;
@@ -97,7 +96,7 @@ fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     places.into_iter().map(|i| &each[i]).collect()
 }
 
-/// Places of the corners of the convex hull of points (Andrew 1979): lower and upper chain from left to right.
+/// Indices of the corners of the convex hull of points (Andrew 1979): lower and upper chain from left to right.
 fn corners(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let key = |i: &usize| points[*i];

@@ -1,9 +1,6 @@
-//! One cam for many walkers.
-//!
-//! Mass and speed of the machine are set for each, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is linear in the
-//! law. The mean of the squares is the design for one mean curve; the worst of them, and the mean of the worst tenth, is the
-//! design for another mean curve, with weights that the search finds ([`weights`]). Families, limits, proofs and checks are
-//! those of one walker (theory §8).
+//! One cam for many walkers. Mass and speed of the machine are adjusted for each, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is
+//! linear in the law. The mean of the squares is the design for one mean curve; the worst of them, and the mean of the worst tenth, is the design for
+//! another mean curve, with weights from a search ([`weights`]). Families, limits, proofs and checks are those of one walker (theory §8).
 
 pub mod alone;
 mod easing;
@@ -34,21 +31,20 @@ use crate::synth::sizing::checked_cam::CheckedCam;
 use errors::{Aim, Nodes};
 use weights::Weights;
 
-/// Designs at most for one set of phases.
+/// Maximum number of designs for one set of phases.
 const ROUNDS: usize = 80;
-/// Designs at most for which the limits on loads are tightened, and what of them is left free.
+/// Maximum number of designs with tightened load limits, and their margin.
 const LOAD_ROUNDS: usize = 12;
 const LOAD_ROOM: f64 = 1e-6;
-/// Turns of laws and phases at most, and the part of the measure below which a turn gains nothing.
+/// Maximum number of alternations of laws and phases, and the relative gain below which they end.
 const PHASE_ROUNDS: usize = 30;
 const PHASE_SETTLED: f64 = 1e-7;
-/// Relative slack of the accuracy that the scene asks for.
+/// Relative tolerance of the required accuracy.
 const SLACK: f64 = 1e-9;
 
 /// The design for the walkers of a problem.
 ///
-/// # Errors
-/// A setting that has no form for several walkers; as of one walker.
+/// # Errors A setting that does not support several walkers; those of one walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
     let phase = at_best_phase(&problem.of_mean(), search)?.phase;
@@ -75,7 +71,7 @@ pub fn is_judged(problem: &Problem) -> bool {
     problem.serves_several() && problem.accuracy.is_some()
 }
 
-/// The problem of the mean of the walkers under the limits of all, as of one walker whose error is not judged.
+/// The problem of the mean of the walkers under the limits of all, without a check of its error.
 pub fn of_mean(problem: &Problem) -> Problem {
     match problem.walkers.as_deref() {
         None => problem.clone(),
@@ -83,7 +79,7 @@ pub fn of_mean(problem: &Problem) -> Problem {
     }
 }
 
-/// Settings without a form for several walkers.
+/// Rejects settings that do not support several walkers.
 fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     let law = &problem.law;
     let families = [Family::Auto, Family::Spline, Family::Harmonic];
@@ -106,19 +102,19 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     }
 }
 
-/// The law for the walkers, with its evidence.
+/// The law for the walkers, with its proof.
 struct Found {
     attempt: Attempt,
     squares: Vec<f64>,
     upper: f64,
     lower: f64,
     rounds: usize,
-    /// How much later each cycle begins than at the phase of the cam, rad.
+    /// Delay of each cycle relative to the phase of the cam, rad.
     phases: Vec<f64>,
 }
 
 impl Found {
-    /// The law and, where they are set for each walker, the phases: each in turn best for the other.
+    /// The law and, if adjustable, the phases of the walkers, by alternating optimisation.
     fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut phases = vec![0.0; walkers.each.len()];
         let mut found = Found::of_best_size(limited, search, walkers)?;
@@ -151,8 +147,7 @@ impl Found {
         Ok(found)
     }
 
-    /// The law for the walkers. Where the scene leaves its size open, it is that which serves their mean, or more where the worst
-    /// count and gain by it.
+    /// The law for the walkers. An automatic size is that for their mean, or larger if the worst walkers count and gain by it.
     fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut best = Found::of(limited, search, walkers)?;
         let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
@@ -179,7 +174,7 @@ impl Found {
         Ok(best)
     }
 
-    /// The problem whose laws have family and size of this one, where it is one of a size.
+    /// The problem restricted to the family and size of a law.
     fn held(&self, limited: &Problem) -> Problem {
         let law = &self.attempt.law;
         match law.family {
@@ -278,7 +273,7 @@ impl Found {
     }
 }
 
-/// The combination of laws, with the evidence of its largest part.
+/// The combination of laws, with the evidence of its largest component.
 fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     let bearing: Vec<(f64, &SolvedLaw)> = parts
         .iter()
@@ -311,7 +306,7 @@ fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     out
 }
 
-/// The accuracy that the scene asks for, of what is minimised over the walkers.
+/// The required accuracy of the objective over the walkers.
 fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     let asked = problem.accuracy? * problem.target_mean();
     let value = square.sqrt() * problem.target_mean();
@@ -319,14 +314,14 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, asked, SLACK))
 }
 
-/// The problem for laws over the functions of one: every round is.
+/// The problem for laws over a fixed basis, as in every iteration.
 fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
     let mut spec = problem.law.clone();
     hold(&mut spec, law.family, &law.law, law.coefficients.len());
     problem.with_law(spec)
 }
 
-/// Gives a law's family and size.
+/// Sets a law's family and size.
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
@@ -336,7 +331,7 @@ pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) 
     }
 }
 
-/// What the half mean square of a law may be above the least, N²; infinite where nothing is known of it.
+/// Bound of the half mean square of a law above the minimum, N²; infinite if unknown.
 fn gap(law: &SolvedLaw) -> f64 {
     let of = |c: &Certificate| {
         (c.global_gap).map_or(f64::INFINITY, |gap| c.duality_gap.max(gap * c.size))
@@ -344,8 +339,7 @@ fn gap(law: &SolvedLaw) -> f64 {
     law.solver.certificate.as_ref().map_or(0.0, of)
 }
 
-/// The problem of one curve whose mean square error is, but for factor and constant, the weighed sum of the walkers':
-/// R + (Σ λ γ y)/(Σ λ γ²) with γ = β/unit and y = (F_w − R_w)/unit.
+/// The problem of one curve whose mean square error is, up to factor and constant, the weighted sum of the walkers':
 fn weighed(problem: &Problem, walkers: &Walkers, weights: &[f64]) -> Problem {
     let Some(target) = &problem.target else {
         return problem.clone();

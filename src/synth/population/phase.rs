@@ -1,7 +1,6 @@
-//! The phase of each walker's cycle, where it is set for him too: not convex, so laws and phases are sought in turn.
-//!
-//! A bound that no phases beat: where every harmonic of every walker may be turned by itself, only amplitudes are left,
-//! |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and with them the problem of the walkers in step, without limits.
+//! Adjustable phases of the walkers' cycles: the problem is not convex, so laws and phases are optimised alternately. For a lower bound every
+//! harmonic of every walker may shift separately, so that only amplitudes count, |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and with them the problem of the
+//! walkers in step, without limits.
 
 use std::f64::consts::TAU;
 
@@ -12,17 +11,17 @@ use crate::law::Law;
 use crate::poly::amplitudes;
 use crate::problem::{Served, Walkers};
 
-/// Equal angles of a law's force.
+/// Number of equal angles of a law's force.
 const SAMPLES: usize = 1024;
-/// Harmonics that decide a phase.
+/// Number of harmonics that determine a phase.
 const HARMONICS: usize = 100;
-/// Phases tried, and Newton steps from the best of them.
+/// Number of trial phases, and of Newton steps from the best of them.
 const TRIED: usize = 720;
 const STEPS: usize = 6;
-/// Rounds of the bound at most.
+/// Maximum number of iterations of the bound.
 const ROUNDS: usize = 60;
 
-/// (cosine, sine) amplitudes of harmonics 1, 2, …
+/// (cosine, sine) amplitudes of the harmonics 1, 2, …
 fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
     amplitudes(samples)
         .into_iter()
@@ -31,13 +30,13 @@ fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The force of a law, N.
+/// The force of a law, N, at equal angles.
 pub fn of_law(drive: &Drive, law: &Law) -> Vec<(f64, f64)> {
     let at = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
     waves(&at.map(|x| drive.force(law.svaj(x))).collect::<Vec<_>>())
 }
 
-/// How much later a walker's cycle begins where it is nearest to the force, rad.
+/// Delay of a walker's cycle with the best fit to the force, rad.
 pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     let own = waves(&walker.target.force_n);
     let terms: Vec<[f64; 3]> = (1..)
@@ -70,7 +69,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     phase.0
 }
 
-/// The amplitudes of the walkers' harmonics, N, as targets that no phase changes.
+/// The amplitudes of the walkers' harmonics, N, as targets independent of the phase.
 pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     let aim = |walker: &Served| {
         let own = waves(&walker.target.force_n);

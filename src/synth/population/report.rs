@@ -1,14 +1,14 @@
-//! From the errors of walkers to the report of a design.
+//! Report of a design for several walkers, from their errors.
 
 use super::errors::{dot, measure, tail};
 use crate::problem::Walkers;
 use crate::scene::{ErrorMeasure, Robust};
 use crate::synth::report::walkers::{OfPopulation, WalkerError};
 
-/// Part of the walkers beside whom the worst are averaged where the objective names none.
+/// Default fraction of the worst walkers whose errors are averaged.
 const USUAL_TAIL: f64 = 0.9;
 
-/// The report of mean square errors.
+/// Report of mean square errors.
 pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
     let each = walkers.each.iter().zip(squares).zip(phases);
     let each = each.map(|((walker, square), phase)| {

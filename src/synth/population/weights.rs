@@ -1,9 +1,7 @@
-//! The weights of the walkers at which the cam of the weighted mean is the one sought.
-//!
-//! For weights λ the sum Σ λ_w e_w² is, but for a constant, one mean square distance to one curve, (Σ λ γ y)/(Σ λ γ²): today's
-//! design. Its optimum less its duality gap is a lower bound of the worst error, and of the mean of the worst tenth where no
-//! weight exceeds its part of that tenth. The next weights are the multipliers of the same question over the convex hull of the
-//! laws found so far, every one of which keeps the limits that are convex (theory §8).
+//! Weights of the walkers for which the cam of the weighted mean is optimal. For weights λ the sum Σ λ_w e_w² is, but for a constant, one mean square
+//! distance to one curve, (Σ λ γ y)/(Σ λ γ²). Its optimum less its duality gap is a lower bound of the worst error, and of the mean of the worst
+//! tenth where no weight exceeds its part of that tenth. The next weights are the multipliers of the same problem over the convex hull of the
+//! previous laws, all of which satisfy the convex limits (theory §8).
 
 use splineqp::{Square, least_worst};
 
@@ -11,7 +9,7 @@ use super::errors::{Aim, dot, measure, norm};
 use crate::scene::Robust;
 use crate::synth::qp::PROVED;
 
-/// Part of a law's force below which it is a combination of the others.
+/// Fraction of a law's force below which it depends on the others.
 const DEPENDENT: f64 = 1e-9;
 
 /// The search for weights.
@@ -19,13 +17,13 @@ pub struct Weights<'a> {
     robust: Robust,
     shares: &'a [f64],
     aims: &'a [Aim],
-    /// Forces of the laws found.
+    /// Forces of the computed laws.
     laws: Vec<Vec<f64>>,
-    /// Parts of the laws in the best combination.
+    /// Weights of the laws in the best combination.
     pub best: Vec<f64>,
     /// Measure of the weights.
     pub upper: f64,
-    /// No law of the family has a measure below this.
+    /// Lower bound of the measure over all laws of the family.
     pub lower: f64,
 }
 
@@ -42,7 +40,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Takes the law designed for some weights; `gap` is what its half mean square may be above the least, N².
+    /// Adds the law designed for some weights; `gap` bounds its half mean square above the minimum, N².
     pub fn take(&mut self, weights: &[f64], force: Vec<f64>, gap: f64) {
         let squares = self.squares(&force);
         let both = weights.iter().zip(self.aims);
@@ -66,7 +64,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// The force of a combination.
+    /// Force of a combination.
     pub fn force(&self, parts: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.laws[0].len()];
         for (part, law) in parts.iter().zip(&self.laws) {
@@ -77,12 +75,12 @@ impl<'a> Weights<'a> {
         out
     }
 
-    /// Whether no law is better than the best by more than a millionth.
+    /// Whether the best law is optimal to a millionth.
     pub fn is_proved(&self) -> bool {
         self.upper - self.lower <= PROVED * self.upper
     }
 
-    /// The largest weight of each walker.
+    /// The maximum weight of each walker.
     fn caps(&self) -> Option<Vec<f64>> {
         match self.robust {
             Robust::Tail(part) => Some(self.shares.iter().map(|p| p / (1.0 - part)).collect()),
@@ -90,8 +88,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// The weights for the next law; `None` where the hull has none. Where combinations keep the limits the best one of the
-    /// hull is taken too.
+    /// The weights for the next law; `None` if the hull gives none. If combinations satisfy the limits, the best one of the hull is added too.
     pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
         let centre = self.force(&self.best);
         let axes = axes(&self.laws, &centre);

@@ -1,11 +1,11 @@
-//! What an equality of a program demands of the law.
+//! Names of the equalities of a program.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// One demand on the law, as its scene writes it.
+/// One condition on the law, as in its scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -17,19 +17,19 @@ pub enum Demand {
         point: usize,
         /// Cam angle of the prescribed point.
         at: Quantity,
-        /// What is given there.
+        /// Quantity prescribed there.
         given: Given,
     },
-    /// A dwell.
+    /// A dwell of the law.
     InDwell {
         /// Position of the entry in the scene, counted from 1.
         dwell: usize,
     },
-    /// The law stands on its base circle somewhere.
+    /// The law touches its base circle somewhere.
     OnBaseCircle,
 }
 
-/// What a point of a law gives.
+/// Quantity prescribed at a point of the law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -43,7 +43,7 @@ pub enum Given {
 }
 
 impl Demand {
-    /// Its name in `summary.json`: where it stands in the scene.
+    /// Name in `summary.json`: its position in the scene.
     pub fn name(self) -> String {
         match self {
             Demand::AtPoint { point, at, given } => {

@@ -1,31 +1,31 @@
-//! How users read the bounds of a cam's program.
+//! Relation of the bounds of a cam's program to the scene.
 
 use super::{LeftSide, Limit};
 use crate::criterion::Criterion;
 
-/// How a bound is read by users.
+/// Relation of a bound to the value of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Meaning {
-    /// Not a number of the scene: the base circle, a monotone flank, the objective.
+    /// Not a value of the scene: the base circle, a monotone flank, the objective.
     #[default]
     Structure,
     /// The scene's value is factor·bound + offset.
     Value {
-        /// Factor.
+        /// Factor of the bound.
         factor: f64,
-        /// Offset.
+        /// Offset of the value.
         offset: f64,
     },
     /// The scene's value is factor·bound²: a mean square whose root is limited.
     Square {
-        /// Factor.
+        /// Factor of the squared bound.
         factor: f64,
     },
-    /// A limit on a size that is itself a variable: nothing to relax.
+    /// A limit on a variable size, which cannot be relaxed.
     Sized,
     /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
     PrimeRadius {
-        /// Tangent of the angle allowed.
+        /// Tangent of the allowed angle.
         tan: f64,
         /// Offset of the follower with its sign in the bound, m.
         offset: f64,
@@ -41,7 +41,7 @@ impl Meaning {
         }
     }
 
-    /// The user's value for a bound; `None` where there is none.
+    /// The user's value for a bound; `None` if there is none.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {
             Meaning::Structure | Meaning::Sized => None,
@@ -51,7 +51,7 @@ impl Meaning {
         }
     }
 
-    /// |d value / d bound|, for multipliers.
+    /// Derivative |d value / d bound|, for multipliers.
     pub fn slope(self, bound: f64) -> f64 {
         match self {
             Meaning::Structure | Meaning::Sized => 1.0,
@@ -64,8 +64,8 @@ impl Meaning {
         }
     }
 
-    /// The limit whose bound users read so. A law at rest lies on its base circle and on the edge of steadiness: a bound that is
-    /// no number of the scene keeps no room.
+    /// The limit with this relation to the scene. A bound that is not a value of the scene has no margin, because a law at rest lies on its base
+    /// circle.
     pub fn of(self, limit: Limit) -> Limit {
         Limit {
             meaning: self,
@@ -75,7 +75,7 @@ impl Meaning {
     }
 }
 
-/// A limit that is not a number of the scene, until a [`Meaning`] makes it one.
+/// A limit that is not a value of the scene, until a [`Meaning`] makes it one.
 pub fn structural(
     name: impl Into<Criterion>,
     side: impl Into<LeftSide>,

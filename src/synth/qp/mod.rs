@@ -1,4 +1,4 @@
-//! The convex programs of `splineqp`, their limits and equalities named as scenes name them.
+//! The convex programs of `splineqp` with limits and equalities named as in scenes.
 
 mod demand;
 mod meaning;
@@ -32,11 +32,11 @@ pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
 
-/// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
-/// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
+/// Jerk, in typical lifts per rad³, whose mean square costs as much as one typical lift of radius if the size is minimised: large enough not to
+/// affect the size, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
 
-/// μ of ½ μ mean(j²), which makes the law of the smallest cam smooth where a typical lift of radius costs so much.
+/// Weight μ of ½ μ mean(j²), which smooths the law of the smallest cam.
 pub fn smoothing(cost: f64, length: f64) -> f64 {
     let unit = SIZE_JERK * length;
     cost / (unit * unit)

@@ -1,4 +1,4 @@
-//! The variables of a cam's program beside its law: the sizes of the cam, and where stroke and face begin.
+//! Further variables of a cam's program: the sizes of the cam, and the ranges of stroke and face.
 
 use super::{Program, Solution, TOLERANCE, Values, Variable};
 
@@ -8,14 +8,14 @@ pub const RADIUS: Variable = Variable::nth(1);
 pub const RISE: Variable = Variable::nth(2);
 /// Offset e of the follower, m.
 pub const OFFSET: Variable = Variable::nth(3);
-/// Lowest lift, m, where a stroke counts from there and not from the base circle.
+/// Minimum lift, m, if the stroke counts from there and not from the base circle.
 pub const LOWEST: Variable = Variable::nth(4);
-/// Smallest velocity, m/rad: where a flat face of limited width begins.
+/// Minimum velocity, m/rad, where the range of a flat face of limited width begins.
 pub const FACE_END: Variable = Variable::nth(5);
-/// Variables of the cam's size, which the cone Rp ≥ ‖(D, e)‖ ties together.
+/// Variables of the cam's size in the cone Rp ≥ ‖(D, e)‖.
 pub const SIZES: [Variable; 3] = [RADIUS, RISE, OFFSET];
 
-/// Declares the variables in a new program. Those that no limit, cost or cone names do not take part.
+/// Declares the variables in a new program. Unused ones do not take part.
 pub fn declare(program: &mut Program) {
     let length = program.length;
     for name in ["Rp", "D", "e"] {
@@ -25,8 +25,7 @@ pub fn declare(program: &mut Program) {
     program.least_value("face end", 1, length);
 }
 
-/// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is solved to rounding, which a
-/// cone program is not.
+/// The program with its sizes fixed at the solution's, enlarged by `room`: without a cone the solver is accurate to rounding.
 pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     let mut sizes = solution.extra;
     sizes[RISE] *= 1.0 + room;
@@ -44,7 +43,7 @@ pub fn keep(program: &Program, sizes: &Values) -> bool {
     alone.all(|l| l.room(sizes) >= -program.settings.tolerance * l.size(l.bound))
 }
 
-/// The sizes that limits on the size alone leave of these.
+/// The sizes clamped to the limits on the size alone.
 pub fn within(program: &Program, sizes: &Values) -> Values {
     let mut out = *sizes;
     let limits = program.limits.iter();
@@ -62,7 +61,7 @@ pub fn within(program: &Program, sizes: &Values) -> Values {
     out
 }
 
-/// The same program with limits on the size alone as wide as these sizes ask for, and a cost on each of them.
+/// The program with limits on the size alone widened to these sizes, and a cost on each of them.
 pub fn priced(program: &Program, sizes: &Values, cost: f64) -> Program {
     let mut priced = program.clone();
     let limits = priced.limits.iter_mut();

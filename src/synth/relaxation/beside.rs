@@ -9,13 +9,13 @@ use gaitcam_base::threads;
 
 use crate::halt::Halt;
 
-/// Time between two looks at the caller's halt.
+/// Time between two polls of the caller's halt.
 const LOOK: Duration = Duration::from_millis(10);
 
 /// The result of `search` for every item, in the order of the items; searches do not depend on each other.
 ///
-/// Searches poll a halt of their own. The caller's halt may work on the caller's thread only (Python handles
-/// signals on one), so that thread polls it and sets the flag of the others.
+/// Searches poll their own halt. The caller's halt may work only on the caller's thread (as in Python), which polls it and sets the flag of the
+/// others.
 pub fn beside<T: Sync, R: Send>(
     items: &[T],
     halt: &Halt,
@@ -66,7 +66,7 @@ pub fn beside<T: Sync, R: Send>(
     found.into_iter().map(|(_, result)| result).collect()
 }
 
-/// The end of a thread's work, by a panic too.
+/// Signals the end of a thread, also after a panic.
 struct End<'a> {
     done: &'a AtomicUsize,
     caller: &'a Thread,

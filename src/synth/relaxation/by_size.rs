@@ -1,5 +1,5 @@
-//! Relaxations of a scene whose smallest cam is too large: each trial is the smallest cam with another value, which says by how much
-//! it exceeds the limit on the prime radius, and not only that it does.
+//! Relaxations of a scene whose smallest cam is too large: each trial computes the smallest cam with another value, and thus its excess over the
+//! limit on the prime radius.
 
 use super::relaxable::Relaxable;
 use crate::cam::LimitKind;
@@ -9,16 +9,16 @@ use crate::synth::design::Design;
 use crate::synth::search::Search;
 use crate::synth::synthesis::kept;
 
-/// Trials of one value.
+/// Maximum number of trials of one value.
 const TRIALS: usize = 12;
-/// The limit on the prime radius, times this, is none.
+/// Factor of the limit on the prime radius that makes it void.
 const NO_LIMIT: f64 = 10.0;
-/// A step goes this part further than the slope says, so that it ends inside the limit.
+/// Relative extension of a step beyond the slope, so that it ends inside the limit.
 const BEYOND: f64 = 0.02;
-/// A first step where nothing says how much a limit is worth, part of its value.
+/// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;
 
-/// The smallest cam of a scene that asks for a smaller one.
+/// The smallest cam of a scene that requires a smaller one.
 pub struct BySize<'a> {
     /// The problem of the smallest cam.
     open: Problem,
@@ -29,7 +29,7 @@ pub struct BySize<'a> {
 }
 
 impl<'a> BySize<'a> {
-    /// `None` where law and size are not variables of one program, or the smallest cam keeps the limit.
+    /// `None` if law and size are not variables of one program, or if the smallest cam satisfies the limit.
     pub fn of(problem: &Problem, search: &'a Search) -> Option<Self> {
         let kind = LimitKind::PrimeRadius;
         let most = problem.limits[kind]?;
@@ -47,8 +47,8 @@ impl<'a> BySize<'a> {
         })
     }
 
-    /// The value of a number, of a range from one that leaves the smallest cam too large to one that limits nothing, at which that
-    /// cam is as small as it has to be: by regula falsi, begun with what the multipliers say. `None` where none helps.
+    /// The value, in a range from one with a too large cam to one without effect, at which the smallest cam has the allowed size: by regula falsi,
+    /// started from the multipliers. `None` if none suffices.
     pub fn value(
         &self,
         number: Relaxable,
@@ -108,7 +108,7 @@ impl<'a> BySize<'a> {
         works.map(|(value, _)| value)
     }
 
-    /// By how much the prime radius of the smallest cam shrinks per unit of a number's relaxation.
+    /// Decrease of the smallest cam's prime radius per unit of a value's relaxation.
     fn worth(&self, number: Relaxable) -> f64 {
         let all = self.smallest.easing.iter();
         let own = all.filter(|easing| number.is_measured_by(easing.limit));

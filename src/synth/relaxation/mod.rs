@@ -1,9 +1,6 @@
-//! What would let a refused cam exist: of every limit the smallest change with which the whole design
-//! passes, found by designing it.
-//!
-//! The convex program's own elastic answer (`iis`) knows only its rows; a size that follows the law, a
-//! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
-//! with and has passed.
+//! Suggested changes: for every limit the smallest change with which the whole design passes, found by designing it. The convex program (`iis`)
+//! includes only its rows; a size that follows the law, a check on the finished profile or the accuracy may still fail. Every value suggested here
+//! has passed a full design.
 
 mod beside;
 mod by_size;
@@ -27,31 +24,30 @@ use beside::beside;
 use by_size::BySize;
 use relaxable::{Relaxable, relaxables};
 
-/// Parts by which a value is enlarged for a design to pass with it, tried in turn: at its own edge one may fail. A value
-/// from the convex program is right to the third of them.
+/// Relative enlargements of a value, tried in turn, because at its own edge a design may fail.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
-/// The same for a value that is sufficient in one motion of the machine, which changes with the cam.
+/// Relative enlargements of a value that suffices for one motion of the machine, which changes with the cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
-/// A change by more than this factor, or by this share, makes another scene.
+/// Factor, and fraction, above which a change is no longer suggested.
 const FAR: f64 = 10.0;
-/// The share that is tried first.
+/// Fraction that is tried first.
 const SMALL: f64 = 0.01;
-/// A value of unknown size is found to this part of the first one that is sufficient.
+/// Relative tolerance of a value whose magnitude is unknown.
 const SMALLEST: f64 = 1e-7;
-/// A value that is sufficient on the machine is found to this part of it.
+/// Relative tolerance of a sufficient value on the machine.
 const ON_MACHINE: f64 = 5e-3;
-/// Part by which a value must be able to come back towards the old one for a better one to be sought.
+/// Minimum relative distance from the old value for which a better value is searched.
 const BACK: f64 = 1e-3;
 
 impl Design {
-    /// The design with its relaxations: those of a conflict are tried and corrected, those of a failed check
-    /// computed. A design that passes stays as it is.
+    /// The design with suggested changes: those of a conflict are tried and corrected, those of a failed check computed. A design that passes is
+    /// returned unchanged.
     #[must_use]
     pub fn relaxed(self) -> Design {
         self.relaxed_with(&Search::default())
     }
 
-    /// The design with its relaxations, within the limits of a search.
+    /// The design with suggested changes, within the limits of a search.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
         // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed; and no
@@ -124,7 +120,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
 }
 
-/// A conflict with what would help; members whose change does not help are listed without a value.
+/// A conflict with suggested changes; members without a sufficient change have no value.
 fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
     let Infeasible {
         conflict,
@@ -150,7 +146,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// Between two values; between values of different sizes their geometric mean.
+/// Midpoint of two values; for different magnitudes their geometric mean.
 fn middle(works: f64, fails: f64) -> f64 {
     if fails > 0.0 && works / fails > 4.0 {
         (works * fails).sqrt()
@@ -159,7 +155,7 @@ fn middle(works: f64, fails: f64) -> f64 {
     }
 }
 
-/// Numbers of a problem with values for them.
+/// Values of a problem, with trial values for them.
 type Values = [(Relaxable, f64)];
 
 /// The problem with these values.
@@ -170,8 +166,7 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// A whole design that passes: where the accuracy is a limit, that of the least force error keeps it or none does, and is found
-/// soonest.
+/// A whole design that passes: if the accuracy is a limit, the law of minimum force error decides soonest.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));
@@ -181,10 +176,10 @@ fn passing(problem: &Problem, search: &Search) -> Option<Design> {
 
 struct Relaxing<'a> {
     problem: &'a Problem,
-    /// The problem whose machine moves as each design makes it; the other one is in the motion of the design.
+    /// The problem with the machine motion of each design; the other one has the motion of the given design.
     asked: &'a Problem,
     search: &'a Search,
-    /// Size of the force, N.
+    /// Magnitude of the force, N.
     force: f64,
 }
 
@@ -199,7 +194,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// The smallest change of each number that is sufficient alone.
+    /// The smallest sufficient change of each single value.
     fn each(&self, numbers: &Values, design: &Design) -> Vec<Relaxation> {
         let known = || design.infeasible.iter().flat_map(|i| &i.relaxations);
         let is_hinted = known().any(|r| r.to.is_some());
@@ -233,7 +228,7 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// What would help, where a change of one of these is enough.
+    /// The reason with the changes of which one suffices.
     fn cure(&self, found: &[Relaxation]) -> Reason {
         let measures = self.problem.cam.measures();
         if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
@@ -243,12 +238,12 @@ impl<'a> Relaxing<'a> {
         smallest_relaxations(found, measures)
     }
 
-    /// The design with one value changed, where it passes.
+    /// The design with one changed value, if it passes.
     fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
         passing(&number.with(self.problem, value), self.search)
     }
 
-    /// The value of the convex program, or a little more, where the design passes with it and not with less.
+    /// The value of the convex program, or a slightly larger change, with which the design passes.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
         let [none, less, most, _] = ROOMS;
@@ -266,7 +261,7 @@ impl<'a> Relaxing<'a> {
         Some(weakest)
     }
 
-    /// The round value nearest to one that fails with which the design passes, up to a round one that passes.
+    /// The rounded value nearest to a failing one with which the design passes, up to a rounded passing one.
     fn edge(&self, number: Relaxable, works: f64, fails: f64) -> f64 {
         let (mut works, mut fails) = (works, fails);
         // Towards zero the steps become ever smaller.
@@ -290,7 +285,7 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// A value, or a little more, with which the design passes on its machine; it does in the motion of the design relaxed.
+    /// A value, or a slightly larger change, with which the design passes on its machine, starting from the motion of the design relaxed.
     fn on_machine(&self, number: Relaxable, to: f64) -> Option<f64> {
         if self.problem.on_shaft.is_none() {
             return Some(to);
@@ -308,7 +303,7 @@ impl<'a> Relaxing<'a> {
         Some(number.rounded(edge))
     }
 
-    /// The value nearest to `from` with which the design passes, rounded to the weak side.
+    /// The value nearest to `from` with which the design passes, rounded towards the weaker limit.
     fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
         if let Some(to) = hint.and_then(|hint| self.near(number, hint)) {
             return Some(to);
@@ -338,14 +333,14 @@ impl<'a> Relaxing<'a> {
         Some(self.edge(number, works, fails))
     }
 
-    /// A value at which the design passes, from one at its edge: rounded to the weak side, with as much room as it takes.
+    /// A value with which the design passes, from one at its edge: rounded towards the weaker limit, with the necessary margin.
     fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         let mut rounded = ROOMS.map(|room| number.with_room(works, room)).into_iter();
         rounded.find(|to| self.tried(number, *to).is_some())
     }
 
-    /// Of a range between a value that holds and one that does not, the end that holds once the range is `precise` enough.
+    /// The passing end of a range between a passing and a failing value, once the range is `precise` enough.
     fn bisected(
         &self,
         mut works: f64,
@@ -364,8 +359,8 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// With given spans the error that is minimised does not depend on the accuracy: then only the accuracy of the design
-    /// itself can help, and only if nothing else fails. The outer `None` where it has to be searched for.
+    /// With a given number of spans the minimised error does not depend on the accuracy, so that only the accuracy of the design itself suffices, if
+    /// nothing else fails. The outer `None` means that a search is needed.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
@@ -393,7 +388,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// Whether a relaxation changes the scene beyond recognition.
+    /// Whether a change is too large to be suggested.
     fn is_far(&self, relaxation: &Relaxation) -> bool {
         let from = relaxation.from.abs();
         let to = relaxation.to.map_or(from, f64::abs);

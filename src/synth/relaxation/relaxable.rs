@@ -1,19 +1,18 @@
-//! How far a relaxable key is moved, and in which steps its value is reported. Which keys are relaxable, and in
-//! which direction, stands in the key table.
+//! Step sizes of the relaxation of a key, and rounding of its value. The key table states which keys are relaxable, and in which direction.
 
 use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::report::named::criterion_of;
 
-/// A limit is first relaxed by this factor, to see whether that alone is sufficient …
+/// Factor of the first relaxation of a limit, to test whether it suffices alone …
 const AWAY: f64 = 1e4;
-/// … a size of the cam by this one.
+/// … and of a size of the cam.
 const FAR_LARGER: f64 = 30.0;
-/// Pressure angle that is no limit any more, rad.
+/// Pressure angle that counts as no limit, rad.
 const STEEPEST: f64 = 1.55;
 
-/// A number of the scene that may be relaxed.
+/// A value of the scene that may be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxable {
     /// Row of the key table.
@@ -22,7 +21,7 @@ pub struct Relaxable {
     criterion: Criterion,
 }
 
-/// The numbers of a problem that may be relaxed, with their values, in the order of the report.
+/// The relaxable values of a problem, in the order of the report.
 pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
     let of = |key: &'static Key| {
         let relax = key.relax?;
@@ -44,12 +43,12 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
 }
 
 impl Relaxable {
-    /// What it is called among conflicts and relaxations.
+    /// Name among conflicts and suggested changes.
     pub fn criterion(self) -> Criterion {
         self.criterion
     }
 
-    /// Whether it is the accuracy, a part of the mean force that a check has in newtons.
+    /// Whether it is the accuracy, which is relative to the mean force while its check is in newtons.
     pub fn is_accuracy(self) -> bool {
         self.key.section() == "accuracy"
     }
@@ -77,7 +76,7 @@ impl Relaxable {
         if self.grows() { 1.0 } else { -1.0 }
     }
 
-    /// A value that limits nothing.
+    /// A value without effect.
     pub fn away(self, from: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => STEEPEST,
@@ -89,7 +88,7 @@ impl Relaxable {
         }
     }
 
-    /// The value relaxed by a share of it.
+    /// The value relaxed by a fraction of it.
     pub fn eased(self, from: f64, share: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => (from * (1.0 + share)).min(STEEPEST),
@@ -99,7 +98,7 @@ impl Relaxable {
         }
     }
 
-    /// The value weaker by this part of it, rounded.
+    /// The value relaxed by this fraction, rounded.
     pub fn with_room(self, value: f64, room: f64) -> f64 {
         self.rounded(value + room * value.abs() * self.sign())
     }
@@ -109,12 +108,12 @@ impl Relaxable {
         self.on_step(value, 1e-9)
     }
 
-    /// The first round value that is weaker than this one.
+    /// The next rounded value that is weaker.
     pub fn after(self, value: f64) -> f64 {
         self.on_step(value + 1e-3 * self.step(value) * self.sign(), 0.0)
     }
 
-    /// The distance between round values.
+    /// The distance between rounded values.
     pub fn step(self, value: f64) -> f64 {
         match self.key.range {
             Range::Acute => 1e-2_f64.to_radians(),
@@ -122,7 +121,7 @@ impl Relaxable {
         }
     }
 
-    /// The value in whole steps, towards the weaker limit; one that is round to this part of a step stays.
+    /// The value rounded to whole steps, towards the weaker limit; values within this fraction of a step remain.
     fn on_step(self, value: f64, same: f64) -> f64 {
         let step = self.step(value);
         let steps = value / step;

@@ -1,4 +1,4 @@
-//! Changes of several limits, where no single change is sufficient.
+//! Changes of several limits, if no single change suffices.
 
 use super::relaxable::Relaxable;
 use super::{FAR, MACHINE_ROOMS, Relaxing, SMALL, Values, beside, changed, passes, passing};
@@ -10,7 +10,7 @@ use crate::synth::synthesis;
 use crate::units::Quantity;
 
 impl Relaxing<'_> {
-    /// Reasons and values for changes of several limits, where no single change is sufficient.
+    /// Reasons and values for changes of several limits, if no single change suffices.
     pub fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
         if let Some((share, all)) = self.together(numbers) {
             let share = Quantity::share(share);
@@ -29,7 +29,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// The same where some limits cannot hold even without the others: these, or all, relaxed together from there.
+    /// The changes if some limits are infeasible even without the others: these, or all, are relaxed together from there.
     fn with_those_out_of_reach(
         &self,
         numbers: &Values,
@@ -73,7 +73,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// Limits that cannot hold even where the others are `free`, with the values at which they do.
+    /// Limits that are infeasible even if the others are `free`, with the values at which they become feasible.
     fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
         let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
@@ -99,7 +99,7 @@ impl Relaxing<'_> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The smallest share by which all limits can be relaxed together, with the values.
+    /// The smallest common relative change of all limits that suffices, with the values.
     fn together(&self, numbers: &Values) -> Option<(f64, Vec<Relaxation>)> {
         let eased = |share: f64| -> Vec<(Relaxable, f64)> {
             let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, share, self.force));
@@ -127,7 +127,7 @@ impl Relaxing<'_> {
         Some((share, all.collect()))
     }
 
-    /// A share, or a little more, at which the design passes on its machine.
+    /// A relative change, or a slightly larger one, with which the design passes on its machine.
     fn share_on_machine(
         &self,
         share: f64,
@@ -141,7 +141,7 @@ impl Relaxing<'_> {
     }
 }
 
-/// A share, rounded up to a thousandth.
+/// A relative change, rounded up to a thousandth.
 fn rounded(share: f64) -> f64 {
     (1e3 * share - 1e-9).ceil() / 1e3
 }

@@ -1,4 +1,4 @@
-//! The end of a compliant follower for which a cam is cut.
+//! The end of a compliant follower with a polydyne cam.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::problem::Note;
 use crate::units::{Dimension, Quantity};
 
-/// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
+/// Behaviour of the output end of a flexible follower with a polydyne cam (`law.polydyne`).
 ///
 /// ```
 /// use gaitcam::scene;
@@ -24,21 +24,20 @@ use crate::units::{Dimension, Quantity};
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct End {
-    /// Law of the end; the cam's own differs from it by the follower's give.
+    /// Law of the end; the cam's own differs from it by the follower's deflection.
     pub law: Law,
     /// Stiffness of the follower train, N/m (an arm: N·m/rad).
     pub stiffness: f64,
     /// Damping of the output end, N·s/m.
     pub damping: f64,
-    /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
-    /// nothing is steady.
+    /// Deviation of the end from its law with this cam; `None` without a steady state.
     pub miss: Option<Miss>,
-    /// The same for a cam cut to the law itself.
+    /// Deviation of the end with a cam that has the law itself.
     pub plain_miss: Option<Miss>,
 }
 
 impl End {
-    /// What to know of the design: its speed and stiffness, and what it misses.
+    /// The note on speed, stiffness and deviation.
     pub fn notes(&self, speed: f64) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {
             speed: Quantity::new(speed, Dimension::AngularSpeed),

@@ -19,19 +19,19 @@ use crate::drive::Drive;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ForceReport {
-    /// Root mean square over the cycle.
+    /// Root mean square error over the cycle, N.
     pub rms_error_n: f64,
-    /// Largest absolute difference.
+    /// Maximum absolute error, N.
     pub max_error_n: f64,
-    /// RMS error as percent of the mean target.
+    /// RMS error as percentage of the mean target.
     pub rms_error_percent_of_mean: f64,
-    /// Mean of the target.
+    /// Mean of the target, N.
     pub target_mean_n: f64,
-    /// Mean of the cam's force.
+    /// Mean of the cam's force, N.
     pub mean_n: f64,
-    /// Smallest force.
+    /// Minimum force of the cam, N.
     pub min_n: f64,
-    /// Largest force.
+    /// Maximum force of the cam, N.
     pub max_n: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What limits do to a design: those that shape it, what easing them would buy, those that conflict.
+//! Effects of limits on a design: active limits, gains from relaxing them, conflicts.
 
 use serde::{Serialize, Serializer};
 
@@ -11,23 +11,23 @@ use crate::units::Dimension;
 use crate::wording::{self, Language};
 
 impl Infeasible {
-    /// The names of what conflicts, as in `summary.json`.
+    /// The names of conflicting limits, as in `summary.json`.
     pub fn names(&self) -> Vec<String> {
         self.conflict.iter().map(|c| c.name()).collect()
     }
 
-    /// Conflict and cure as sentences.
+    /// Message of the conflict and the suggested changes.
     pub fn sentence(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
 
-    /// The same as the fault of a scene for which there is nothing to show.
+    /// The conflict as the fault of a scene without a result.
     pub(in crate::synth) fn no_law(&self) -> NoDesignError {
         let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
         NoDesignError::NoLaw { reason }
     }
 
-    /// The key of the demands at fault; that of the law where points and dwells are.
+    /// The key of the conditions at fault; that of the law for points and dwells.
     pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
         let named = |of: fn(&Demand) -> bool| {
             let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));
@@ -43,7 +43,7 @@ impl Infeasible {
     }
 }
 
-/// A limit that holds with equality and pushes on the law.
+/// An active limit of the law.
 ///
 /// ```
 /// use gaitcam::{LimitKind, scene};
@@ -58,16 +58,16 @@ impl Infeasible {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Binding {
-    /// The limit.
+    /// Name of the limit.
     pub limit: Criterion,
     /// Multiplier: gain of the objective per unit of the limit (SI).
     pub multiplier: f64,
-    /// Where it binds, rad.
+    /// Angles at which it is active, rad.
     #[serde(rename = "at_rad")]
     pub at: f64,
 }
 
-/// What easing one limit by 1 % would buy, to first order.
+/// First-order gain from relaxing one limit by 1 %.
 ///
 /// ```
 /// use gaitcam::{LimitKind, scene};
@@ -83,13 +83,13 @@ pub struct Binding {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Easing {
-    /// The limit, or the scene's own number where that is another.
+    /// The limit, or the scene's own value if that differs.
     pub limit: Criterion,
     /// Present value of the limit, SI.
     pub from: f64,
-    /// The value eased, SI.
+    /// The relaxed value, SI.
     pub to: f64,
-    /// What is minimised.
+    /// The minimised quantity.
     pub objective: Minimised,
     /// Present value of the objective.
     pub before: f64,
@@ -97,21 +97,21 @@ pub struct Easing {
     pub after: f64,
 }
 
-/// The quantity that a scene minimises.
+/// The objective of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimised {
-    /// RMS force error, N.
+    /// RMS force error of the law, N.
     RmsError,
-    /// The same with phases weighed.
+    /// RMS force error with weighted phases, N.
     WeightedRmsError,
-    /// Largest force error, N.
+    /// Maximum force error, N.
     MaxError,
     /// Base or prime radius, m.
     Radius,
-    /// RMS of a derivative by cam angle, m/radᵏ.
+    /// RMS of a derivative with respect to the cam angle, m/radᵏ.
     RmsDerivative(usize),
-    /// Largest value of a derivative by cam angle, m/radᵏ.
+    /// Maximum of a derivative with respect to the cam angle, m/radᵏ.
     PeakDerivative(usize),
 }
 
@@ -150,9 +150,9 @@ impl Serialize for Minimised {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Conflicting {
-    /// A limit.
+    /// A limit of the scene.
     Limit(Criterion),
-    /// A demand on the law.
+    /// A condition on the law.
     Demand(Demand),
 }
 
@@ -165,7 +165,7 @@ impl Conflicting {
         }
     }
 
-    /// What it is called in text.
+    /// Name of the member in text.
     pub fn sentence(self, language: Language) -> String {
         match self {
             Conflicting::Limit(limit) => wording::catalogue(language).name(limit.name()),
@@ -175,7 +175,7 @@ impl Conflicting {
 }
 
 impl Easing {
-    /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
+    /// The displayed name of the objective, its unit, and the factor from SI.
     pub fn in_words(&self, measures: Measures, language: Language) -> (String, &'static str, f64) {
         let unit = match self.objective {
             Minimised::RmsError | Minimised::WeightedRmsError | Minimised::MaxError => {
@@ -191,7 +191,7 @@ impl Easing {
     }
 }
 
-/// Why no such cam exists.
+/// Reason why no such cam exists.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -211,15 +211,15 @@ impl Easing {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Infeasible {
-    /// Limits or demands that cannot hold together.
+    /// Conflicting limits or conditions.
     pub conflict: Vec<Conflicting>,
-    /// For each of them: the smallest change that makes the rest possible.
+    /// For each of them, the smallest change that makes the rest feasible.
     pub relaxations: Vec<Relaxation>,
-    /// The same as reasons, with what would help.
+    /// The conflict as reasons, with suggested changes.
     pub reasons: Vec<Reason>,
 }
 
-/// The smallest change of one limit that lets the others hold.
+/// The smallest change of one limit for which the others are feasible.
 ///
 /// ```
 /// use gaitcam::synth::synthesise;
@@ -236,13 +236,13 @@ pub struct Infeasible {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Relaxation {
-    /// The limit.
+    /// Name of the limit.
     pub limit: Criterion,
     /// Key of the limit, as typed after `--set`.
     pub key: &'static str,
     /// Present value of the relaxation, SI.
     pub from: f64,
-    /// The value that works, SI; `None` when no value of this limit alone helps.
+    /// Sufficient value, SI; `None` if no value of this limit alone suffices.
     pub to: Option<f64>,
 }
 

@@ -1,5 +1,4 @@
-//! How a law was found and what simpler families missed: data, whose sentences stand in
-//! `wording/en/solver.ftl`.
+//! Method of a law, and shortcomings of simpler families; the messages are in `wording/en/solver.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -8,7 +7,7 @@ use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// How a tier came to its law.
+/// Method of a solver.
 ///
 /// ```
 /// use gaitcam::synth::Method;
@@ -27,19 +26,19 @@ use crate::wording::{self, Language};
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Method {
-    /// A programme is given: nothing to solve.
+    /// A given programme, without a solution step.
     Programme,
     /// As many conditions as coefficients: one linear system.
     Interpolation,
-    /// Harmonics inverted one by one; the RMS force that lies in the rest.
+    /// Harmonics inverted one by one, with the RMS force of the rest.
     Spectral { harmonics: usize, rest: Quantity },
-    /// Harmonics with limits, by rounds of exchange.
+    /// Harmonics with limits, by exchange iterations.
     Harmonics {
         harmonics: usize,
         rounds: usize,
         violation: f64,
     },
-    /// Rise and fall searched for.
+    /// A search for rise and fall.
     Search {
         rise: Quantity,
         from: Quantity,
@@ -47,9 +46,9 @@ pub enum Method {
         steps: usize,
         error: Quantity,
     },
-    /// Least squares alone keep every limit.
+    /// Least squares without active limits.
     NoLimitActive,
-    /// Rounds of exchange.
+    /// Iterations of exchange.
     Exchange { rounds: usize, violation: f64 },
     /// A sequence of convex programs.
     Sequence {
@@ -59,7 +58,7 @@ pub enum Method {
     },
 }
 
-/// Why a sequence of convex programs ended.
+/// Reasons why a sequence of convex programs ended.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -78,19 +77,19 @@ pub enum Method {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Ended {
-    /// The caller ended it.
+    /// The caller stopped the search.
     OutOfTime,
-    /// As many steps as are allowed were taken.
+    /// The maximum number of steps was reached.
     MostSteps,
-    /// The linearised program has no solution beside the last law.
+    /// The linearised program has no solution except the last law.
     NoSolution,
-    /// No part of the last step improves the objective.
+    /// No fraction of the last step improves the objective.
     NoImprovement,
-    /// Steps improve the objective by too little.
+    /// The improvement per step is too small.
     SmallGain,
 }
 
-/// What the harmonics in closed form missed.
+/// Shortcomings of the harmonics in closed form.
 ///
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};
@@ -118,7 +117,7 @@ pub enum Ended {
 #[non_exhaustive]
 #[allow(missing_docs)]
 pub enum PassedOver {
-    /// The accuracy.
+    /// The accuracy of the force.
     Accuracy {
         family: &'static str,
         excess: Quantity,
@@ -130,26 +129,26 @@ pub enum PassedOver {
         value: Quantity,
         limit: Quantity,
     },
-    /// It cannot be had at all.
+    /// The closed form does not apply.
     Fault { family: &'static str, fault: String },
 }
 
 impl Method {
-    /// The method as a clause.
+    /// Clause that describes the method.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "method", self)
     }
 }
 
 impl Ended {
-    /// The reason as a clause.
+    /// Clause that describes the reason.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "ended", self)
     }
 }
 
 impl PassedOver {
-    /// What was missed as a clause.
+    /// Clause that describes the shortcoming.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "passed-over", self)
     }

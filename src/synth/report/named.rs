@@ -4,7 +4,7 @@ use crate::cam::{Criterion, LimitKind, Measures, Unit};
 use crate::scene::keys::{self, Key};
 use crate::units::Dimension;
 
-/// Criteria that are no limit with the keys that set them.
+/// Criteria that are not limits, with the keys that set them.
 const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Bore, "cam.bore"),
     (Criterion::BaseRadius, "cam.base_radius"),
@@ -15,7 +15,7 @@ const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Band, "gait.band"),
 ];
 
-/// The key that sets what a row or a relaxation is named after, as typed after `--set`; empty where none does.
+/// The key of a row or of a suggested change, as typed after `--set`; empty if there is none.
 pub fn key_of(criterion: Criterion) -> &'static str {
     if let Some(key) = criterion.limit().and_then(keys::of_limit) {
         return key.path;
@@ -24,13 +24,13 @@ pub fn key_of(criterion: Criterion) -> &'static str {
     found.map_or("", |k| k.1)
 }
 
-/// What a key that may be relaxed is named after among conflicts and relaxations.
+/// The name of a relaxable key among conflicts and suggested changes.
 pub fn criterion_of(key: &Key) -> Option<Criterion> {
     let beside = || KEYS.iter().find(|k| k.1 == key.path).map(|k| k.0);
     key.limit.map(Criterion::Limit).or_else(beside)
 }
 
-/// What a limit or check measures.
+/// Dimension of a limit or check.
 pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     let oscillating = measures == Measures::Oscillating;
     let of_limit = |kind: LimitKind| {
@@ -61,7 +61,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     }
 }
 
-/// The unit in which people give a limit or check.
+/// Customary unit of a limit or check.
 pub fn unit(measures: Measures, criterion: Criterion) -> Unit {
     Unit::of(dimension(measures, criterion))
 }

@@ -1,10 +1,10 @@
-//! The functions that the coefficients of a law belong to, so that others can evaluate it.
+//! Basis functions of the coefficients of a law, so that others can evaluate it.
 
 use serde::Serialize;
 
 use crate::synth::qp::Basis;
 
-/// Functions of a law's coefficients, in the order of the coefficients.
+/// Basis functions, in the order of the coefficients.
 ///
 /// ```
 /// use gaitcam::synth::Functions;
@@ -22,18 +22,17 @@ use crate::synth::qp::Basis;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Functions {
-    /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, the knots of one turn
-    /// going on with tᵢ₊ₙ = tᵢ + 2π.
+    /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, with tᵢ₊ₙ = tᵢ + 2π.
     BSpline {
-        /// Knots of one turn, rad, in JSON `knots_rad`; a multiple knot as often as it counts.
+        /// Knots of one turn, rad, in JSON `knots_rad`; multiple knots repeated.
         #[serde(rename = "knots_rad")]
         knots: Vec<f64>,
     },
-    /// 1, cos θ, sin θ, cos 2θ, sin 2θ …
+    /// Harmonics 1, cos θ, sin θ, cos 2θ, sin 2θ …
     Fourier,
-    /// 1, u, u² … with u from 0 to 1 on a range; the law rests outside.
+    /// Powers 1, u, u² … with u from 0 to 1 on a range; the law is constant outside.
     Monomial {
-        /// The range, rad, in JSON `range_rad`.
+        /// Range of the powers, rad, in JSON `range_rad`.
         #[serde(rename = "range_rad")]
         range: [f64; 2],
     },
@@ -44,7 +43,7 @@ pub enum Functions {
 }
 
 impl Functions {
-    /// Those of a program.
+    /// Basis functions of a program.
     pub(in crate::synth) fn of(basis: &Basis) -> Self {
         match basis {
             Basis::Spline { space, .. } => Functions::BSpline {
@@ -54,7 +53,7 @@ impl Functions {
         }
     }
 
-    /// The coefficients of the same law with its lift changed by a constant.
+    /// The coefficients of the law with its lift changed by a constant.
     pub(in crate::synth) fn raise(&self, coefficients: &mut [f64], by: f64) {
         match self {
             Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),

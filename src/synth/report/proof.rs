@@ -1,4 +1,4 @@
-//! Whether a law is proved optimal within its family, and if not, why.
+//! Whether a law is proved optimal within its family, and if not, the reason.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 use crate::synth::qp::Certificate;
 use crate::wording::{self, Language};
 
-/// Why a law is not certified to be the optimum.
+/// Reasons why a law is not certified to be the optimum.
 ///
 /// ```
 /// use gaitcam::synth::Doubt;
@@ -22,26 +22,26 @@ use crate::wording::{self, Language};
 pub enum Doubt {
     /// A limit is exceeded by more than the solver's tolerance.
     Limits,
-    /// The duality gap, or what the multipliers leave of the gradient, is above 1e-6.
+    /// The duality gap or the gradient of the Lagrangian is above 1e-6.
     Gap,
-    /// Where the law touches its base circle was searched for, not proved.
+    /// The touching angle on the base circle was searched, not proved.
     TouchingAngle,
     /// A sequence of convex programs ends at a local optimum.
     Local,
-    /// No law was found that keeps the limits that are not convex: they are left out.
+    /// No law was found that satisfies the nonconvex limits, so that they are omitted.
     LeftOut,
-    /// The motion of shaft or floor was held fixed: laws that give the machine another motion are not compared.
+    /// The motion of shaft or floor was fixed; laws with other machine motions are not compared.
     FixedMotion,
 }
 
 impl Doubt {
-    /// The reason as a clause.
+    /// Clause that describes the reason.
     pub fn sentence(self, language: Language) -> String {
         wording::sentence(language, "doubt", &self)
     }
 }
 
-/// What stands between a certificate and a proof.
+/// Reason why a certificate is not a proof.
 pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
     if !certificate.keeps_limits() {
         Some(Doubt::Limits)

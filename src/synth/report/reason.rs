@@ -1,4 +1,4 @@
-//! Why a design has its verdict, and what would help: data, whose sentences stand in `wording/en/synth.ftl`.
+//! Reasons for the verdict on a design, and suggested changes; the messages are in `wording/en/synth.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -33,25 +33,25 @@ use crate::wording::{self, Language};
 pub enum Reason {
     /// Every check passes and lift, velocity and acceleration are continuous.
     AllHold,
-    /// The search was ended before it was complete.
+    /// The search was stopped early.
     OutOfTime,
-    /// The mean of the target is not the weight of the moved mass.
+    /// The mean of the target differs from the weight of the moved mass.
     MeanForce {
         mean: Quantity,
         weight: Quantity,
         error: Quantity,
     },
-    /// What the recording is of is open.
+    /// The kind of the recorded movement is uncertain.
     RecordingKind {
         because: Vec<Note>,
         keys: Vec<&'static str>,
     },
-    /// How long a stride of the recording lasts is open.
+    /// The stride time of the recording is uncertain.
     RecordingClock {
         because: Vec<Note>,
         keys: Vec<&'static str>,
     },
-    /// How large the forces of the recording are is open.
+    /// The magnitude of the recorded forces is uncertain.
     RecordingMass {
         because: Vec<Note>,
         keys: Vec<&'static str>,
@@ -61,27 +61,27 @@ pub enum Reason {
         because: Vec<Note>,
         keys: Vec<&'static str>,
     },
-    /// The lift jumps.
+    /// The lift has a jump.
     LiftJumps { at: Quantity },
-    /// The velocity jumps.
+    /// The velocity has a jump.
     VelocityJumps { at: Quantity },
-    /// The acceleration jumps, and the force with it.
+    /// The acceleration has a jump, and so has the force.
     AccelerationJumps { at: Quantity },
-    /// Only a pull would keep the follower on the cam.
+    /// The follower would need a pull to stay on the cam.
     LiftsOff {
         at: Quantity,
         pull: Quantity,
         speed: Quantity,
     },
-    /// The same of a law that is prescribed: no limit shapes it.
+    /// The follower of a prescribed law would need a pull, which no limit can change.
     LiftsOffAsPrescribed {
         at: Quantity,
         pull: Quantity,
         speed: Quantity,
     },
-    /// The same where a spring, a preload or a mass presses.
+    /// The follower would need a pull although a spring, a preload or a mass is present.
     ContactLost { at: Quantity, pull: Quantity },
-    /// The emitted cam was run, and the follower leaves it.
+    /// The follower loses contact in the run of the emitted cam.
     ContactLostInRun { share: Quantity },
     /// The profile has a cusp.
     Cusp { at: Quantity },
@@ -99,13 +99,13 @@ pub enum Reason {
         radius: Quantity,
         allowed: Quantity,
     },
-    /// The smallest base radius that mends the profile.
+    /// The minimum base radius that removes the undercut.
     BaseRadiusWorks { radius: Quantity },
-    /// What mends the profile in general.
+    /// General remedy for the profile.
     EnlargeBaseCircle,
-    /// The same for a translating cam.
+    /// General remedy for the profile of a translating cam.
     LengthenTravel,
-    /// The follower reaches into another part of the cam.
+    /// The follower interferes with another part of the cam.
     Interference { at: Quantity, depth: Quantity },
     /// A wall of a groove is sharper than allowed.
     SharpWall {
@@ -113,7 +113,7 @@ pub enum Reason {
         radius: Quantity,
         allowed: Quantity,
     },
-    /// The roller is larger than the hollow it runs in.
+    /// The roller is larger than the concave radius of the profile.
     RollerTooLarge {
         at: Quantity,
         roller: Quantity,
@@ -138,17 +138,17 @@ pub enum Reason {
         angle: Quantity,
         usual: Quantity,
     },
-    /// The force is farther from the target than asked.
+    /// The force error exceeds the required accuracy.
     ForceError { error: Quantity, allowed: Quantity },
-    /// The same in a run of the emitted cam.
+    /// The force error in the run of the emitted cam exceeds the required accuracy.
     ForceErrorInRun { error: Quantity, allowed: Quantity },
-    /// The law dips below its base circle.
+    /// The law falls below its base circle.
     BelowBaseCircle { at: Quantity, depth: Quantity },
     /// The prime radius is larger than allowed.
     PrimeRadius { needed: Quantity, allowed: Quantity },
     /// The force leaves its band.
     OutsideBand { at: Quantity, excess: Quantity },
-    /// Any other limit is broken.
+    /// Another limit is violated.
     LimitBroken {
         limit: Criterion,
         at: Quantity,
@@ -157,43 +157,43 @@ pub enum Reason {
     },
     /// A limit on a derivative that is infinite, since the one below it jumps.
     LimitUnbounded { limit: Criterion, at: Quantity },
-    /// Demands that contradict each other as equations.
+    /// Conditions that contradict each other as equations.
     DemandsContradict { demands: Vec<Demand> },
-    /// Demands that no law on or above the base circle meets together.
+    /// Conditions that are infeasible on or above the base circle.
     DemandsInfeasible { demands: Vec<Demand> },
-    /// One limit that no law keeps together with the demands.
+    /// One limit that is infeasible with the conditions.
     LimitInfeasible { limit: Criterion },
-    /// Limits that no law keeps together.
+    /// Limits that are infeasible together.
     LimitsInfeasible { limits: Vec<Criterion> },
-    /// Limits for which no common law was found; some are nonconvex, so this is no proof.
+    /// Limits for which no common law was found; some are nonconvex, so this does not prove infeasibility.
     NoLawFound { limits: Vec<Criterion> },
-    /// The solver stopped, which proves nothing.
+    /// The solver stopped, so that nothing is proved.
     SolverStopped { stop: Stop },
-    /// One limit whose change is enough.
+    /// One limit whose change suffices.
     Relaxation { changes: Vec<Change> },
-    /// Several limits of which one change is enough.
+    /// Several limits of which one change suffices.
     Relaxations { changes: Vec<Change> },
-    /// No change of a single limit is enough.
+    /// No change of a single limit suffices.
     NoRelaxation,
-    /// Changes of which one is enough, all of them by more than ten times.
+    /// Changes of which one suffices, all of them by more than a factor of ten.
     FarRelaxations { changes: Vec<Change> },
-    /// Only all limits together help, by this share.
+    /// Only a common relative change of all limits suffices.
     AllTogether { share: Quantity },
-    /// Values that are enough together, where limits cannot hold even alone.
+    /// Values that suffice together, if some limits are infeasible alone.
     FarTogether { changes: Vec<Change> },
-    /// Limits that cannot hold even alone, with what they would need, where the other limits do not hold beside that.
+    /// Limits that are infeasible even alone, with sufficient values, if the other limits fail as well.
     OutOfReach { changes: Vec<Change> },
-    /// The design fails without any limit too; what it fails by follows.
+    /// The design fails without any limit too; the failed checks follow.
     NotTheLimits,
 }
 
-/// The change of one limit that is enough.
+/// A sufficient change of one limit.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
 pub enum Change {
-    /// Its key as it is typed, its value and the one that works.
+    /// Key as typed, present value and sufficient value.
     Change {
         key: &'static str,
         limit: Criterion,
@@ -203,7 +203,7 @@ pub enum Change {
 }
 
 impl Reason {
-    /// The reason as a sentence.
+    /// Message of the reason.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "reason", self)
     }
@@ -220,7 +220,7 @@ pub fn sentences<'a>(reasons: impl IntoIterator<Item = &'a Reason>, language: La
     all.join(" ")
 }
 
-/// A place of the law: an angle, or a length of travel.
+/// A position on the law: an angle, or a length of travel.
 pub fn place(measures: Measures, at: f64) -> Quantity {
     match measures {
         Measures::Straight => Quantity::length(at),

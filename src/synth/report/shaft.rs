@@ -1,10 +1,10 @@
-//! What the shaft of a design does under its motor.
+//! Behaviour of the shaft under its motor.
 
 use serde::Serialize;
 
 use crate::dynamics::{InTime, Shaft};
 
-/// The design on its shaft.
+/// Report of a shaft under its motor.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -29,25 +29,25 @@ use crate::dynamics::{InTime, Shaft};
 pub struct OnShaft {
     /// Motion of the shaft.
     pub shaft: Shaft,
-    /// Force error over time.
+    /// Force error over time under the motor.
     pub force_time: Option<InTime>,
-    /// The same of the law for constant speed under this motor.
+    /// Force error of the law for constant speed under this motor.
     pub at_constant_speed: Option<InTime>,
-    /// Programs solved beside the one at constant speed.
+    /// Number of programs solved besides the one at constant speed.
     pub rounds: usize,
-    /// Factor between the last two changes of the target from round to round; `None` of fewer than two changes.
+    /// Ratio of the last two changes of the target between iterations; `None` for fewer than two changes.
     pub contraction: Option<f64>,
-    /// What inertia and energy of the load said beforehand.
+    /// Estimate from inertia and energy of the load.
     pub forecast: Forecast,
-    /// Speed at equal cam angles, rad/s.
+    /// Shaft speed at equal cam angles, rad/s.
     #[serde(skip)]
     pub speed: Vec<f64>,
-    /// Time there since cam angle 0, s.
+    /// Time since cam angle 0 at these angles, s.
     #[serde(skip)]
     pub time: Vec<f64>,
 }
 
-/// Ripple and change of the force by a varying speed, estimated from inertia and the energy that swings.
+/// Ripple and change of the force by a varying speed, estimated from inertia and alternating energy.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -65,12 +65,12 @@ pub struct OnShaft {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Forecast {
-    /// Highest less lowest speed, part of the mean.
+    /// Maximum less minimum speed, relative to the mean.
     pub ripple: f64,
-    /// RMS change of the force, percent of its mean.
+    /// RMS change of the force, as percentage of its mean.
     pub force_change_percent_of_mean: f64,
-    /// What is neglected, percent of the mean.
+    /// Neglected change, as percentage of the mean.
     pub neglected_percent_of_mean: f64,
-    /// Whether a constant speed is enough.
+    /// Whether constant speed is sufficiently accurate.
     pub is_negligible: bool,
 }

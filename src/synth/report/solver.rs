@@ -1,4 +1,4 @@
-//! How a design was found.
+//! Solution method of a design.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use super::proof::Doubt;
 use crate::synth::qp::Certificate;
 use crate::wording::Language;
 
-/// One convex program of a sequence, as it was taken.
+/// One accepted convex program of a sequence.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -26,13 +26,13 @@ pub struct Step {
     pub prime_radius: f64,
     /// Objective after the step.
     pub merit: f64,
-    /// Smallest distance to undercut or the sharpest curvature allowed, without unit; not below zero.
+    /// Minimum relative distance from undercut or from the curvature limit; not negative.
     pub clearance: f64,
-    /// Part of the step that was taken.
+    /// Accepted fraction of the step.
     pub taken: f64,
 }
 
-/// Which method gave the law.
+/// Solution methods.
 ///
 /// ```
 /// use gaitcam::synth::Tier;
@@ -52,26 +52,26 @@ pub struct Step {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Tier {
-    /// Closed form, harmonic by harmonic.
+    /// Closed form for each harmonic.
     Spectral,
     /// Least squares with equalities: one factorisation.
     Equality,
-    /// Convex quadratic program.
+    /// Convex quadratic program (QP).
     Qp,
-    /// Second-order cone program.
+    /// Second-order cone program (SOCP).
     Socp,
-    /// Sequence of convex programs.
+    /// Sequence of convex programs (SCP).
     Scp,
 }
 
 impl Tier {
-    /// The word of `summary.json`.
+    /// Name of the method in `summary.json`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// How the design was found.
+/// Report on the solution of a design.
 ///
 /// ```
 /// use gaitcam::wording::Language;
@@ -86,26 +86,26 @@ impl Tier {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SolverReport {
-    /// The method that gave the law.
+    /// Method of the law.
     pub tier: Tier,
     /// Details of the solution method.
     pub method: Method,
-    /// What the harmonics in closed form missed, where they were tried first.
+    /// Shortcomings of the harmonics in closed form, if they were tried first.
     pub passed_over: Option<PassedOver>,
-    /// Iterations over all solves.
+    /// Total iterations of all solves.
     pub iterations: usize,
-    /// Limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
+    /// Whether the limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
     pub certified: bool,
-    /// Why it is not certified.
+    /// Reason why it is not certified.
     pub doubt: Option<Doubt>,
-    /// How near to the optimum the law is proved to be; `None` where nothing was minimised.
+    /// Proved distance from the optimum; `None` if nothing was minimised.
     pub certificate: Option<Certificate>,
-    /// The sequence of convex programs, where one was needed.
+    /// The sequence of convex programs, if one was needed.
     pub steps: Vec<Step>,
 }
 
 impl SolverReport {
-    /// The report of a method that left nothing in doubt.
+    /// The report of an exact method.
     pub(crate) fn of(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         SolverReport {
             tier,
@@ -119,7 +119,7 @@ impl SolverReport {
         }
     }
 
-    /// How the law was found and what simpler families missed.
+    /// Message on the method, and on shortcomings of simpler families.
     pub fn status(&self, language: Language) -> String {
         let missed = self.passed_over.iter().map(|p| p.sentence(language));
         let all: Vec<String> = std::iter::once(self.method.sentence(language))
@@ -128,7 +128,7 @@ impl SolverReport {
         all.join("; ")
     }
 
-    /// Why the sequence of convex programs ended; `None` without one.
+    /// Reason why the sequence of convex programs ended; `None` without one.
     pub fn ended(&self) -> Option<Ended> {
         match self.method {
             Method::Sequence { ended, .. } => Some(ended),

@@ -1,10 +1,10 @@
-//! How well a cam serves each of several walkers.
+//! Errors of a cam for each of several walkers.
 
 use serde::Serialize;
 
 use crate::scene::ErrorMeasure;
 
-/// How well one cam serves a population.
+/// Errors of one cam for a population.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -19,46 +19,46 @@ use crate::scene::ErrorMeasure;
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct OfPopulation {
-    /// Walkers, whatever the number of their cycles.
+    /// Number of walkers, whatever the number of their cycles.
     pub walkers: usize,
-    /// Cycles of all walkers.
+    /// Number of cycles of all walkers.
     pub cycles: usize,
-    /// What was minimised.
+    /// Name of the objective.
     pub robust: String,
-    /// In what errors were compared: relative, absolute.
+    /// Measure of the errors: relative, absolute.
     pub error: &'static str,
-    /// Root of what was minimised, in percent of each walker's mean force, or of the mean of all where errors are absolute: what
-    /// `accuracy.rms` is compared with.
+    /// Root of the minimised value, in percent of each walker's mean force, or of the mean of all for absolute errors. `accuracy.rms` is compared
+    /// with it.
     pub objective_percent: f64,
-    /// Largest RMS force error, percent of the walker's mean force.
+    /// Maximum RMS force error, percent of the walker's mean force.
     pub worst_percent: f64,
-    /// Mean of the RMS force errors, by weight.
+    /// Mean of the RMS force errors, weighted.
     pub mean_percent: f64,
-    /// Mean of the largest of them: of the last tenth, or of what the objective names.
+    /// Mean of the largest errors: of the last tenth, or of the fraction in the objective.
     pub cvar_percent: f64,
-    /// The same in newtons: largest,
+    /// Maximum RMS force error, N.
     pub worst_n: f64,
-    /// mean,
+    /// Mean RMS force error, N.
     pub mean_n: f64,
-    /// and mean of the largest.
+    /// Mean of the largest errors, N.
     pub cvar_n: f64,
-    /// Whose error is the largest, as errors are compared.
+    /// Walker with the largest error.
     pub worst_walker: String,
-    /// The objective less its proved lower bound, part of the objective (a mean square).
+    /// The objective less its proved lower bound, relative to the objective (a mean square).
     pub gap: f64,
-    /// No law at any phases of the walkers has a smaller `objective_percent` than this; `None` where the phases are given.
+    /// Lower bound of `objective_percent` over all laws and phases; `None` if the phases are given.
     pub bound_percent: Option<f64>,
-    /// Designs that were computed.
+    /// Number of computed designs.
     pub rounds: usize,
-    /// Place of the cycle with the largest error.
+    /// Index of the cycle with the largest error.
     #[serde(skip)]
     pub worst: usize,
-    /// Each cycle.
+    /// Errors of each cycle.
     #[serde(skip)]
     pub each: Vec<WalkerError>,
 }
 
-/// How well a cam serves a walker.
+/// Errors of a cam for one walker.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -71,9 +71,9 @@ pub struct OfPopulation {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WalkerError {
-    /// Who.
+    /// Name of the walker.
     pub walker: String,
-    /// Mass to which the machine is set, kg.
+    /// Mass of the machine for this walker, kg.
     pub mass_kg: f64,
     /// Speed of the cam, rad/s.
     pub speed_rad_per_s: f64,
@@ -83,14 +83,14 @@ pub struct WalkerError {
     pub rms_error_percent: f64,
     /// RMS force error, N.
     pub rms_error_n: f64,
-    /// What the walker counts in a mean.
+    /// Weight of the walker in a mean.
     pub share: f64,
-    /// Walking speed, m/s, where it is known.
+    /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
 }
 
 impl WalkerError {
-    /// The RMS force error in percent or in newtons, as errors are compared.
+    /// The RMS force error in percent or in newtons, according to the measure.
     pub fn measured(&self, error: ErrorMeasure) -> f64 {
         match error {
             ErrorMeasure::Relative => self.rms_error_percent,

@@ -1,5 +1,4 @@
-//! A law on its cam with its force and its checks: one step for every family, for every round of a polydyne cam and for
-//! the finished design.
+//! A law on its cam with force and checks, for every family, every iterate of a polydyne cam and the finished design.
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, PrimeCircle};
 use crate::error::Result;
@@ -9,30 +8,27 @@ use crate::synth::limits::{ENLARGED, Finished, force_report};
 use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
-/// A law on its cam, with the force that it gives and every check.
+/// A law on its cam, with its force and every check.
 #[derive(Clone)]
 pub struct CheckedCam {
-    /// The cam of the law, whose lowest point stands on the base circle where nothing fixes the level.
+    /// The cam of the law, with its minimum on the base circle unless something else fixes the level.
     pub cam: Cam,
-    /// How far the law was raised for that, in units of its lift.
+    /// Shift of the law to the base circle, in units of its lift.
     pub raised: f64,
-    /// The law of a compliant follower's end, raised as far.
+    /// The law of a compliant follower's end, with the same shift.
     pub end: Option<Law>,
-    /// The second cam of a conjugate pair.
+    /// The second cam of a conjugate pair, if any.
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel.
     pub groove: Option<BarrelGroove>,
-    /// The force against the target.
+    /// Force against the target, N.
     pub force: ForceReport,
-    /// Every limit of the problem, and what no cam may lack.
+    /// Checks of every limit of the problem, and of general requirements.
     pub checks: Vec<Check>,
 }
 
-/// The cam of a law; `end` is the law of the end of a compliant follower that it moves, `circle` one on which the law is known to
-/// keep its limits.
-///
-/// # Errors
-/// Lengths that fix no cam.
+/// The cam of a law; `end` is the law of the compliant follower's end, `circle` a size for which the law is known to satisfy its limits. # Errors
+/// Dimensions that do not determine a cam.
 pub fn checked_cam(
     problem: &Problem,
     law: &Law,
@@ -74,27 +70,28 @@ fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result
 }
 
 impl CheckedCam {
-    /// The same cam with the force and the checks of another problem.
+    /// The cam with the force and the checks of another problem.
     ///
     /// # Errors
-    /// Lengths that fix no second cam or groove.
+    ///
+    /// Dimensions that do not determine a second cam or groove.
     pub fn at(&self, problem: &Problem) -> Result<CheckedCam> {
         checked(problem, self.cam.clone(), self.raised, self.end.clone())
     }
 
-    /// The law that makes the force.
+    /// The law that determines the force.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().unwrap_or(&self.cam.law)
     }
 
-    /// The first check that fails.
+    /// The first failed check.
     pub fn broken(&self) -> Option<&Check> {
         self.checks.iter().find(|check| !check.pass)
     }
 }
 
-/// The cam of a law that is known to keep its limits at about a circle: its offset is tried too, because the one that is chosen
-/// for the pressure angle alone may not be the best for the curvature.
+/// The cam of a law with limits satisfied near a circle: its offset is tried too, because the best offset for the pressure angle may not be best for
+/// the curvature.
 fn cam_about(
     problem: &Problem,
     law: Law,
@@ -112,7 +109,7 @@ fn cam_about(
     Ok(if radius(&other) < smaller { other } else { own })
 }
 
-/// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
+/// The law, shifted so that its minimum is on the base circle unless something else fixes the level.
 fn on_base_circle(problem: &Problem, law: &Law) -> Law {
     if problem.level_is_known() {
         return law.clone();

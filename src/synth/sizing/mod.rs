@@ -1,4 +1,4 @@
-//! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
+//! The cam of a law: with the size of the scene, or with the smallest feasible size.
 
 pub mod checked_cam;
 mod notes;
@@ -19,24 +19,22 @@ use crate::units::Quantity;
 
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
-/// Steps by which a prime circle grows from the first guess until it holds the limits, and how often.
+/// Growth factor of the prime circle in the search for a feasible size, and maximum number of steps.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
-/// A size found by halving is enlarged by this share, so that its own limits hold in spite of rounding.
+/// Relative enlargement of a size found by bisection, so that its own limits hold in spite of rounding.
 const ROUNDING: f64 = 1e-9;
-/// Part of the follower's travel that is next to nothing.
+/// Fraction of the follower's travel that counts as zero.
 const NOTHING: f64 = 1e-4;
-/// s(θ) + s(θ + π) may vary by this share of the stroke and still be constant.
+/// Variation of s(θ) + s(θ + π), relative to the stroke, that counts as constant.
 const BREADTH: f64 = 1e-9;
-/// Angles at which the breadth is compared.
+/// Number of angles at which the breadth is compared.
 const BREADTH_POINTS: usize = 720;
 
 /// The cam for a law whose zero is the base circle.
 ///
-/// `pressing` is the law that makes the force: the cam's own, or that of a polydyne follower's end.
-///
-/// Fails on a follower that needs a length the scene does not give, and on lengths that fix no cam: an arm
-/// too short, a pivot inside the cam, a breadth that the law does not keep.
+/// `pressing` is the law that determines the force: the cam's own, or that of a polydyne follower's end. # Errors A missing dimension of the
+/// follower, or impossible dimensions: an arm too short, a pivot inside the cam, a breadth that the law does not have.
 pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     let follower = match (problem.cam.follower, problem.cam.breadth) {
         (FollowerKind::FlatTranslating, None) => flat(problem, &law, pressing),
@@ -49,7 +47,7 @@ pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     Ok(Cam { law, follower })
 }
 
-/// The second cam of a conjugate pair, where the scene has one.
+/// The second cam of a conjugate pair, if the scene has one.
 pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem
         .cam
@@ -89,8 +87,8 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
         .map_err(|e| e.at_key("cam.depth"))
 }
 
-/// Smallest base radius on which the law keeps the scene's curvature without undercut, all else as in
-/// `cam`; `None` when no size does.
+/// Minimum base radius for which the law satisfies the scene's curvature limit without undercut, with the other dimensions of `cam`; `None` if no
+/// size suffices.
 pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
         rho_min: problem.limits[LimitKind::Curvature].unwrap_or(0.0),
@@ -100,7 +98,7 @@ pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     smallest_for(cam, &limits).ok()
 }
 
-/// Depth of a barrel's groove: a roller's diameter where nothing is said.
+/// Depth of a barrel's groove; the default is a roller's diameter.
 fn depth(problem: &Problem) -> f64 {
     problem.cam.depth.unwrap_or(2.0 * problem.cam.roller_radius)
 }
@@ -115,7 +113,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     Follower::FlatTranslating { base_radius }
 }
 
-/// Half of what the lift leaves of the breadth is the base (prime) circle, if the law keeps a breadth.
+/// The base (prime) circle of a constant breadth: half of the breadth less the lift, if the law has a constant breadth.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at_key("cam.breadth");
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + PI).s;
@@ -189,7 +187,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(distance.hypot(offset), offset)
 }
 
-/// A radius where nothing asks for one: a cam has some.
+/// A default radius if nothing determines one.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
@@ -199,7 +197,7 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     }
 }
 
-/// A follower of any other kind, on the base circle given or the smallest that holds the limits.
+/// A follower of any other kind, on the given base circle or the smallest feasible one.
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
@@ -235,7 +233,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     fitting(problem, cam.law, follower.with_base_radius(base))
 }
 
-/// The cam of a law and a follower that fits it.
+/// The cam of a law with a follower that fits it.
 fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     let new = if problem.cam.pivot_beside {
         Cam::beside
@@ -245,9 +243,10 @@ fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     new(law, follower).map_err(|e| e.at_key("cam"))
 }
 
-/// Whether an arm of given lengths reaches the prime circle: no law changes that.
+/// Checks that an arm of given lengths reaches the prime circle, for any law.
 ///
 /// # Errors
+///
 /// The length at fault.
 pub fn check_arm(problem: &Problem) -> Result<()> {
     let Some(base) = problem

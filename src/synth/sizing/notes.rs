@@ -1,4 +1,4 @@
-//! What to know of the size of a finished cam: hole, shaft, roller, and what was settled by habit.
+//! Notes on the size of a finished cam: hole, shaft, roller, and defaults.
 
 use std::f64::consts::PI;
 
@@ -9,12 +9,12 @@ use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::synth::limits;
 use crate::units::{Dimension, Quantity};
 
-/// Shear stress that a shaft of mild steel is designed for, Pa.
+/// Design shear stress of a shaft of mild steel, Pa.
 const SHEAR: f64 = 40e6;
-/// A hole this many times as wide as its shaft has to be is mostly a slip of the unit.
+/// Ratio of the hole to the required shaft above which a wrong unit is likely.
 const WIDE_HOLE: f64 = 8.0;
 
-/// What to know of the size.
+/// All notes on the size.
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
     let shaft = shaft(problem, cam, pressing);
@@ -22,7 +22,7 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     [size, wall, shaft, roller].into_iter().flatten().collect()
 }
 
-/// A roller larger than the cam itself is mostly a slip of the unit.
+/// Note on a roller larger than the cam, which suggests a wrong unit.
 fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     let follower = &cam.follower;
     let largest = follower.base_radius() + problem.lever() * cam.law.stroke();
@@ -33,7 +33,7 @@ fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// A wall around the hole for the shaft that is thinner than usual; a hole that cuts the profile is a failed check.
+/// Note on a thin wall around the hole for the shaft; a hole that cuts the profile is a failed check.
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let hole = problem.cam.hole()?;
     let wall = cam.follower.base_radius() - hole.reach();
@@ -45,7 +45,7 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// The base circle, or the hole that is given, against the steel shaft that carries the cam's torque.
+/// Note on the base circle, or the given hole, compared with the steel shaft for the cam's torque.
 fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;
@@ -75,7 +75,7 @@ fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     }
 }
 
-/// What was left open about the size and is settled by habit.
+/// Note on defaults of the size.
 fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;

@@ -1,20 +1,20 @@
-//! Limits that are not convex, at the size that a solution of a program has.
+//! Nonconvex limits at the size of a program's solution.
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
 use crate::synth::qp::{ByVariable, Limit, OFFSET, Program, RADIUS, RISE, Solution, Variable};
 
-/// The nonconvex limits of a program, and which sizes are among its variables.
+/// The nonconvex limits of a program, with the sizes among its variables.
 pub struct AtSize {
     limits: NonconvexLimits,
-    /// Sizes that a solution has.
+    /// Sizes among the variables of the program.
     present: ByVariable<bool>,
-    /// Those that a step may change.
+    /// Sizes that a step may change.
     free: ByVariable<bool>,
 }
 
 impl AtSize {
-    /// Of a program: where it has the size among its variables, the size in `limits` is ignored.
+    /// The limits of a program: if it has the size among its variables, the size in `limits` is ignored.
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
         let mut present = program.present();
         // An offset that a limit holds is given.
@@ -27,7 +27,7 @@ impl AtSize {
         }
     }
 
-    /// The same where no step changes a size.
+    /// The limits with a fixed size.
     pub fn held(&self) -> Self {
         AtSize {
             limits: self.limits.clone(),
@@ -59,7 +59,7 @@ impl AtSize {
         })
     }
 
-    /// Smallest h/w of each limit over a solution's law.
+    /// Minimum clearance h/w of each limit over a solution's law.
     pub fn clear(&self, program: &Program, solution: &Solution) -> Vec<f64> {
         clearances(&Law::of(&program.basis, &solution.x), &self.of(solution))
     }

@@ -1,4 +1,4 @@
-//! The last law of a sequence, its limits kept to rounding.
+//! The final law of a sequence, with limits satisfied to rounding.
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised};
@@ -7,10 +7,10 @@ use super::trial::solved;
 use crate::synth::limits::ENLARGED;
 use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TOLERANCE, sizes};
 
-/// Linearisations tried for the last law.
+/// Maximum number of linearisations for the final law.
 const HELD_ROUNDS: usize = 6;
 
-/// The optimum about the last law whose limits hold to rounding, where none of its size does.
+/// The optimum near the last law with limits satisfied to rounding, or at a slightly larger size.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -21,7 +21,7 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
     (found.violation < current.violation).then_some(found)
 }
 
-/// The law nearest to the last one whose limits hold to rounding, at a slightly larger size.
+/// The law nearest to the last one with limits satisfied to rounding, at a slightly larger size.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size stays as it is.
     let free = at_size.free();

@@ -1,4 +1,4 @@
-//! Linear rows for what is not convex, about a law.
+//! Linear rows for nonconvex limits, about a law.
 
 use super::at_size::AtSize;
 use super::trial::ROOM;
@@ -8,22 +8,22 @@ use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
-/// Rows per piece of the law.
+/// Number of rows per piece of the law.
 const ROWS_PER_PIECE: usize = 4;
-/// Places where h exceeds this part of its largest term get no row; the line search checks them.
+/// Clearance relative to the largest term above which a point gets no row; the line search checks it.
 const FAR: f64 = 0.6;
-/// Low points of h/w below this become rows.
+/// Clearance h/w below which minima become rows.
 const NEAR: f64 = 0.05;
-/// A place this near (in units of its piece) to another one is the same.
+/// Distance (in units of its piece) below which two points coincide.
 const COINCIDENT: f64 = 1e-6;
-/// Limits with this part of their size to spare, or less, may bind after the next step.
+/// Relative slack below which a limit may become active in the next step.
 const SOON: f64 = 0.03;
-/// A violation below this, relative to w, is corrected by a larger margin.
+/// Violation relative to w below which the margin is enlarged.
 pub const NEARLY: f64 = 1e-3;
 
-/// Room kept in h, relative to w, in each of the limits.
+/// Margins of h, relative to w, for each of the limits.
 pub struct Room {
-    /// What is kept in every one.
+    /// Minimum margin of all limits.
     level: f64,
     each: Vec<f64>,
 }
@@ -54,12 +54,12 @@ impl Room {
     }
 }
 
-/// The least of the clearances of several limits.
+/// The smallest of the clearances of several limits.
 pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// Contacts of the last solution, and peaks of limits near their bound: initial rows of the next program.
+/// Initial rows of the next program: contacts of the last solution, and maxima of limits near their bound.
 pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     let mut out = program.seeds_of(&solution.active);
     let soon = |limit: &Limit| {
@@ -75,7 +75,7 @@ pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     out
 }
 
-/// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter, after the program's own.
+/// Rows h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter, after the program's own.
 pub fn linearised(
     program: &Program,
     current: &Solution,
@@ -116,7 +116,7 @@ pub fn linearised(
     out
 }
 
-/// Places at which a law is linearised: a grid, low points of h between its points, and the contacts of the last program.
+/// Points of linearisation of a law: a grid, minima of h between its points, and the contacts of the last program.
 fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLimits) -> Vec<Peak> {
     let mut places = grid(program);
     // The rows of the grid bound h between them only to second order; its own low points are rows too.
@@ -138,7 +138,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
     places
 }
 
-/// Places at which every law of the program is linearised.
+/// Points of linearisation for every law of the program.
 fn grid(program: &Program) -> Vec<Peak> {
     let mut out = Vec::new();
     for (piece, ends) in program.basis.breaks().windows(2).enumerate() {

@@ -1,16 +1,12 @@
 //! Limits that are not convex in the law, by a sequence of convex programs that stays feasible: a roller's
 //! curvature, and curvature and pressure angle of followers on an arm.
 //!
-//! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f the pitch curve is nowhere sharper than ρ
-//! where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0 (theory §6). That is not convex. It is linearised about the last
-//! law at the places where it is near zero, the convex program is solved again, and the step is shortened
-//! until the true h holds all around: every limit that is convex holds along the whole step.
-//! A whole step that breaks h is linearised once more about its own end (Newton's method on the contacts), and cut
-//! short only where that does not mend it.
-//! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3 and e = 0
-//! and needs no trust in the linearisation. Followers on an arm go the same way with the h of their own
-//! geometry. A concave profile needs no row: its radius is the pitch curve's plus the roller's, so the
-//! roller always fits.
+//! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f the pitch curve is nowhere sharper than ρ where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0
+//! (theory §6). That is not convex. It is linearised about the last law at the places where it is near zero, the convex program is solved again, and
+//! the step is shortened until the true h holds all around: every limit that is convex holds along the whole step. If a whole step violates h, it is
+//! linearised again at its end (second-order correction), and shortened only if that fails. The first steps use the restriction a ≥ X − X²/ρ with X²
+//! ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3 and e = 0 and needs no linearisation. Followers on an arm use the h of their own geometry. A
+//! concave profile needs no row: its radius is the pitch curve's plus the roller's, so the roller always fits.
 
 mod at_size;
 mod last;

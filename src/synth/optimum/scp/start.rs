@@ -1,4 +1,4 @@
-//! Where a sequence of convex programs begins: a law that keeps what is not convex.
+//! Feasible start of a sequence of convex programs.
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised, restricted};
@@ -8,19 +8,19 @@ use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
 use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, Values, sizes, smoothing};
 
-/// Steps of the tightening, linearisations per step, and the smallest step.
+/// Maximum number of tightening steps and of linearisations per step, and the minimum step.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 2e-3;
-/// Optima under the restriction, and how many of them in turn may come no nearer.
+/// Maximum number of optima under the restriction, and of consecutive ones without improvement.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
-/// Weight of nearness against a peak that is minimised.
+/// Weight of the distance term against a minimised peak.
 const HEAVY: f64 = 1e3;
-/// Parts of a step that are looked at.
+/// Fractions of a step that are examined.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
 
-/// The best feasible point that the `starts` lead to; they keep the convex limits, except those on the size.
+/// The best feasible point reached from the `starts`; they satisfy the convex limits, except those on the size.
 pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<Solution> {
     let each = starts.iter();
     let each = each.filter_map(|start| feasible(program, start, at_size));
@@ -35,9 +35,8 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself where it holds; otherwise the optimum under the sufficient restriction, tightened
-/// about its own X a few times. Followers on an arm have no such restriction: there the linearised limits
-/// are solved until they hold.
+/// The start itself if it is feasible; otherwise the optimum under the sufficient restriction, tightened about its own X a few times. Followers on an
+/// arm have no such restriction; their linearised limits are solved until they hold.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
@@ -125,7 +124,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
     None
 }
 
-/// The law nearest to the one before, of its size, that keeps h ≥ level · w, linearised until it does.
+/// The nearest law to the previous one, with its size, and h ≥ level · w by repeated linearisation.
 fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -> Option<Solution> {
     let mut near = nearest_to(program, before);
     let at_size = at_size.held();
@@ -159,7 +158,7 @@ fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -
     None
 }
 
-/// The program of the law nearest to one in the mean square of the acceleration, of the same size.
+/// The program of the nearest law in the mean square of the acceleration, with the same size.
 fn nearest_to(program: &Program, before: &Solution) -> Program {
     let mut near = program.clone();
     near.limits.retain(|l| !l.is_on_variables_alone());
@@ -177,7 +176,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near
 }
 
-/// A start by shrinking a cam that is larger than allowed: on the way to the smallest one, until it is small enough.
+/// A start by shrinking a cam that is too large, until its size is allowed.
 pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
     let smallest = of_least_size(program, &large.extra);
     let convex = solved(&smallest);
@@ -191,7 +190,7 @@ pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<S
     small(&found).then_some(found)
 }
 
-/// The program of the smallest cam that keeps the limits, those on its size left out where these sizes exceed them.
+/// The program of the smallest feasible cam, without the limits on its size that these sizes exceed.
 pub fn of_least_size(program: &Program, large: &Values) -> Program {
     let mut smooth = Quadratic::zero(&program.basis);
     smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));

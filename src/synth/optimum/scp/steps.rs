@@ -1,4 +1,4 @@
-//! Steps from a law that keeps every limit to better ones.
+//! Steps from one feasible law to better ones.
 
 use super::at_size::AtSize;
 use super::linearised::{NEARLY, Room, contacts, least_of, linearised};
@@ -8,18 +8,18 @@ use crate::synth::qp::{Program, Row, SIZES, Solution, structural};
 use crate::synth::report::method::Ended;
 use crate::synth::report::solver::Step;
 
-/// Steps before the sequence is called finished as it is.
+/// Maximum number of steps.
 const MOST_STEPS: usize = 40;
-/// A step must promise to improve the merit by this part, and do so, or the sequence ends.
+/// Minimum relative improvement of the merit, predicted and actual, below which the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
-/// Linearisations of a step about its own end before it is shortened instead.
+/// Maximum number of second-order corrections of a step before it is shortened.
 const CORRECTIONS: usize = 5;
-/// A corrected step that gains less than this part of the predicted gain is compared with shorter steps.
+/// Fraction of the predicted gain below which a corrected step is compared with shorter ones.
 const WORTH_MENDING: f64 = 0.5;
-/// Steps are shortened to no less than this.
+/// Minimum length of a step.
 pub const SHORTEST: f64 = 1e-4;
 
-/// Steps from a feasible start until none improves the objective or the law is good `enough`.
+/// Steps from a feasible start until the objective no longer improves or the law is good `enough`.
 pub fn descended(
     program: &Program,
     start: Solution,
@@ -50,18 +50,18 @@ pub fn descended(
 
 /// Outcome of a step.
 pub enum Outcome {
-    /// It was taken: the solution after it.
+    /// The step was taken; the solution after it.
     Taken(Solution, Step),
-    /// It failed; a shorter one may succeed.
+    /// The step failed; a shorter one may succeed.
     Failed(Ended),
-    /// No further step is worth it, or there is no time for one.
+    /// No further step is worthwhile, or the time is over.
     Finished(Ended),
 }
 
 /// One step: the optimum under the limits linearised about the last law, corrected or shortened until they hold.
 ///
-/// `reach` is the trust region: the largest relative reduction of the size in one step, because an objective of the
-/// size alone goes as far as the linear rows allow.
+/// `reach` is the trust region: the largest relative reduction of the size in one step, because an objective of the size alone exploits the linear
+/// rows fully.
 pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Outcome {
     if program.halt.is_asked() {
         return Outcome::Finished(Ended::OutOfTime);
@@ -113,8 +113,8 @@ pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut
     Outcome::Taken(trial, one)
 }
 
-/// A step's end with its clearance, linearised about itself until what is not convex holds there: Newton's method on
-/// the contacts, where the rows of the step's start would have it cut short. `None` where it does not come to that.
+/// Second-order correction: linearises again at the step's end until the nonconvex limits hold; returns the corrected end with its clearance, or
+/// `None` if that fails.
 pub fn corrected(
     program: &Program,
     target: &Solution,
@@ -148,7 +148,7 @@ pub fn corrected(
     None
 }
 
-/// The longest part of a step, by halves, that keeps every limit and gains more than `least`; its clearance and the part.
+/// The longest fraction of a step, by halving, that satisfies every limit and gains more than `least`; its clearance and the fraction.
 pub fn shortened(
     program: &Program,
     current: &Solution,
@@ -169,12 +169,12 @@ pub fn shortened(
     None
 }
 
-/// Whether a shorter reach makes another step: a size is priced, and there is something left of the reach.
+/// Whether a shorter trust region gives another step: a size has a cost, and the region is not too small.
 pub fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
 
-/// The program with the sizes that it prices held above the present ones less this part.
+/// The program with the sizes in its cost bounded below, by this relative decrease.
 pub fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     let mut out = program.clone();
     if part.is_finite() {

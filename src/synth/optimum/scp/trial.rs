@@ -2,17 +2,17 @@
 
 use crate::synth::qp::{Program, Solution, apply};
 
-/// What the exchange of rows leaves further outside a limit than this is no solution.
+/// Relative excess over a limit above which a result is not a solution.
 const BROKEN: f64 = 1e-4;
-/// Room kept in h, relative to w, so that the finished cam passes its own check.
+/// Margin of h, relative to w, for the finished cam's check.
 pub const ROOM: f64 = 1e-9;
 
-/// The solution of a program, where there is one.
+/// The solution of a program, if it has one.
 pub fn solved(program: &Program) -> Option<Solution> {
     program.solve().ok().filter(|s| s.violation <= BROKEN)
 }
 
-/// A point on the way from one solution to another; convex limits that hold at both ends hold there.
+/// A point between two solutions; convex limits that hold at both ends hold there.
 pub fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
