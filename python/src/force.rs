@@ -166,7 +166,6 @@ impl Force {
     /// A scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
     ///
     /// # Errors
-    ///
     /// A scene that is invalid with this force.
     pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
         let mut table = input.whole.clone();

@@ -79,7 +79,6 @@ impl Scene {
     /// The scene, which must specify its force or a programme.
     ///
     /// # Errors
-    ///
     /// It leaves the force open.
     pub fn whole(&self, py: Python<'_>) -> PyResult<&Input> {
         match &self.lacks_force {

@@ -115,7 +115,8 @@ impl BarrelGroove {
     /// A groove between the radii `inner` (its floor) and `outer` (the cylinder's surface), m; the law
     /// may run over several turns.
     ///
-    /// # Errors Rollers that do not fit the groove, or a law that a barrel does not allow.
+    /// # Errors
+    /// Rollers that do not fit the groove, or a law that a barrel does not allow.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {

@@ -60,7 +60,8 @@ pub struct Conjugate {
 impl Conjugate {
     /// The conjugate of `first`; its roller may differ (`None`: equal).
     ///
-    /// # Errors No such cam exists; the error contains the minimum dimension for one.
+    /// # Errors
+    /// No such cam exists; the error contains the minimum dimension for one.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }

@@ -62,7 +62,8 @@ pub struct Cam {
 impl Cam {
     /// A cam whose follower fits its law; the pivot of an arm lies outside the profile.
     ///
-    /// # Errors [`Cam::check`] fails.
+    /// # Errors
+    /// [`Cam::check`] fails.
     pub fn new(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
         cam.check()?;
@@ -71,7 +72,8 @@ impl Cam {
 
     /// A cam whose arm runs in another plane, so that its pivot may lie within the profile.
     ///
-    /// # Errors [`Cam::check_beside`] fails.
+    /// # Errors
+    /// [`Cam::check_beside`] fails.
     pub fn beside(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
         cam.check_beside()?;

@@ -48,7 +48,6 @@ pub struct Cover {
 /// The covers with 1 to k cams, at most one per walker. Every cam has the same family and size of law as the cam of all.
 ///
 /// # Errors
-///
 /// Those of one cam; a force of one walker.
 pub fn covers(
     scene: &Scene,

@@ -37,7 +37,6 @@ pub struct Settled<D> {
 /// an iterate has no law, or without convergence.
 ///
 /// # Errors
-///
 /// Those of a design.
 pub fn settled<D>(
     mut given: Vec<f64>,

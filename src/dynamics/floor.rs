@@ -242,7 +242,6 @@ impl Floor {
     /// Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
     ///
     /// # Errors
-    ///
     /// An undamped mode at resonance.
     pub fn pressed(
         &self,

@@ -90,7 +90,6 @@ impl<'a> Carrier<'a> {
     /// The machine around a cam; a floor needs the `walker`'s force at equal parts of the period, N, otherwise empty.
     ///
     /// # Errors
-    ///
     /// A motor for a cam without a whole turn, or invalid motor data.
     pub fn new(
         cam: &Cam,
@@ -148,7 +147,6 @@ impl Carrier<'_> {
     /// The steady motion under the cam's load, from an initial motion `near`.
     ///
     /// # Errors
-    ///
     /// The shaft stops; an undamped mode in resonance; shaft and floor do not agree.
     pub fn motion(
         &self,

@@ -81,7 +81,8 @@ impl Averaged {
 impl Cycles {
     /// The cycles of a log of a machine whose cam turns at about `speed`, rad/s, with a force of `harmonics` harmonics.
     ///
-    /// # Errors The log is too short, has too few samples, shows no repetition, or its speed or cycle changes.
+    /// # Errors
+    /// The log is too short, has too few samples, shows no repetition, or its speed or cycle changes.
     pub fn of(log: &Log, speed: f64, harmonics: usize) -> Result<Cycles> {
         let (phases, speed) = phases(log, speed)?;
         let turns = span(&phases);

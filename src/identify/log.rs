@@ -53,7 +53,8 @@ impl Log {
     /// Reads a delimited text with the columns `time_s` or `theta_rad` (or both), `force_n`, and optionally `speed_rad_per_s` and `torque_n_m`;
     /// others are ignored. `path` is used in messages.
     ///
-    /// # Errors A missing column; a cell that is not a number; times or angles that do not increase; too few rows; a force that is clipped.
+    /// # Errors
+    /// A missing column; a cell that is not a number; times or angles that do not increase; too few rows; a force that is clipped.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Log> {
         let table = NumberTable::find(path, bytes)?;
         let places = NAMES.map(|name| {

@@ -91,7 +91,6 @@ impl Identified {
     /// The scene with the identified values, otherwise unchanged.
     ///
     /// # Errors
-    ///
     /// A value that the scene rejects.
     pub fn scene(&self, scene: &Scene) -> Result<Scene> {
         let mut out = scene.clone();
@@ -108,7 +107,8 @@ impl Identified {
 
 /// The parameters of the machine of a design, `scene` as it is written, from a log.
 ///
-/// # Errors A log without a steady run of this machine, with the reason.
+/// # Errors
+/// A log without a steady run of this machine, with the reason.
 pub fn identify(design: &Design, scene: &Scene, log: &Log) -> Result<Identified> {
     Ok(identified(design, scene, &Fitted::of(design, scene, log)?))
 }

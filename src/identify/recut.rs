@@ -47,9 +47,6 @@ pub struct Recut {
 /// The scene of the next cam, with the learned force as `machine.learned_force`, and the expected error. `force` is the target of the scene. The
 /// scene keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
 ///
-/// `force` is the target of the scene. The scene keeps the nominal machine: what an identified parameter changes is part of
-/// the learned force, taken for the new law.
-///
 /// # Errors
 /// As [`super::identify`]; a design without target; a residual that is noise; faults of the new design.
 pub fn recut(

@@ -50,8 +50,9 @@ const RANK: f64 = 1e-14;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an order above the degree, or a
-/// set that does not determine a polynomial (possible if orders are skipped).
+/// # Errors
+/// No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an order above the degree, or a set that
+/// does not determine a polynomial (possible if orders are skipped).
 pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
     check(conditions, start, end)?;
     let n = conditions.len();

@@ -165,8 +165,9 @@ impl Rise {
     /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
     /// both ends).
     ///
-    /// # Errors An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers,
-    /// which [`scene::with_motions`](crate::scene::with_motions) reads.
+    /// # Errors
+    /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers, which
+    /// [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());

@@ -57,8 +57,6 @@ impl Problem {
     }
 
     /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N. It adds 2 % to the walker's own variation.
-    ///
-    /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }

@@ -63,7 +63,6 @@ impl Scaling {
 /// The drive of a scene with all numbers, and the scaling of a force with known mean to the target.
 ///
 /// # Errors
-///
 /// A required force is not given; the mean force is not positive on a moving axis; the drive does not relate lift and force.
 pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scaling)> {
     let drive = drive(&scene.drive, &scene.cam, force)?;
@@ -78,7 +77,6 @@ pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scali
 /// Scaling of a force with a mean, N, to the target: the moment of an arm, scaled to the mass on request.
 ///
 /// # Errors
-///
 /// A mean force that does not correspond to a mass.
 fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     let (mut factor, mut shift) = (drive.lever, 0.0);
@@ -98,7 +96,6 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
 /// The drive with all numbers.
 ///
 /// # Errors
-///
 /// No speed or no mass without a force that gives one.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {

@@ -199,7 +199,8 @@ pub struct Unturned {
 impl Unturned {
     /// The target with a band about it.
     ///
-    /// # Errors A band of one spread about a force without a spread.
+    /// # Errors
+    /// A band of one spread about a force without a spread.
     pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
         let band = band.map(|band| band_about(target.curve(), band));
         Ok(Unturned {

@@ -27,7 +27,6 @@ impl BuiltIn {
     /// The parsed scene.
     ///
     /// # Errors
-    ///
     /// None: the files are tested.
     pub fn scene(&self) -> Result<Scene> {
         parse(self.toml)
@@ -90,7 +89,6 @@ pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
 /// The built-in scene with a name.
 ///
 /// # Errors
-///
 /// Unknown names, with the nearest one.
 pub fn built_in(name: &str) -> Result<&'static BuiltIn> {
     let found = SCENES.iter().find(|s| s.name == name);

@@ -45,7 +45,8 @@ pub trait Files {
 
     /// The content of a file.
     ///
-    /// # Errors A missing or unreadable file.
+    /// # Errors
+    /// A missing or unreadable file.
     fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>>;
 
     /// The names of all files, if they are in memory.
@@ -80,7 +81,6 @@ impl Gait {
     /// The force of the scene; `None` if the caller gives it.
     ///
     /// # Errors
-    ///
     /// Faults of the load model, of a file or of a recording; every walker of a population with a fault.
     pub fn force(&self, files: &dyn Files) -> Result<Option<ForceCurve>> {
         let Source::File(first) = &self.source else {
@@ -129,7 +129,6 @@ impl Gait {
     /// The names of all files of the force: recordings, each plate of a trial separately, and their tables of subjects.
     ///
     /// # Errors
-    ///
     /// A folder that cannot be read or contains no recording.
     pub fn files(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let mut out = Vec::new();
@@ -172,7 +171,8 @@ fn is_about_subjects(file: &Path) -> bool {
 
 /// The content of a recording; the plates of one trial are joined.
 ///
-/// # Errors An unreadable file, files of several trials or without the name of a plate.
+/// # Errors
+/// An unreadable file, files of several trials or without the name of a plate.
 pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     let plates = plates(files, name);
     if let [file] = &plates[..] {

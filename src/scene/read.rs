@@ -47,7 +47,6 @@ pub fn read(table: &Table) -> Result<Scene> {
 /// Reads each key separately, without the checks on combinations of keys.
 ///
 /// # Errors
-///
 /// Unknown keys and invalid values.
 pub fn read_keys(table: &Table) -> Result<Scene> {
     let leaves = leaves(table)?;

@@ -7,7 +7,8 @@ use crate::error::{Placed, Result, SceneError};
 /// Changes one value: `set(table, "limits.stroke=40 mm")`; list entries are numbered from 1: `law.segment.2.lift`. The value is taken as TOML where
 /// it is a number, truth value, array or quoted text, and as plain text otherwise. A recording replaces a model and vice versa.
 ///
-/// # Errors A text without `=`, and a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
+/// # Errors
+/// A text without `=`, and a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')

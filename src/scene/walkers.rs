@@ -80,7 +80,6 @@ impl<'a> PopulationReader<'a> {
     /// The mean of the walkers.
     ///
     /// # Errors
-    ///
     /// The faulty ones, by reason; located at `first` if no other file is at fault.
     pub fn mean(self, first: &Path) -> Result<ForceCurve> {
         let walkers = self.gait.walkers(self.walkers, &self.unreadable);
@@ -112,7 +111,6 @@ impl Gait {
     /// The included walkers of a population, if all are valid; `unreadable` contains the faults of files without a cycle.
     ///
     /// # Errors
-    ///
     /// The faulty ones, by reason.
     pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
         all.retain(|w| !self.leave_out.contains(&w.name));

@@ -35,7 +35,6 @@ impl Scene {
     /// The scene with one key changed, in the notation of a scene file: `scene.with("limits.stroke", "40 mm")`.
     ///
     /// # Errors
-    ///
     /// As [`read`](super::read()).
     pub fn with(&self, key: &str, value: &str) -> Result<Scene> {
         let mut table = self.to_table();

@@ -25,7 +25,6 @@ pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 /// The force curve of a scene with a recording, by the index of its base scene.
 ///
 /// # Errors
-///
 /// A recording that is missing or has no force curve.
 pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
     let carried = Carried { files, scene };

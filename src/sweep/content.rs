@@ -75,7 +75,8 @@ impl Sweep {
 
     /// A sweep; `files` gives the files of a base scene by its index.
     ///
-    /// # Errors A missing recording, a folder without one, and as [`Plan::validate`].
+    /// # Errors
+    /// A missing recording, a folder without one, and as [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -115,7 +116,8 @@ impl Sweep {
 
     /// Number of rows.
     ///
-    /// # Errors More rows than row numbers can represent.
+    /// # Errors
+    /// More rows than row numbers can represent.
     pub fn rows(&self) -> Result<u64> {
         self.subject.rows()
     }
@@ -193,7 +195,6 @@ impl Sweep {
     /// Worker for the rows of several ranges with a shared cache; with a `clock` (s) rows contain their computing times.
     ///
     /// # Errors
-    ///
     /// As [`Sweep::run`].
     pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
         Ok(match &self.subject {
@@ -213,7 +214,8 @@ impl Subject {
 
     /// Number of rows.
     ///
-    /// # Errors More rows than row numbers can represent.
+    /// # Errors
+    /// More rows than row numbers can represent.
     pub fn rows(&self) -> Result<u64> {
         row_count(match self {
             Subject::Designs(plan) => plan.rows(),
@@ -224,7 +226,6 @@ impl Subject {
     /// The recordings of the rows, each with the index of its base scene.
     ///
     /// # Errors
-    ///
     /// A value of `gait.file` that is not a name.
     fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {

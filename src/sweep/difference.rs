@@ -54,7 +54,6 @@ impl Difference {
 /// Rejects resuming a sweep that differs from the one started at `place`.
 ///
 /// # Errors
-///
 /// Every difference by name, in `language`.
 pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Result<()> {
     let all = differences(begun, now);

@@ -30,7 +30,6 @@ pub struct Attempt {
 /// The law under the limits of a problem on the given or the smallest cam; if infeasible, the best law without them and the refusal.
 ///
 /// # Errors
-///
 /// Faults of the input; conditions that no law satisfies even without limits.
 pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     let refusal = match under_limits(problem, search)? {

@@ -30,7 +30,6 @@ pub enum Outcome {
 /// Designs the cam of a scene. `force` is one cycle of the target force, if the scene has one.
 ///
 /// # Errors
-///
 /// Faults of the input.
 pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Result<Outcome> {
     let problem = Problem::resolve(scene, force);
@@ -53,7 +52,6 @@ impl Outcome {
     /// The design of a scene.
     ///
     /// # Errors
-    ///
     /// The reason why there is none.
     pub fn built(self) -> Result<Design> {
         match self {

@@ -50,11 +50,7 @@ const MOST_SPANS: usize = 64;
 /// The figure of a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
-///
 /// Other words, with the known ones.
-///
-/// # Errors
-/// Other words, saying which are known.
 ///
 /// ```
 /// use gaitcam::synth::traded;
@@ -182,7 +178,6 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
 /// was stopped.
 ///
 /// # Errors
-///
 /// A problem without a force, a family other than splines, a given size, or an infeasible law without the limit.
 pub fn trade(
     problem: &Problem,

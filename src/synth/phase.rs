@@ -24,7 +24,6 @@ const STEPS: u64 = 60;
 /// The problem at the phase of minimum force error if its phase is free; otherwise unchanged.
 ///
 /// # Errors
-///
 /// No phase is feasible, and at some the input is at fault.
 pub fn best<'p>(problem: &'p Problem, search: &Search) -> Result<Cow<'p, Problem>> {
     deepest(problem, |at| least_error(&at, search))

@@ -15,7 +15,6 @@ use crate::problem::Problem;
 /// The design of a problem, also if its limits are infeasible.
 ///
 /// # Errors
-///
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     check_arm(problem)?;
@@ -33,10 +32,6 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
 }
 
 /// A feasible design, not the optimum, fast enough for interactive use. `None` if none is found.
-///
-/// # Errors
-///
-/// Faults of the input.
 ///
 /// ```
 /// use gaitcam::synth::{Search, passing};
@@ -61,7 +56,6 @@ pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
 /// The design of a problem if it satisfies every limit, without diagnosing infeasibility.
 ///
 /// # Errors
-///
 /// Faults of the input.
 pub fn kept(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     let design = if machine::responds(problem) || population::is_judged(problem) {

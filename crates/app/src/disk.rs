@@ -13,9 +13,6 @@ use crate::recordings::inside;
 
 /// Files on the disk, found by their names in a scene. The search order is the folder of the scene file, the files of the program, the working
 /// directory. A built-in scene has no folder of its own.
-///
-/// A name is looked up beside the scene file, then among the files that came with the program, then in the working
-/// directory. A scene that was read from no file, such as a built-in one, has nothing beside it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Disk {
     /// The folder of the scene file.

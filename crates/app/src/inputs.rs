@@ -30,7 +30,6 @@ pub fn note(path: &Path) {
 /// Rejects the replacement of a file that was read.
 ///
 /// # Errors
-///
 /// The path of the file.
 pub fn check(place: &Path) -> Result<()> {
     with(|read| match read {
@@ -42,7 +41,6 @@ pub fn check(place: &Path) -> Result<()> {
 /// Rejects the replacement of one of some files, given with their links resolved.
 ///
 /// # Errors
-///
 /// The path of the file.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     // Links of a place are not followed where nothing was read.
@@ -59,7 +57,6 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
 /// Checks files of a folder before any work is done.
 ///
 /// # Errors
-///
 /// The first file that would be replaced.
 pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
     let mut names = names.into_iter();

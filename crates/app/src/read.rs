@@ -44,7 +44,6 @@ pub fn read_standard_input() -> Result<String> {
 /// Opens a file for reading in parts.
 ///
 /// # Errors
-///
 /// Folders, and pipes and devices, which may never end.
 pub fn open(path: &Path) -> Result<File> {
     checked(path)?;

@@ -39,7 +39,6 @@ impl ResultFolder {
     /// Creates the folder if needed, waits up to `patience` for another writer, and checks that it can be written, before any work is done.
     ///
     /// # Errors
-    ///
     /// A folder that cannot be written, or that another process still holds.
     pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
         let fault = |e: io::Error| {

@@ -30,7 +30,6 @@ impl Input {
     /// The scene of a table, with the file it came from if any.
     ///
     /// # Errors
-    ///
     /// Invalid keys and values, with the file if there is one.
     pub fn new(table: Table, files: Disk, file: Option<PathBuf>) -> Result<Input> {
         let named = |e| name_file(file.as_deref(), e);
@@ -155,7 +154,8 @@ pub fn table(path: &Path) -> Result<Table> {
 
 /// The table of a scene's text; `path` names the file in faults.
 ///
-/// # Errors Text that is not TOML, with its line where there is a file.
+/// # Errors
+/// Text that is not TOML, with its line where there is a file.
 pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
     text.parse()
         .map_err(|e: toml::de::Error| not_toml(path, text, &e))

@@ -65,7 +65,8 @@ const LB: f64 = 0.453_592_37;
 /// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either; any other bare number is rejected. `lb` is a mass
 /// where a mass is expected and a force elsewhere. `inf` is rejected, as is a magnitude above 1e30: products of a few values stay finite.
 ///
-/// # Errors Text that is not a quantity, another dimension, a value above 1e30.
+/// # Errors
+/// Text that is not a quantity, another dimension, a value above 1e30.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let example = || dimension.example().to_string();

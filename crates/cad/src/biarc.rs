@@ -38,9 +38,6 @@ struct Biarc {
 
 /// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent turns back in cusps), a law with velocity jumps, and a
 /// tolerance that is not positive or below rounding.
-///
-/// `None` where no chain of arcs does it: an undercut profile (its tangent turns back in cusps), a law
-/// whose velocity jumps, a tolerance that is not positive or lies below rounding.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }

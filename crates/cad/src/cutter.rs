@@ -59,7 +59,6 @@ pub struct CutterPath {
 /// equal steps of the cam angle. Gouging in hollows is detected by the exact curvature, elsewhere at the `points` of the profile.
 ///
 /// # Errors
-///
 /// A tool radius that is not positive.
 pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
     let tool = positive(tool)?;

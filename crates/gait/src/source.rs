@@ -14,7 +14,10 @@ use crate::stance::stances;
 /// Reads one cycle of force from any file that [`read`](crate::read()) takes.
 ///
 /// A text with the comment `# cycle` or `# critical points` is one cycle as given, regardless of `feet`; in other files stances are detected and
-/// averaged into a stride. # Errors A file that cannot be read, or that contains no suitable movement.
+/// averaged into a stride.
+///
+/// # Errors
+/// A file that cannot be read, or that contains no suitable movement.
 pub fn force_curve(
     path: &Path,
     bytes: &[u8],

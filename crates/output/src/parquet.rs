@@ -103,7 +103,8 @@ pub struct Writer<W: Write + Send> {
 impl<W: Write + Send> Writer<W> {
     /// Begins a file for the columns of `schema`.
     ///
-    /// # Errors The sink cannot write the header.
+    /// # Errors
+    /// The sink cannot write the header.
     pub fn new(sink: W, schema: &SchemaRef) -> Result<Self> {
         let mut properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
@@ -121,7 +122,6 @@ impl<W: Write + Send> Writer<W> {
     /// Adds rows.
     ///
     /// # Errors
-    ///
     /// The sink cannot write the rows.
     pub fn write(&mut self, batch: &RecordBatch) -> Result<()> {
         self.inner.write(batch).map_err(parquet_fault)
@@ -130,7 +130,6 @@ impl<W: Write + Send> Writer<W> {
     /// Finishes the file and returns the sink.
     ///
     /// # Errors
-    ///
     /// The sink cannot write the footer.
     pub fn close(self) -> Result<W> {
         self.inner.into_inner().map_err(parquet_fault)
@@ -139,7 +138,8 @@ impl<W: Write + Send> Writer<W> {
 
 /// Writes the rows of several files of equal columns as one file.
 ///
-/// # Errors A file that cannot be read, and a sink that cannot write the rows.
+/// # Errors
+/// A file that cannot be read, and a sink that cannot write the rows.
 pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     let mut sink = Some(sink);
     let mut writer = None;

@@ -306,8 +306,6 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
 }
 
 /// Changes from the next finer model. Forces in N: those of an arm at its lever, m.
-///
-/// Forces in N: those of an arm at its lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());
     if let Some(fault) = &next.failed {

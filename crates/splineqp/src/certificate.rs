@@ -178,9 +178,6 @@ impl Lagrangian {
 
 /// Duality gap and stationarity with the part of the further variables. A component of the gradient is small relative to its largest term, or if
 /// changing the variable by its own size leaves the objective unchanged.
-///
-/// A component of the gradient by one of them is small relative to its largest term, or when a change of the variable by its
-/// own size does not change the objective.
 fn with_further_variables<N: Names>(
     program: &Program<N>,
     lagrangian: &Lagrangian,

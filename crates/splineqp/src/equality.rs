@@ -23,7 +23,10 @@ pub struct Unlimited {
 ///
 /// H may be singular on directions that the equalities fix: multiples of their outer products make it positive definite without changing the
 /// constrained optimum. An undetermined constant (a moving axis does not depend on the absolute lift) gets a quadratic term on one coefficient, with
-/// a small weight if limits determine the level. # Errors Contradictory equalities, an objective that cannot be factorised.
+/// a small weight if limits determine the level.
+///
+/// # Errors
+/// Contradictory equalities, an objective that cannot be factorised.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;

@@ -12,7 +12,8 @@ use gaitcam_app::page::{Named, table};
 
 /// The text of a scene of the folder.
 ///
-/// # Errors Files outside the folder; text that is not TOML.
+/// # Errors
+/// Files outside the folder; text that is not TOML.
 pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     let path = Path::new(path);
     let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
@@ -38,7 +39,8 @@ pub struct Save {
 
 /// Saves a scene, and next to it the dropped file that it names. No file is ever replaced.
 ///
-/// # Errors Invalid file names; folders that cannot be written.
+/// # Errors
+/// Invalid file names; folders that cannot be written.
 pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
     let mut table = table(&save.scene)?;
     let file = table

@@ -48,7 +48,6 @@ impl Folder {
     /// Opens a folder.
     ///
     /// # Errors
-    ///
     /// A missing folder.
     pub fn open(path: &Path) -> Result<Folder> {
         let root = fs::canonicalize(path).map_err(|e| unread(path, &e))?;
@@ -63,7 +62,8 @@ impl Folder {
 
     /// The true path of a file in the folder.
     ///
-    /// # Errors Paths that lead out of the folder, by `..`, from the root or through a link; missing files.
+    /// # Errors
+    /// Paths that lead out of the folder, by `..`, from the root or through a link; missing files.
     pub fn find(&self, path: &Path) -> Result<PathBuf> {
         let outside = || StudioError::Outside.in_file(path);
         let upwards = path.components().any(|c| c == Component::ParentDir);
@@ -81,7 +81,6 @@ impl Folder {
     /// A file of the folder.
     ///
     /// # Errors
-    ///
     /// As [`Folder::find`]; not a plain file, or too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
@@ -110,7 +109,6 @@ impl Folder {
     /// replaces a file.
     ///
     /// # Errors
-    ///
     /// Invalid file names; folders that cannot be written.
     pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
         let plain = !name.is_empty()

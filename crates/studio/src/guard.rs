@@ -31,7 +31,6 @@ impl Place {
     /// Creates the guard of a folder.
     ///
     /// # Errors
-    ///
     /// The system has no random numbers.
     pub fn of(folder: &Path) -> io::Result<Place> {
         let secret = match secret_file() {

@@ -76,7 +76,8 @@ impl Ready {
 
 /// Opens the folder and starts listening on the loopback address.
 ///
-/// # Errors Missing folders and scenes, a port in use.
+/// # Errors
+/// Missing folders and scenes, a port in use.
 pub fn open(options: &Options) -> Result<Ready> {
     set_language(options.language);
     let (folder, start) = opened(options.open.as_deref())?;

@@ -229,7 +229,8 @@ impl Question {
 
     /// The sweep; without `files` recordings are read from the disk.
     ///
-    /// # Errors Invalid axes, rows, tolerances and recordings.
+    /// # Errors
+    /// Invalid axes, rows, tolerances and recordings.
     pub fn sweep(&self, files: Option<Files>) -> Result<gaitcam::sweep::Sweep> {
         if let Some(files) = files {
             return gaitcam::sweep::Sweep::with_files(self.asked.subject()?, files);

@@ -119,8 +119,9 @@ impl Cam {
     /// Fits measured points (m, any order, any frame) to the profile; with `ball` > 0 they are centres of a
     /// probing ball of that radius, m.
     ///
-    /// # Errors Fewer than 12 points, non-finite coordinates, points of another cam or of the mirror image, a cam that is circular within the
-    /// scatter, and a cam that does not rotate.
+    /// # Errors
+    /// Fewer than 12 points, non-finite coordinates, points of another cam or of the mirror image, a cam that is circular within the scatter, and a
+    /// cam that does not rotate.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let samples = self.samples(PROFILE);

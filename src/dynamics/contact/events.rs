@@ -205,8 +205,6 @@ impl Engine<'_> {
 
     /// First angle at which the flight meets a profile, and the index of this profile. g″ ≥ −B on the way, so no zero is reached before a zero of g +
     /// g′d − Bd²/2; each step goes exactly there.
-    ///
-    /// g″ ≥ −B on the way, so no zero lies before g + g′d − Bd²/2 has one: each step goes exactly there.
     fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
         let fall = flight.steepest_fall();
         let mut now = flight.start;

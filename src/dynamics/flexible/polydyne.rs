@@ -37,8 +37,9 @@ const COMPARED: usize = 720;
 ///
 /// The constant F₀/k₁, the static deflection under the rest force, is part of the lift.
 ///
-/// # Errors Invalid stiffness or damping, an open law, a target law with a jump in one of its first four derivatives (fewer without mass), at which
-/// the cam's acceleration would jump.
+/// # Errors
+/// Invalid stiffness or damping, an open law, a target law with a jump in one of its first four derivatives (fewer without mass), at which the cam's
+/// acceleration would jump.
 pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -201,7 +202,8 @@ pub struct Miss {
 
 /// Compares the exact steady motion under `cam` with the target of the output, at equal steps of the angle.
 ///
-/// # Errors The run has no steady state (see [`flexible::steady`]).
+/// # Errors
+/// The run has no steady state (see [`flexible::steady`]).
 pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
     let steady = flexible::steady(&finely(cam), drive, train)?;
     let (start, length) = cam.extent();

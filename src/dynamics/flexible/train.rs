@@ -27,7 +27,8 @@ impl Train {
     /// A train with the given natural frequency on the cam (Hz, return spring not counted) and damping
     /// ratio, for the drive's mass.
     ///
-    /// # Errors Frequency or mass not positive, or a negative ratio.
+    /// # Errors
+    /// Frequency or mass not positive, or a negative ratio.
     pub fn from_frequency(drive: &Drive, hertz: f64, ratio: f64) -> Result<Self> {
         if !(hertz > 0.0 && hertz.is_finite() && ratio >= 0.0 && ratio.is_finite()) {
             return Err(DynamicsError::Frequency {

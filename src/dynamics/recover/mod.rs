@@ -31,8 +31,9 @@ const ROWS_BETWEEN_BREAKS: usize = 6;
 
 /// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
 ///
-/// # Errors Fewer than 8 points, angles that are not equal steps of the turn, coordinates that are not finite or out of the follower's reach, and a
-/// profile with a concave or undercut stretch under a flat face.
+/// # Errors
+/// Fewer than 8 points, angles that are not equal steps of the turn, coordinates that are not finite or out of the follower's reach, and a profile
+/// with a concave or undercut stretch under a flat face.
 pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> {
     recover_over(follower, points, &[], Cycle::TURN)
 }
@@ -60,8 +61,9 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
 /// ([`Cam::breakpoints`]); between them the lift is smooth. A spline that ignores a jump of acceleration
 /// overshoots it by 18 % and oscillates over four rows on both sides.
 ///
-/// # Errors Fewer than 8 points, angles that are not equal steps of the cycle, coordinates that are not finite or out of the follower's reach, and a
-/// profile with a concave or undercut stretch under a flat face.
+/// # Errors
+/// Fewer than 8 points, angles that are not equal steps of the cycle, coordinates that are not finite or out of the follower's reach, and a profile
+/// with a concave or undercut stretch under a flat face.
 fn recover_over(
     follower: &Follower,
     points: &[ProfilePoint],

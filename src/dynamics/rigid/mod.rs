@@ -41,9 +41,6 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
 
 /// Minimum speed, rad/s, of loss of contact. 0 if the force is negative at rest, `None` if contact is never lost. The worst angle at one speed gives
 /// a lower speed by its quadratic in ω; this converges from above, and the extremes are exact.
-///
-/// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
-/// nearer, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     let extremes = |[s, v, a]: [f64; 3], constant| law.extremes_of([s, v, a, 0.0], constant);
     let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);

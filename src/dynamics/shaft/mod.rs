@@ -293,7 +293,6 @@ pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
 /// The periodic motion of a load under a motor at a mean speed, rad/s; `near` is an approximate motion, if known.
 ///
 /// # Errors
-///
 /// The shaft stops.
 pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
     let near = near.and_then(|m| m.turn.as_ref());

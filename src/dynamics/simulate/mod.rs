@@ -29,8 +29,9 @@ use prepared::prepare;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors Profiles that are not a curve for their follower (see [`recover`](crate::dynamics::recover())), machine data out of range, an undamped
-/// resonance, `flexible` without a [`Train`](super::Train), and a moving floor with another model than the rigid one.
+/// # Errors
+/// Profiles that are not a curve for their follower (see [`recover`](crate::dynamics::recover())), machine data out of range, an undamped resonance,
+/// `flexible` without a [`Train`](super::Train), and a moving floor with another model than the rigid one.
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;

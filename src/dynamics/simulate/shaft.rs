@@ -17,7 +17,6 @@ const FEW: usize = 32;
 /// The machine around the cam of a run.
 ///
 /// # Errors
-///
 /// Those of [`Carrier::new`]; two laws have no steady turn under a motor.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;

@@ -145,7 +145,10 @@ fn cure(
     }
 }
 
-/// The law on its base circle. Rounded rows of a table may lead it below by half a unit of their last decimal. # Errors A law that falls further.
+/// The law on its base circle. Rounded rows of a table may lead it below by half a unit of their last decimal.
+///
+/// # Errors
+/// A law that falls further.
 pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Result<Law> {
     let (low, high) = draft.law.extremes(0);
     let rounding = JUMP * (high.value - low.value);

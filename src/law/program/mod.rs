@@ -27,8 +27,9 @@ use std::f64::consts::{PI, TAU};
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///
-/// # Errors The segment, if lengths do not fill the extent, the lift does not return or falls below the base circle, a motion cannot join its
-/// neighbour, or two general polynomials are neighbours.
+/// # Errors
+/// The segment, if lengths do not fill the extent, the lift does not return or falls below the base circle, a motion cannot join its neighbour, or
+/// two general polynomials are neighbours.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;
@@ -38,7 +39,6 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
 /// As [`program`], but allows jumps of lift and velocity and falls below the base circle, for reports on invalid laws.
 ///
 /// # Errors
-///
 /// Lengths that do not fill the extent, two general polynomials side by side.
 pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
@@ -48,7 +48,8 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
 /// first half turn, from lift 0 to the full lift L; the second half is L − s(θ − π), so that
 /// s(θ) + s(θ + π) = L everywhere and two parallel faces 2·Rb + L apart both touch.
 ///
-/// # Errors A half turn that does not lead from 0 to its largest lift in 180°, and the errors of [`program`].
+/// # Errors
+/// A half turn that does not lead from 0 to its largest lift in 180°, and the errors of [`program`].
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {

@@ -27,7 +27,8 @@ impl Harmonic {
 
     /// The harmonics 1, 2, … from texts such as "0.1 at -90 deg"; one text may hold several, separated by commas.
     ///
-    /// # Errors A text that is not a factor with its phase, too many factors, and factors that are all zero.
+    /// # Errors
+    /// A text that is not a factor with its phase, too many factors, and factors that are all zero.
     pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let mut list = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {
@@ -43,7 +44,8 @@ impl Harmonic {
 
     /// The mean and the harmonics 1, 2, … of a force over the cam angle from texts such as "3.2 N at -90 deg": factors are in N.
     ///
-    /// # Errors A text that is not a force with its phase, and too many forces.
+    /// # Errors
+    /// A text that is not a force with its phase, and too many forces.
     pub fn forces(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let (given, most) = (texts.len(), Harmonic::MOST);
         if given > most {

@@ -113,7 +113,6 @@ impl Adjust {
     /// Parses the words; `"none"` for no adjustment.
     ///
     /// # Errors
-    ///
     /// An unknown word.
     pub fn of(words: &[String]) -> Result<Adjust, Error> {
         let mut out = Adjust::default();

@@ -141,7 +141,8 @@ impl<'a> Kernel<'a> {
 
     /// The table of a row: the base scene with its values written in, in SI.
     ///
-    /// # Errors A value that its key rejects.
+    /// # Errors
+    /// A value that its key rejects.
     pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
         let scene = batch.scene[row] as usize;
         let named = self

@@ -44,7 +44,6 @@ impl Spectral {
 /// The best law of `count` harmonics, or of the minimum number whose residual is at most `wanted` newtons RMS.
 ///
 /// # Errors
-///
 /// Fewer samples than the harmonics need; resonance of the drive with a harmonic of the force.
 pub fn invert(
     target: &Target,

@@ -18,8 +18,9 @@ const SAME_LIFT: f64 = 1e-9;
 
 /// The problem's polynomial with its method; its monomial coefficients in (θ − θ₀)/β are for output only.
 ///
-/// # Errors The conditions do not determine a polynomial of the requested degree, a given force does not determine the lift, or the ends cannot be
-/// joined by a dwell.
+/// # Errors
+/// The conditions do not determine a polynomial of the requested degree, a given force does not determine the lift, or the ends cannot be joined by a
+/// dwell.
 pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let conditions = conditions(problem)?;
     let [start, end] = range(problem)?;

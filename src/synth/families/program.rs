@@ -11,7 +11,8 @@ use crate::synth::report::solver::{SolverReport, Tier};
 
 /// The law of the problem's segments.
 ///
-/// # Errors Segments that do not cover the extent of the cam.
+/// # Errors
+/// Segments that do not cover the extent of the cam.
 pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     let segments: Vec<Segment> = problem
         .law

@@ -54,7 +54,6 @@ impl Iterate {
     /// The iterate with its cam checked in another machine state.
     ///
     /// # Errors
-    ///
     /// Those of the sizing of the cam.
     fn judged(mut self, problem: &Problem, layout: &Layout, state: &[f64]) -> Result<Iterate> {
         let (phases, extra) = layout.extra(problem, state);
@@ -112,7 +111,6 @@ impl Iterate {
 /// The design of a problem for its machine; if the limits are infeasible at constant speed, and the machine fails without them, that law.
 ///
 /// # Errors
-///
 /// The shaft stops; the iteration does not converge; an undamped mode at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;

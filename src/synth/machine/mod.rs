@@ -28,7 +28,8 @@ pub fn responds(problem: &Problem) -> bool {
 
 /// The design for such a machine.
 ///
-/// # Errors Faults of the input; the shaft stops; the iteration does not converge; an undamped mode at resonance.
+/// # Errors
+/// Faults of the input; the shaft stops; the iteration does not converge; an undamped mode at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     if problem.law.polydyne
         && let Some(train) = problem.train()?

@@ -44,7 +44,6 @@ const TRIED: usize = 12;
 /// The optimum under the convex limits alone, at the best touching angle; a program without lifts from the base circle is solved directly.
 ///
 /// # Errors
-///
 /// The program without a solution.
 pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> {
     let program = &formulation.program;

@@ -44,7 +44,8 @@ const SLACK: f64 = 1e-9;
 
 /// The design for the walkers of a problem.
 ///
-/// # Errors A setting that does not support several walkers; those of one walker.
+/// # Errors
+/// A setting that does not support several walkers; those of one walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
     let phase = at_best_phase(&problem.of_mean(), search)?.phase;

@@ -73,7 +73,6 @@ impl CheckedCam {
     /// The cam with the force and the checks of another problem.
     ///
     /// # Errors
-    ///
     /// Dimensions that do not determine a second cam or groove.
     pub fn at(&self, problem: &Problem) -> Result<CheckedCam> {
         checked(problem, self.cam.clone(), self.raised, self.end.clone())

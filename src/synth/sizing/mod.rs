@@ -33,8 +33,10 @@ const BREADTH_POINTS: usize = 720;
 
 /// The cam for a law whose zero is the base circle.
 ///
-/// `pressing` is the law that determines the force: the cam's own, or that of a polydyne follower's end. # Errors A missing dimension of the
-/// follower, or impossible dimensions: an arm too short, a pivot inside the cam, a breadth that the law does not have.
+/// `pressing` is the law that determines the force: the cam's own, or that of a polydyne follower's end.
+///
+/// # Errors
+/// A missing dimension of the follower, or impossible dimensions: an arm too short, a pivot inside the cam, a breadth that the law does not have.
 pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     let follower = match (problem.cam.follower, problem.cam.breadth) {
         (FollowerKind::FlatTranslating, None) => flat(problem, &law, pressing),
@@ -246,7 +248,6 @@ fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
 /// Checks that an arm of given lengths reaches the prime circle, for any law.
 ///
 /// # Errors
-///
 /// The length at fault.
 pub fn check_arm(problem: &Problem) -> Result<()> {
     let Some(base) = problem

@@ -38,7 +38,6 @@ pub trait Host {
     /// A file that is neither kept nor built in, with its hash.
     ///
     /// # Errors
-    ///
     /// Files that cannot be read.
     fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)>;
     /// Clock of the host, s.

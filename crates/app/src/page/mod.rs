@@ -45,7 +45,8 @@ pub const LONGEST: f64 = 60.0;
 
 /// A scene's text as a table.
 ///
-/// # Errors Text that is not TOML, with its line.
+/// # Errors
+/// Text that is not TOML, with its line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));

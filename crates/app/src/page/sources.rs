@@ -66,7 +66,8 @@ impl<'a> Files<'a> {
 
     /// The scene of a table with the rows of every motion in place of the file that it names, and that table.
     ///
-    /// # Errors Files that cannot be read or that contain no motion; faults of the scene.
+    /// # Errors
+    /// Files that cannot be read or that contain no motion; faults of the scene.
     pub fn scene(&self, table: &Table) -> Result<(Scene, Table)> {
         let mut read = |file: &Path| Ok((file.to_path_buf(), self.bytes(file)?.1.to_vec()));
         let whole = scene::with_motions(table, &mut read)?;

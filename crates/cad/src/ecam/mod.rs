@@ -172,8 +172,9 @@ pub struct Replayed {
 
 /// The electronic cam of a design, with the requested number of intervals per cycle, otherwise the minimum that reproduces the law.
 ///
-/// # Errors A number of intervals out of range; a motion further from the law than the design's accuracy allows, with a sufficient number; a design
-/// for a shaft whose speed is not constant.
+/// # Errors
+/// A number of intervals out of range; a motion further from the law than the design's accuracy allows, with a sufficient number; a design for a
+/// shaft whose speed is not constant.
 pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Result<ElectronicCam> {
     if design.shaft.is_some() {
         return Err(WriteError::EcamOfMotor.at_key("law.shaft"));

@@ -106,8 +106,9 @@ struct Path {
 /// The programs for a cutter: the bore and around the outside of each cam, or through the groove of a barrel, whose
 /// cutter has the roller's radius.
 ///
-/// # Errors A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of
-/// the velocity), a cutter that does not fit a hollow or differs from the groove's width.
+/// # Errors
+/// A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of the
+/// velocity), a cutter that does not fit a hollow or differs from the groove's width.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -177,7 +178,8 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
 /// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with its keyway, then the
 /// outside. For a pair, the program cuts the first cam.
 ///
-/// # Errors As [`milling`]; a barrel, and a wire too thick for the keyway.
+/// # Errors
+/// As [`milling`]; a barrel, and a wire too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {

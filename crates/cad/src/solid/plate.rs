@@ -24,7 +24,6 @@ pub struct Plate {
 /// that cannot overlap.
 ///
 /// # Errors
-///
 /// A profile that some ray from the centre meets more than once, a bore that does not fit, an invalid thickness or number of points, an undercut
 /// profile, an open law.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {

@@ -24,9 +24,6 @@ pub struct Clamped {
 
 /// Consecutive splines within `tolerance` m of an edge. A closed edge gives one periodic spline, C², in `parts` parts, counter-clockwise; an open
 /// edge gives one spline per piece of the law, in the direction of increasing θ. `None` if the number of spans does not suffice.
-///
-/// A closed edge is one periodic spline, C², in `parts` parts, counter-clockwise; of an edge with two ends every piece of
-/// the law is one, in the sense of growing θ. `None` where no spline of so many spans follows.
 pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> {
     if edge.is_undercut() {
         return None;

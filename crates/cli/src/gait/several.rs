@@ -16,8 +16,6 @@ use gaitcam_output as output;
 
 /// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether a recording was named by the user; those found in a
 /// folder are skipped if they contain no cycle.
-///
-/// `is_named`: whether a recording was named and not found in a folder, where what gives no cycle is left out.
 pub fn describe(
     reads: Vec<Read>,
     places: &Places,

@@ -45,8 +45,10 @@ pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
 }
 
 impl PartialTable {
-    /// The unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete. # Errors Another process works on it, it
-    /// holds another sweep, or it holds rows and `resume` is not set; the table then stays unchanged.
+    /// The unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete.
+    ///
+    /// # Errors
+    /// Another process works on it, it holds another sweep, or it holds rows and `resume` is not set; the table then stays unchanged.
     pub fn open(
         table: &Path,
         format: Format,

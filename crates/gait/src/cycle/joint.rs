@@ -268,9 +268,6 @@ fn cycles(cycle: &Cycle) -> usize {
 
 /// Forces and deviations (0 without any) of the cycles from the same moment of the stride. A cycle that begins with the left heel strike is shifted
 /// to the right one; a total force, which has no heel strike, is shifted to the best agreement with the others.
-///
-/// A cycle that begins with the left heel strike is shifted to the right one; a total force, which has no heel
-/// strike, to where it is most like the others.
 fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());

@@ -35,8 +35,6 @@ pub(super) struct Ranges {
 }
 
 /// Ranges of walking (wider for children) and of running. `slow`: walking was stated, so longer strides are allowed.
-///
-/// `slow`: walking was asked for, so strides may be longer than is usual.
 pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     if kind == Kind::Running {
         return Ranges {
@@ -62,8 +60,6 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
 }
 
 /// Mean force of a cycle over the weight that its feet carry; 1 for a correct mass, `None` without a mass.
-///
-/// `None` where no mass is known.
 pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }

@@ -41,10 +41,6 @@ impl Period {
 
 /// Duration of a stride and its source. The sources in order: consecutive heel strikes of one foot, strikes marked in the file, heel markers, doubled
 /// steps, a known mass (impulse of both feet = M g T), a typical duty factor.
-///
-/// One foot's own consecutive heel strikes give it, else those that the file marks, else the heel markers, else doubled
-/// steps; else a known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
-/// a foot stands.
 pub(super) fn stride_time(
     recording: &Recording,
     stances: &Stances,

@@ -155,7 +155,6 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
 /// Whether the stride confirms a guessed clock.
 ///
 /// # Errors
-///
 /// A stride that contradicts the guess.
 pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
     let guessed = recording.notes.iter().find_map(|n| match n {

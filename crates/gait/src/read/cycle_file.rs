@@ -101,8 +101,6 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
 
 /// A cycle's samples in the units of the file, with the seconds per unit of their times. The first column is the force; a second one is its spread.
 /// Every row must be complete.
-///
-/// The first column is the force; a second one is its spread. Every row must be complete.
 fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     let options = file.options;
     let names = &table.names;

@@ -28,8 +28,10 @@ pub use text::{Cell, NumberTable, PlateFile, joined_plates, metadata_name, plate
 
 /// Reads a recording of vertical force.
 ///
-/// `path` is used in messages only. # Errors With file and line (or byte): a file without vertical force, decreasing time, or samples without a time
-/// base.
+/// `path` is used in messages only.
+///
+/// # Errors
+/// With file and line (or byte): a file without vertical force, decreasing time, or samples without a time base.
 pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     check(options)?;
     if bytes.is_empty() {

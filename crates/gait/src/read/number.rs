@@ -44,8 +44,6 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
 
 /// The number of at most 15 digits, without exponent, at the start of some bytes, and its length. It is a quotient of two exact numbers and so
 /// correctly rounded.
-///
-/// Quotient of two exact numbers and so correctly rounded.
 #[inline]
 pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     let mark = if comma { b',' } else { b'.' };

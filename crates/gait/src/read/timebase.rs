@@ -117,8 +117,6 @@ impl TimeBase {
 
 /// Linear interpolation between two or more samples, at non-decreasing positions. At a sample its own value is returned, since its neighbours may be
 /// missing.
-///
-/// At a sample its own value, whatever its neighbours are: they may be missing.
 pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     let mut i = 0;
     move |place| {

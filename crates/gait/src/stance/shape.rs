@@ -93,9 +93,6 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
 
 /// Vertex of the parabola through a sample and its neighbours: force and shift in samples. Without an extremum it is the sample itself. The force
 /// differs from the sample by no more than the noise, because a steep flank would move the vertex far above it.
-///
-/// Only where the neighbours agree that it is an extremum; otherwise the sample itself. The force leaves the
-/// sample by no more than the noise: a flat top beside a steep flank would throw the parabola far above it.
 fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     let around = i.checked_sub(1).and_then(|j| samples.get(j..j + 3));
     let Some(&[a, y, b]) = around else {
@@ -112,9 +109,6 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
 
 /// The valley between the highest samples before and after it, in the middle part. One of the two is the highest sample of all; the other is searched
 /// from the opposite end. `None` if it is not deeper than `least`, N.
-///
-/// One of the two is the highest sample of all; the other is sought from the end of the stance that lies across. `None`
-/// where it is not deeper than `least`, N.
 fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;

@@ -27,7 +27,8 @@ pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<
 
 /// Workbook of one sheet, `name`: the columns of a CSV table with its header.
 ///
-/// # Errors A workbook that cannot be assembled.
+/// # Errors
+/// A workbook that cannot be assembled.
 pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
     let built = || {
         let mut book = book(name)?;

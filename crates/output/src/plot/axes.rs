@@ -316,8 +316,6 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// Draws a dot with its value above (a maximum) or below (a minimum), kept inside the frame. `ground` places the value on a light rectangle, for
     /// diagrams with dashed levels across the number.
-    ///
-    /// `ground`: draws the value on a light rectangle, for diagrams whose dashed levels would cross the number.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

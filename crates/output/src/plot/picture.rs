@@ -54,8 +54,6 @@ impl Picture {
 
     /// SVG of a part of a page: colours are the page's variables (`--ink`, `--blue` …), without background. `attributes` are added to the element
     /// unchanged.
-    ///
-    /// `attributes` are added to the element as they are.
     pub(crate) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
         let mut out = format!(
             "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",

@@ -90,7 +90,8 @@ impl Peak {
 impl PiecewisePoly {
     /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
-    /// # Panics If the lengths do not match or the breaks do not increase: an error of the caller.
+    /// # Panics
+    /// If the lengths do not match or the breaks do not increase: an error of the caller.
     pub fn new(breaks: Vec<f64>, degree: usize, coef: Vec<f64>) -> Self {
         assert!(breaks.len() >= 2 && coef.len() == (breaks.len() - 1) * (degree + 1));
         assert!(

@@ -111,7 +111,6 @@ impl<N: Names> Program<N> {
     /// Declares a variable by its name, its typical value (the unit of the solver) and its cost in the objective.
     ///
     /// # Panics
-    ///
     /// With more than seven variables.
     pub fn variable(&mut self, name: &'static str, typical: f64, cost: f64) -> Variable {
         let variable = Variable::nth(self.variables.len() + 1);
@@ -127,7 +126,6 @@ impl<N: Names> Program<N> {
     /// Declares the minimum of a derivative of the law, the lower end of a range of values with free position.
     ///
     /// # Panics
-    ///
     /// With more than seven variables.
     pub fn least_value(&mut self, name: &'static str, order: usize, typical: f64) -> Variable {
         let variable = self.variable(name, typical, 0.0);

@@ -29,7 +29,6 @@ impl<N: Names> Program<N> {
     /// The optimum under all limits, on the continuum.
     ///
     /// # Errors
-    ///
     /// Contradictory equalities, infeasible limits, a solver that stops without an answer.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match self.rms.first() {

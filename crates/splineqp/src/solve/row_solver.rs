@@ -19,7 +19,8 @@ pub struct Point<N: Names> {
 pub trait RowSolver<N: Names> {
     /// The optimum under the rows, with `margin` of each row's scale kept free. Multipliers are written into the rows.
     ///
-    /// # Errors Infeasible rows, a solver that stops without an answer.
+    /// # Errors
+    /// Infeasible rows, a solver that stops without an answer.
     fn solve(
         &mut self,
         program: &Program<N>,

@@ -46,7 +46,8 @@ impl Head {
 
     /// Reads a head with its length in bytes; `None` while it is incomplete.
     ///
-    /// # Errors Bytes that are not a head, or a request that this server does not support.
+    /// # Errors
+    /// Bytes that are not a head, or a request that this server does not support.
     pub fn read(bytes: &[u8]) -> Result<Option<(Head, usize)>, Response> {
         let mut headers = [httparse::EMPTY_HEADER; HEADERS];
         let mut parsed = httparse::Request::new(&mut headers);

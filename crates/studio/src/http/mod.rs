@@ -32,7 +32,5 @@ pub trait Service: Send + Sync + 'static {
     /// The maximum size of a body for this address, bytes.
     fn most(&self, head: &Head) -> usize;
     /// The answer. `gone` says whether the client has disconnected meanwhile, so that the answer is not needed.
-    ///
-    /// `gone` says whether the other side has left meanwhile: the answer is of no use then.
     fn answer(&self, request: &Request, gone: Gone) -> Response;
 }

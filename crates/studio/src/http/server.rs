@@ -18,7 +18,8 @@ pub struct Server {
 impl Server {
     /// Listens on a port; 0 takes a free one.
     ///
-    /// # Errors The port is in use.
+    /// # Errors
+    /// The port is in use.
     pub fn listen(port: u16) -> io::Result<Server> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         let port = listener.local_addr()?.port();

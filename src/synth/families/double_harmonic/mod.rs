@@ -43,7 +43,6 @@ const SIMPLEX: f64 = 0.065;
 /// The problem's double harmonic with its search statistics; its lift is within the allowed stroke.
 ///
 /// # Errors
-///
 /// The search finds no lift that changes the force.
 pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;

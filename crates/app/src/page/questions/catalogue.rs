@@ -50,7 +50,8 @@ pub struct Picture {
 
 /// The picture of a built-in scene's cam.
 ///
-/// # Errors Unknown names of scenes.
+/// # Errors
+/// Unknown names of scenes.
 pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     let mut table = table(built_in(&asked.name)?.toml)?;
     if scene::read(&table).is_err() {

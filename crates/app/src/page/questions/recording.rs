@@ -32,7 +32,6 @@ pub struct Dropped {
 /// Contents of a recording.
 ///
 /// # Errors
-///
 /// Files that are not recordings.
 pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
     let contacts = Contacts {
@@ -80,7 +79,8 @@ pub struct Contacts {
 /// The recording with some contacts left out: its mean cycle becomes a file of its own, which the scene may
 /// name.
 ///
-/// # Errors Missing recordings; nothing left to average.
+/// # Errors
+/// Missing recordings; nothing left to average.
 pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     let bytes = files.engine.kept(&asked.hash).unwrap_or_default();
     let mut found = described(&bytes, asked)?;
@@ -176,7 +176,8 @@ pub struct Points {
 
 /// Keeps points as a file of one cycle; the curve goes through them, level at every peak and valley.
 ///
-/// # Errors Too few points, or times that do not increase.
+/// # Errors
+/// Too few points, or times that do not increase.
 pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();

@@ -39,7 +39,6 @@ pub struct Vary {
 /// One bar for every number of the scene: the quantity with the number reduced and raised by a fraction, the longest bar first.
 ///
 /// # Errors
-///
 /// Faults of the unchanged scene.
 pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;

@@ -126,8 +126,10 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both. # Errors No whole numbers in rising order from 1 to
-/// [`MOST`].
+/// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both.
+///
+/// # Errors
+/// No whole numbers in rising order from 1 to [`MOST`].
 fn numbers(typed: &str) -> Result<(usize, usize)> {
     let (first, last) = typed.split_once(':').unwrap_or((typed, typed));
     let number = |text: &str| text.trim().parse::<usize>().ok();

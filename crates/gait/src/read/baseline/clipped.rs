@@ -20,8 +20,6 @@ const FEWEST: usize = 8;
 const HELD_S: f64 = 0.03;
 
 /// The level at which readings without drift stop, N; `None` without clipping. `unloaded_n`: standard deviation of the unloaded reading, N.
-///
-/// `unloaded_n`: standard deviation of the unloaded reading, N.
 pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f64> {
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));

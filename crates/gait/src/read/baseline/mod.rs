@@ -170,9 +170,6 @@ fn stuck_level(thin: &[f64]) -> Option<f64> {
 
 /// Whether the loaded readings are negative. Clear if the readings extend much further to one side of zero; otherwise the unloaded end has the higher
 /// density of readings.
-///
-/// Clear where the readings reach much further to one side of zero; otherwise the unloaded end is the
-/// one with the higher density of readings.
 fn loads_downwards(thin: &[f64]) -> bool {
     let (low, high) = ends(thin).unwrap_or_default();
     if low >= 0.0 || low.abs() < 0.2 * high.abs() {

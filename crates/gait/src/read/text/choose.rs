@@ -120,8 +120,6 @@ fn by_names(table: &Table, stated: Option<usize>) -> Columns {
 
 /// Time and force by the numbers in the columns; no force if the table is too short for a recording. `stated` is the index of the time column named
 /// by the user.
-///
-/// `stated` is the place of the time column that the user names.
 fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
     let all: Vec<usize> = (0..table.width.min(WIDEST)).collect();
     let read = numbers(file, table, &all, None)?;

@@ -170,7 +170,8 @@ impl<'a> LongTable<'a> {
     /// Mean force of all cycles at the phases of the first one, in the unit of the column over seconds of the period, and its
     /// standard deviation where there are several; with the number of cycles.
     ///
-    /// # Errors Several tasks, forces of several sides, a value that is not a number, phases that decrease.
+    /// # Errors
+    /// Several tasks, forces of several sides, a value that is not a number, phases that decrease.
     pub fn mean(&self) -> Result<(Samples, usize)> {
         let path = self.file.path;
         let [phase, force] = self.columns()?;

@@ -46,7 +46,10 @@ pub struct Cell {
 }
 
 impl<'a> NumberTable<'a> {
-    /// The first table of a text; `path` is used in messages only. # Errors Files that are not text or contain no table of numbers.
+    /// The first table of a text; `path` is used in messages only.
+    ///
+    /// # Errors
+    /// Files that are not text or contain no table of numbers.
     pub fn find(path: &Path, bytes: &'a [u8]) -> Result<NumberTable<'a>> {
         if let Some(kind) = foreign(bytes) {
             return Err(ReadError::Foreign { kind }.in_file(path));

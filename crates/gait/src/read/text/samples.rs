@@ -31,7 +31,8 @@ pub(in crate::read) struct Samples {
 impl Samples {
     /// Reads the chosen columns.
     ///
-    /// # Errors Times that decrease, rows that lack most of their fields.
+    /// # Errors
+    /// Times that decrease, rows that lack most of their fields.
     pub fn read(file: &TextFile, table: &Table, columns: Columns) -> Result<Self> {
         let forces = columns.force.iter().map(|f| f.place);
         let mut places: Vec<usize> = forces.chain(columns.time).collect();

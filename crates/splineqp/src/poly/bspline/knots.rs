@@ -10,7 +10,8 @@ impl SplineSpace {
     /// period later; `multiplicity[i]` (1 … degree + 1) is that of break i, 0 ≤ i < n. A break of
     /// multiplicity m joins with degree − m continuous derivatives.
     ///
-    /// # Panics If breaks do not increase or lengths do not match: an error of the caller.
+    /// # Panics
+    /// If breaks do not increase or lengths do not match: an error of the caller.
     pub fn periodic(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n);
@@ -93,7 +94,8 @@ impl SplineSpace {
 
     /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.
     ///
-    /// # Panics If breaks do not increase or lengths do not match: an error of the caller.
+    /// # Panics
+    /// If breaks do not increase or lengths do not match: an error of the caller.
     pub fn clamped(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n - 1);

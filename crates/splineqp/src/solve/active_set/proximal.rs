@@ -23,7 +23,6 @@ use crate::program::{Failure, Limit, PEAK, Program, Row, Solution, Values, Varia
 /// The minimax law; `None` if the steps end before the optimum.
 ///
 /// # Errors
-///
 /// The other limits are infeasible.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Failure<N>> {
     let start = start(program)?;

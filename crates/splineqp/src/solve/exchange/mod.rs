@@ -15,7 +15,6 @@ use clarabel::InteriorPoint;
 /// method then starts without seeds.
 ///
 /// # Errors
-///
 /// Infeasible limits, a solver that stops without an answer.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     if program.seeds.is_empty() {

@@ -56,7 +56,6 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
 /// is later scaled exactly.
 ///
 /// # Errors
-///
 /// Neither mass nor unit is given.
 pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> Result<()> {
     let forces = &mut samples.forces;
