@@ -45,6 +45,11 @@ impl ArrowMatrix {
         self.n
     }
 
+    /// Half-bandwidth and number of border rows.
+    pub fn shape(&self) -> (usize, usize) {
+        (self.band, self.border)
+    }
+
     /// Adds `value` to entries (i, j) and (j, i).
     ///
     /// # Panics

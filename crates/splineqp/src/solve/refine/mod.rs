@@ -16,11 +16,13 @@
 //! | file | used |
 //! |---|---|
 //! | `band` | inside the active set, over the coefficients alone: cost linear in the spans |
-//! | `step` | inside the exchange and at the end: one dense step, over the further variables as well |
+//! | `step` | inside the exchange and at the end: one step over the further variables as well |
+//! | `sparse` | the linear system of that step |
 
 use crate::Names;
 mod band;
 mod cone;
+mod sparse;
 mod step;
 
 pub use band::on_band;

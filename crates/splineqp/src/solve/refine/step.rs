@@ -5,12 +5,12 @@
 //! ```
 
 use super::Contacts;
+use super::sparse::symmetric_solution;
 use crate::Names;
 use crate::band::{ArrowFactor, ArrowMatrix};
 use crate::basis::{Entries, apply, row_unit};
 use crate::program::{PEAK, Row, Solution, Values, Variable};
 use crate::solve::active_set::dual::Dual;
-use nalgebra::{DMatrix, DVector};
 
 /// A plane aᵀd ≤ bound, or aᵀd = bound, with entries near 1.
 struct Plane {
@@ -32,10 +32,10 @@ pub struct Local<'a, N: Names> {
     /// Units of the unknowns, coefficients first.
     units: Vec<f64>,
     objective: f64,
-    matrix: DMatrix<f64>,
+    matrix: ArrowMatrix,
     /// Regularisation of a step.
     held: f64,
-    gradient: DVector<f64>,
+    gradient: Vec<f64>,
 }
 
 impl<'a, N: Names> Local<'a, N> {
@@ -50,20 +50,19 @@ impl<'a, N: Names> Local<'a, N> {
         let mut units = vec![program.length; n];
         units.extend(contacts.free.iter().map(|&k| unit(k)));
         let stiff = contacts.with_curvature(program.hessian.clone(), from);
-        let mut matrix = DMatrix::<f64>::zeros(units.len(), units.len());
+        let (band, border) = stiff.shape();
+        let mut matrix = ArrowMatrix::zero(units.len(), band, border + contacts.free.len());
         for (i, j, value) in stiff.lower_entries() {
-            matrix[(i, j)] = value * units[i] * units[j] / objective;
-            matrix[(j, i)] = matrix[(i, j)];
+            matrix.add(i, j, value * units[i] * units[j] / objective);
         }
         let held = program.settings.refinement.held;
-        (0..units.len()).for_each(|i| matrix[(i, i)] += held);
+        (0..units.len()).for_each(|i| matrix.add(i, i, held));
         let hx = program.hessian.times(&from.x[..n]);
         let of_law = (hx.iter().zip(&program.gradient)).map(|(h, g)| h + g);
         let beside = contacts.free.iter().map(|&k| program.cost[k]);
-        let gradient = DVector::from_iterator(
-            units.len(),
-            (of_law.chain(beside).zip(&units)).map(|(g, unit)| g * unit / objective),
-        );
+        let gradient = (of_law.chain(beside).zip(&units))
+            .map(|(g, unit)| g * unit / objective)
+            .collect();
         Local {
             contacts,
             from,
@@ -124,12 +123,8 @@ impl<'a, N: Names> Local<'a, N> {
 
     /// Factor of the matrix with `held` added to its diagonal.
     fn factor(&self, held: f64) -> Option<ArrowFactor> {
-        let n = self.units.len();
-        let mut matrix = ArrowMatrix::zero(n, 0, n);
-        for i in 0..n {
-            (0..=i).for_each(|j| matrix.add(i, j, self.matrix[(i, j)]));
-            matrix.add(i, i, held);
-        }
+        let mut matrix = self.matrix.clone();
+        (0..self.units.len()).for_each(|i| matrix.add(i, i, held));
         matrix.factor()
     }
 
@@ -219,39 +214,25 @@ impl<'a, N: Names> Local<'a, N> {
         multiplier: impl Fn(usize) -> f64,
     ) -> Option<Step> {
         let columns = self.units.len();
-        let size = columns + active.len();
-        let settings = &self.contacts.program.settings;
-        let mut kkt = DMatrix::<f64>::zeros(size, size);
-        kkt.view_mut((0, 0), (columns, columns))
-            .copy_from(&self.matrix);
-        let mut rhs = DVector::<f64>::zeros(size);
-        rhs.rows_mut(0, columns).copy_from(&(-&self.gradient));
+        let light = self.contacts.program.settings.refinement.light;
+        let mut kkt: Vec<(usize, usize, f64)> = self.matrix.lower_entries();
+        let mut rhs: Vec<f64> = self.gradient.iter().map(|g| -g).collect();
         for (r, &i) in active.iter().enumerate() {
             let at = columns + r;
-            for &(c, value) in &planes[i].entries {
-                kkt[(at, c)] += value;
-                kkt[(c, at)] += value;
-            }
-            rhs[at] = planes[i].bound;
+            kkt.extend(planes[i].entries.iter().map(|&(c, value)| (at, c, value)));
+            rhs.push(planes[i].bound);
             if i >= demands {
-                kkt[(at, at)] = -settings.refinement.light;
-                rhs[at] -= settings.refinement.light * multiplier(i);
+                kkt.push((at, at, -light));
+                rhs[at] -= light * multiplier(i);
             }
         }
-        let lu = kkt.clone().lu();
-        let mut y = lu.solve(&rhs)?;
-        for _ in 0..2 {
-            y += lu.solve(&(&rhs - &kkt * &y))?;
-        }
-        if !y.iter().all(|v| v.is_finite()) {
-            return None;
-        }
+        let y = symmetric_solution(&kkt, &rhs)?;
         let mut multipliers = vec![0.0; planes.len()];
         for (r, &i) in active.iter().enumerate() {
             multipliers[i] = y[columns + r];
         }
         Some(Step {
-            way: y.rows(0, columns).iter().copied().collect(),
+            way: y[..columns].to_vec(),
             multipliers,
         })
     }
