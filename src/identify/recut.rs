@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::fit::{difference, dot};
 use super::fitted::{Fitted, held};
 use super::log::Log;
-use super::model::{ANGLES, Machine, Term, angle};
+use super::model::{ANGLES, Effect, Machine, Term, angle};
 use super::{Identified, identified};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{LogError, NoNewCamError, Result};
@@ -40,7 +40,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS of the repeatable force less the target; on a moving axis without its mean, which is the weight.
     pub before_rms_n: f64,
-    /// Expected RMS for the new cam: remaining noise, effect of the limits, harmonics that were not learned.
+    /// Expected RMS for the new cam: remaining noise, effect of the limits, harmonics that were not learned, and friction that
+    /// changes sign at other angles under the new law.
     pub predicted_rms_n: f64,
 }
 
@@ -94,16 +95,22 @@ pub fn recut(
         .filter(|(_, t)| t.key != "log.bias" && t.key != "drive.preload")
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t))
         .collect();
-    // What identified parameters change under a design's law.
-    let changed = |of: &Design| -> Vec<f64> {
+    // Friction that the log does not hold closely is not designed for, but it jumps where a law turns.
+    let rubbing = (fitted.terms.iter().enumerate())
+        .filter(|(i, t)| t.effect == Effect::Coulomb && !found.parameters[*i].identifiable)
+        .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t));
+    let rubbing: Vec<(f64, &Term)> = used.iter().copied().chain(rubbing).collect();
+    // What parameters change under a design's law.
+    let changed_by = |terms: &[(f64, &Term)], of: &Design| -> Vec<f64> {
         let machine = Machine::new(of, scene, clock);
         let mut sum = vec![0.0; ANGLES];
-        for (by, term) in &used {
+        for (by, term) in terms {
             let effect = machine.effect(term.effect);
             sum.iter_mut().zip(effect).for_each(|(x, e)| *x += by * e);
         }
         sum
     };
+    let changed = |of: &Design| changed_by(&used, of);
     let own: Vec<f64> = clock.at_angles(&learned);
     let first = changed(design);
     let mut next = scene.clone();
@@ -121,11 +128,16 @@ pub fn recut(
         }
         made = synth::design(&Problem::resolve(&next, force)?, search)?;
     }
-    let after = design
-        .problem
-        .drive
-        .newtons(left)
-        .hypot(design.problem.drive.newtons(made.force.rms_error_n));
+    // What the parameters change under the last law, less what it was designed for.
+    let [now, before_it] = [&made, design].map(|of| changed_by(&rubbing, of));
+    let taken = |i: usize| {
+        made.problem.learned_force(angle(i)) - design.problem.learned_force(angle(i)) - own[i]
+    };
+    let moved: Vec<f64> = (0..ANGLES)
+        .map(|i| now[i] - before_it[i] - taken(i))
+        .collect();
+    let after = [left, made.force.rms_error_n, spread(&moved, from)];
+    let after = design.problem.drive.newtons(dot(&after, &after).sqrt());
     let recut = Recut {
         before_rms_n: design.problem.drive.newtons(before),
         predicted_rms_n: after,
@@ -159,6 +171,15 @@ fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmon
 fn rms(harmonics: &[f64], from: usize) -> f64 {
     let mean = if from == 0 { harmonics[0].powi(2) } else { 0.0 };
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
+}
+
+/// RMS of values at equal angles, with their mean (`from` 0) or without it.
+fn spread(values: &[f64], from: usize) -> f64 {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let square = dot(values, values) / count;
+    let without = if from == 0 { 0.0 } else { mean * mean };
+    (square - without).max(0.0).sqrt()
 }
 
 /// RMS corrected for the noise.
