@@ -23,6 +23,21 @@ pub fn verdict(
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
     failed.sort_by_key(|c| c.name.severity());
+    // The weight on a moving axis explains the whole error, and the larger of two pressure angles both.
+    let has_gap = problem.mean_force_gap().is_some();
+    let steepest = |c: &Check| {
+        let angles = checks
+            .iter()
+            .filter(|o| o.name.is_pressure_angle() && o.limit == c.limit);
+        angles
+            .max_by(|a, b| a.worst.total_cmp(&b.worst))
+            .map(|o| o.name)
+    };
+    failed.retain(|c| match c.name {
+        Criterion::RmsError => !has_gap,
+        name if name.is_pressure_angle() => steepest(c) == Some(name),
+        _ => true,
+    });
     bad.extend(failed.iter().flat_map(|c| broken(problem, cam, force, c)));
     let mut slow: Vec<Reason> = jump(cam, 2).into_iter().collect();
     slow.extend(cusp(problem, cam, checks));

@@ -365,7 +365,6 @@ fn a_limit_that_is_broken_is_unacceptable_and_all_reasons_are_told() {
     let expected = [
         "reason-contact-lost",
         "reason-pressure-angle",
-        "reason-pressure-angle",
         "reason-limit-broken",
         "reason-acceleration-jumps",
     ];

@@ -82,7 +82,7 @@ fn an_undercut_cam_is_told_the_smallest_base_radius_that_works() {
     says(
         synth(text, &[]),
         3,
-        &["unacceptable", "undercut", "−2.853 mm", "32.8531 mm"],
+        &["unacceptable", "undercut", "−2.853 mm", "32.86 mm"],
     );
     says(
         synth(text, &["cam.base_radius=32.8527 mm"]),
