@@ -160,7 +160,7 @@ impl SharedBlocks {
 
 fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     fs::create_dir_all(folder).map_err(|e| {
-        let fault = e.to_string();
+        let fault = crate::read::fault(&e);
         WriteError::FolderRefuses { fault }.in_file(folder)
     })?;
     if let [(_, first), ..] = &files(folder)?[..] {

@@ -21,7 +21,7 @@ impl Folder {
     pub fn open(path: &Path) -> Result<Folder> {
         let fault = |e: std::io::Error| {
             WriteError::FolderRefuses {
-                fault: e.to_string(),
+                fault: crate::read::fault(&e),
             }
             .in_file(path)
         };
@@ -87,7 +87,7 @@ fn through_temporary(
         temporary.persist(path).map_err(|e| e.error)
     });
     written.map(|_| ()).map_err(|e| {
-        let fault = e.to_string();
+        let fault = crate::read::fault(&e);
         WriteError::FileRefuses { fault }.in_file(path)
     })
 }

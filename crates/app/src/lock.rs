@@ -30,7 +30,7 @@ impl Lock {
             let lock = Lock::attempt(&path).map_err(|e| match e.kind() {
                 ErrorKind::InvalidInput => FileError::Foreign.in_file(&path),
                 _ => {
-                    let fault = e.to_string();
+                    let fault = crate::read::fault(&e);
                     WriteError::FolderRefuses { fault }.in_file(folder)
                 }
             })?;

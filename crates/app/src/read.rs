@@ -101,12 +101,20 @@ fn too_large(path: &Path, most: u64) -> Error {
     FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
+/// What the system refuses, as messages name it; its own words where they have none.
+pub fn fault(e: &std::io::Error) -> String {
+    let known = match e.kind() {
+        ErrorKind::NotFound => "missing",
+        ErrorKind::PermissionDenied => "denied",
+        ErrorKind::ReadOnlyFilesystem => "read-only",
+        ErrorKind::StorageFull => "full",
+        _ => return e.to_string(),
+    };
+    known.to_string()
+}
+
 /// Error of a file that the system cannot read.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
-    let fault = match e.kind() {
-        ErrorKind::NotFound => "missing".to_string(),
-        ErrorKind::PermissionDenied => "denied".to_string(),
-        _ => e.to_string(),
-    };
+    let fault = fault(e);
     FileError::CannotRead { fault }.in_file(path)
 }

@@ -42,7 +42,7 @@ impl ResultFolder {
     /// A folder that cannot be written, or that another process still holds.
     pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
         let fault = |e: io::Error| {
-            let fault = e.to_string();
+            let fault = crate::read::fault(&e);
             WriteError::FolderRefuses { fault }.in_file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
@@ -77,7 +77,7 @@ impl ResultFolder {
         parent
             .and_then(|()| fs::write(&place, bytes))
             .map_err(|e| {
-                let fault = e.to_string();
+                let fault = crate::read::fault(&e);
                 WriteError::FileRefuses { fault }.in_file(&self.path.join(name))
             })?;
         self.written.borrow_mut().push(name.to_string());

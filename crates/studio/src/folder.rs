@@ -200,7 +200,7 @@ fn is_scene(path: &Path) -> bool {
 }
 
 fn unread(path: &Path, e: &std::io::Error) -> Error {
-    let fault = e.to_string();
+    let fault = gaitcam_app::read::fault(e);
     StudioError::CannotRead { fault }.in_file(path)
 }
 

@@ -1,7 +1,19 @@
 # Faults in handing a design over.
-write-folder-refuses = cannot write into this folder ({ $fault })
+write-folder-refuses = { $fault ->
+        [missing] there is no such folder, and it cannot be made
+        [denied] this user may not write here
+        [read-only] the file system is read-only
+        [full] no space is left on the device
+       *[other] cannot write into this folder ({ $fault })
+    }
     .help = choose another with --out DIR
-write-file-refuses = cannot be written ({ $fault })
+write-file-refuses = { $fault ->
+        [missing] there is no such folder, and it cannot be made
+        [denied] this user may not write here
+        [read-only] the file system is read-only
+        [full] no space is left on the device
+       *[other] cannot be written ({ $fault })
+    }
 write-not-put-together = the file could not be put together: { $fault }
 write-plate-thickness = invalid plate thickness of { $thickness }
     .help = give a positive thickness

@@ -1,7 +1,19 @@
 # Errores al entregar un diseño.
-write-folder-refuses = no se puede escribir en esta carpeta ({ $fault })
+write-folder-refuses = { $fault ->
+        [missing] no existe tal carpeta y no se puede crear
+        [denied] este usuario no tiene permiso para escribir aquí
+        [read-only] el sistema de archivos es de solo lectura
+        [full] no queda espacio en el dispositivo
+       *[other] no se puede escribir en esta carpeta ({ $fault })
+    }
     .help = elija otra con --out DIR
-write-file-refuses = no se puede escribir ({ $fault })
+write-file-refuses = { $fault ->
+        [missing] no existe tal carpeta y no se puede crear
+        [denied] este usuario no tiene permiso para escribir aquí
+        [read-only] el sistema de archivos es de solo lectura
+        [full] no queda espacio en el dispositivo
+       *[other] no se puede escribir ({ $fault })
+    }
 write-not-put-together = no se pudo componer el archivo: { $fault }
 write-plate-thickness = espesor de placa no válido: { $thickness }
     .help = indique un espesor positivo

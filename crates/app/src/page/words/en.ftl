@@ -1,7 +1,11 @@
 # Words of the studio's page and its faults.
 fault-outside = the path leads out of the opened folder
     .help = copy the file into the folder, or start gaitcam studio in the folder that holds it
-fault-cannot-read = cannot be read ({ $fault })
+fault-cannot-read = { $fault ->
+        [missing] there is no such file
+        [denied] may not be read by this user
+       *[other] cannot be read ({ $fault })
+    }
     .help = drop the file on the page, or put it into the opened folder
 fault-cannot-write = cannot be written ({ $fault })
 fault-file-name = invalid file name "{ $name }"

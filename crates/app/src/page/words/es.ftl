@@ -1,7 +1,11 @@
 # Palabras de la página del estudio y sus fallos.
 fault-outside = la ruta sale de la carpeta abierta
     .help = copie el archivo en la carpeta o inicie gaitcam studio en la carpeta que lo contiene
-fault-cannot-read = no se puede leer ({ $fault })
+fault-cannot-read = { $fault ->
+        [missing] no existe tal archivo
+        [denied] este usuario no tiene permiso para leerlo
+       *[other] no se puede leer ({ $fault })
+    }
     .help = suelte el archivo sobre la página o póngalo en la carpeta abierta
 fault-cannot-write = no se puede escribir ({ $fault })
 fault-file-name = nombre de archivo no válido: «{ $name }»
