@@ -146,6 +146,7 @@ pub enum CliError {
     },
     MissingArguments {
         missing: String,
+        choices: String,
     },
     FlagConflict {
         other: String,

@@ -4,10 +4,14 @@ use std::error::Error as _;
 use std::ffi::{OsStr, OsString};
 use std::num::ParseIntError;
 
+use clap::builder::PossibleValue;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command};
 use gaitcam::error::{Error, Placed};
 
 use crate::console::error::CliError;
+use crate::console::help::command;
+use gaitcam::wording::Language;
 
 /// The arguments with a negative number after a flag (`--tool -3mm`) as the flag's value: no option begins with a digit.
 pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
@@ -67,7 +71,11 @@ pub fn fault(error: &clap::Error) -> Error {
         }
         ErrorKind::ValueValidation => unsuitable(error, value).at_argument(plain(&flag)),
         ErrorKind::MissingRequiredArgument => {
-            Error::from(CliError::MissingArguments { missing: flag })
+            let choices = choices(&flag);
+            Error::from(CliError::MissingArguments {
+                missing: flag,
+                choices,
+            })
         }
         ErrorKind::ArgumentConflict => {
             let other = part(ContextKind::PriorArg).unwrap_or_default();
@@ -86,6 +94,22 @@ pub fn fault(error: &clap::Error) -> Error {
             Error::from(CliError::Arguments { fault })
         }
     }
+}
+
+/// What a missing flag takes: its choices, or the file that it writes.
+fn choices(missing: &str) -> String {
+    let command = command(Language::En);
+    let arguments = command.get_subcommands().flat_map(Command::get_arguments);
+    let is_it = |a: &&Arg| {
+        let long = a.get_long().map(|long| format!("--{long} "));
+        long.is_some_and(|long| missing.starts_with(&long))
+    };
+    let found = arguments.filter(is_it).find_map(|a| {
+        let values = a.get_possible_values();
+        let names: Vec<&str> = values.iter().map(PossibleValue::get_name).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    });
+    found.unwrap_or_else(|| "none".to_string())
 }
 
 /// Former verbs that are now verbs of `gaitcam-lab`.

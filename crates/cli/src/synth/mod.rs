@@ -222,7 +222,7 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         print_json(&json);
         return Ok(());
     }
-    print(&summary::text(design, time));
+    print(&summary::text(design, time, args.verbose));
     if args.verbose {
         print(&sequence::text(design));
     }

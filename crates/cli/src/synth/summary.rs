@@ -2,6 +2,7 @@
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::Criterion;
+use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam::wording::range;
 use gaitcam_output::facts::{self, Group};
@@ -22,8 +23,8 @@ const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;
 const NOTES: usize = 3;
 
-/// The summary as text.
-pub fn text(design: &Design, time: Timing) -> String {
+/// The summary as text, with the solver's work if asked.
+pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
     let language = language::current();
     let headline = match design.out_of_time && design.infeasible.is_none() {
         true => "out-of-time",
@@ -47,7 +48,10 @@ pub fn text(design: &Design, time: Timing) -> String {
         .map(|n| row("note", &n.sentence(language)))
         .collect();
     out.extend(at_most(NOTES, notes, "more-notes"));
-    out.extend(solver(design, time));
+    if verbose {
+        out.extend(solver(design, time));
+    }
+    out.extend(proof(design));
     out.join("\n")
 }
 
@@ -124,7 +128,8 @@ fn force(design: &Design) -> Vec<String> {
     let text = |column: &str, value: f64| facts::force(design, column, value, language::current());
     let unit = design.cam.follower.measures().force();
     let range = range(language::current(), f.min_n, f.max_n);
-    let factors = load_factors(design);
+    let is_walking = design.problem.drive.kind == DriveKind::MovingAxis;
+    let factors = is_walking.then(|| load_factors(design)).flatten();
     let mut rows = vec![
         filled(
             "force",
@@ -200,15 +205,26 @@ fn solver(design: &Design, time: Timing) -> Vec<String> {
     )];
     if let Some(c) = &solver.certificate {
         out.push(filled(
-            "optimum",
+            "",
             "synth-optimum",
             json!({"gap": power(c.relative_gap, 1), "kkt": power(c.stationarity, 1),
                     "violation": power(c.violation, 1)}),
         ));
-        if let Some(doubt) = solver.doubt {
-            let why = doubt.sentence(language::current());
-            out.push(filled("", "synth-uncertified", json!({ "why": why })));
-        }
     }
     out
+}
+
+/// Whether the law is proved to be the best one; `None` where no law is sought.
+fn proof(design: &Design) -> Option<String> {
+    let solver = &design.solver;
+    solver.certificate.as_ref()?;
+    if solver.certified {
+        return Some(filled("optimum", "synth-certified", json!({})));
+    }
+    let why = solver.doubt?.sentence(language::current());
+    Some(filled(
+        "optimum",
+        "synth-uncertified",
+        json!({ "why": why }),
+    ))
 }

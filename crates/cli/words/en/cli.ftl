@@ -107,6 +107,10 @@ cli-flag-whole = invalid value "{ $typed }"
 cli-flag-range = invalid value { $typed }
     .help = it must lie in { $range }
 cli-missing-arguments = missing: { $missing }
+    .help = { $choices ->
+        [none] see --help
+       *[other] write one of: { $choices }
+    }
 cli-flag-conflict = cannot be used together with { $other }
 cli-flag-count = the number of values is wrong
 cli-arguments = { $fault }
@@ -174,6 +178,7 @@ synth-active = limit { $limit } { $points ->
     }
 synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
 synth-solved = { $tier } tier, { $solve } ms of { $total } ms: { $status }
+synth-certified = proved: no law under these limits is better
 synth-uncertified = not certified as the optimum: { $why }
 synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
 synth-no-sequence = none was needed

@@ -107,6 +107,10 @@ cli-flag-whole = valor no válido "{ $typed }"
 cli-flag-range = valor no válido { $typed }
     .help = debe estar en { $range }
 cli-missing-arguments = falta: { $missing }
+    .help = { $choices ->
+        [none] vea --help
+       *[other] escriba uno de: { $choices }
+    }
 cli-flag-conflict = no se puede usar junto con { $other }
 cli-flag-count = el número de valores no es correcto
 cli-arguments = { $fault }
@@ -174,6 +178,7 @@ synth-active = límite { $limit } { $points ->
     }
 synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit } en lugar de { $before } { $unit }
 synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
+synth-certified = demostrado: ninguna ley con estos límites es mejor
 synth-uncertified = no se certifica como óptimo: { $why }
 synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
 synth-no-sequence = no hizo falta ninguna

@@ -159,6 +159,7 @@ fn designs_in_spanish_hold_no_english_word_and_no_decimal_point() {
             "law.family=auto",
             "--set",
             limit,
+            "--verbose",
             "--out",
         ];
         let shown = said(&[&automatic[..], &[&path("auto")]].concat(), 0);
