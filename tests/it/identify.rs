@@ -543,7 +543,8 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
 /// friction jumps where the new law turns.
 #[test]
 fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
-    let mut worst = 0.0_f64;
+    // Of the first cuts, and of the second.
+    let mut worst = [0.0_f64; 2];
     for seed in 0..12 {
         let frequency = 1.6 + 0.05 * f64::from(seed);
         let changes = [
@@ -565,7 +566,7 @@ fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
         let mut design = synthesise(&scene, force.as_ref()).unwrap();
         let rubs = 3.0 + 0.5 * f64::from(seed);
         let mut predicted = None;
-        for _ in 0..3 {
+        for cuts in 0..3 {
             let drive = &design.problem.drive;
             let run = |theta: f64| {
                 let at = design.cam.law.svaj(theta);
@@ -585,7 +586,7 @@ fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
             let measured = (errors.sum::<f64>() / 3600.0).sqrt();
             if let Some(predicted) = predicted {
                 println!("{seed}: predicted {predicted:.2} N, measured {measured:.2} N");
-                worst = worst.max(measured / predicted);
+                worst[cuts - 1] = worst[cuts - 1].max(measured / predicted);
             }
             let mut log = String::from("time_s,theta_rad,force_n\n");
             for i in 0..6000 {
@@ -609,5 +610,5 @@ fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
             scene = next;
         }
     }
-    assert!(worst < 1.5, "{worst}");
+    assert!(worst[0] < 1.1 && worst[1] < 1.5, "{worst:?}");
 }
