@@ -8,7 +8,7 @@ use crate::units::{Dimension, Quantity};
 
 /// Minimum number of whole cycles that separate noise and repeatable force.
 pub(super) const LEAST_CYCLES: usize = 3;
-/// Change of the speed over the log, part of the mean, above which it drifts: harmonic 5 then leaves its phase.
+/// Change of the speed over the log, relative to the mean, above which it drifts, since harmonic 5 then loses its phase.
 pub(super) const DRIFT: f64 = 0.01;
 /// Number of cells of a cycle in the search of the period, and the searched range about the expected period.
 const CELLS: usize = 64;

@@ -1,4 +1,4 @@
-//! `gaitcam inspect`: measured points of a made cam → deviations of its profile → what this very cam does.
+//! `gaitcam inspect`: measured points of a manufactured cam → deviations of its profile → predicted force.
 
 mod points;
 mod shown;

@@ -14,7 +14,7 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether each point of a front gives a scene: a value of a limit.
+/// Whether each point of a front corresponds to a scene with that value of a limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
