@@ -256,7 +256,7 @@ fn discard(folder: &Path) -> io::Result<()> {
     fs::remove_dir(folder)
 }
 
-/// Removes the hidden folders of processes that were killed; the lock says that none of them still runs.
+/// Removes the hidden folders of processes that were killed; the lock ensures that none of them still runs.
 fn remove_abandoned_stages(path: &Path) {
     for entry in fs::read_dir(path).into_iter().flatten().flatten() {
         let name = entry.file_name();
