@@ -2,14 +2,14 @@
 //!
 //! # The problem
 //!
-//! A machine has to press on the ground as a walker does. A cam of angle θ = ωt lifts a follower by s(θ);
+//! A machine has to reproduce the force of a walker on the ground. A cam of angle θ = ωt lifts a follower by s(θ);
 //! with v = ds/dθ, a = d²s/dθ² the force is linear in the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
 //!
 //! ```text
 //! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a
 //! ```
 //!
-//! Wanted is the law s that brings F nearest to a measured F*, and the cam that gives the law:
+//! The problem is to find the law s for which F is nearest to a measured F*, and the cam with this law:
 //!
 //! ```text
 //! minimise    (1/2π) ∮ (F − F*)² dθ          or the energy, or the peak, of a derivative, or the cam's size

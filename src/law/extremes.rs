@@ -108,7 +108,7 @@ impl Law {
         self.cache.joints(|| joints(self)).to_vec()
     }
 
-    /// Bernstein coefficients of s, v, a and j, piece by piece, times their binomials: the form that evaluates fastest.
+    /// Bernstein coefficients of s, v, a and j, piece by piece, times their binomials, for fast evaluation.
     pub(super) fn scaled_by_binomials(&self) -> &[Vec<f64>; 4] {
         let each = |order| times_binomials(&self.of_order(order));
         self.cache.scaled(|| std::array::from_fn(each))

@@ -200,7 +200,7 @@ impl Admission {
     }
 }
 
-/// The column that an objective names: its whole name, or the beginning of one (`jerk` for
+/// The column of an objective, by its whole name or its beginning (`jerk` for
 /// `jerk_max_m_per_s3`); `force_error` is the RMS error in percent.
 ///
 /// # Errors

@@ -1,12 +1,12 @@
-//! The weights of several squares at which a law of a convex hull has the least worst of them.
+//! Weights of several squares for which a point of a convex hull minimises the worst of them.
 //!
 //! ```text
 //! minimise   max qᵢ(v)   or   min over η of η + Σ capᵢ max(qᵢ(v) − η, 0)
 //! such that  v in the convex hull of points,   qᵢ(v) = γᵢ² |v|² − 2γᵢ bᵢ·v + cᵢ
 //! ```
 //!
-//! The squares share |v|²: with ρ ≥ |v|² as a variable each is one linear row, and the program has one second-order cone
-//! whatever their number. Its multipliers are the weights.
+//! The squares share |v|²: with ρ ≥ |v|² as a variable each is one linear row, and the program needs one
+//! second-order cone in total. Its multipliers are the weights.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};

@@ -209,8 +209,8 @@ impl Load {
         }
     }
 
-    /// The angle at which the shaft stops, rad, where it does not pass its first turn, from rest at `angle`: by a method of
-    /// second order that small wheels under stiff motors do not upset (Alexander 1977).
+    /// The angle at which the shaft stops, rad, if it does not complete its first turn from rest at `angle`. The method is of
+    /// second order and L-stable, for small wheels under stiff motors (Alexander 1977).
     pub fn stop_from_rest(&self, motor: &Motor, no_load: f64, angle: f64) -> Option<f64> {
         let h = TAU / SMALL_STEPS as f64;
         let part = 1.0 - std::f64::consts::FRAC_1_SQRT_2;

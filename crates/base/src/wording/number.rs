@@ -29,7 +29,7 @@ pub const DIGITS: usize = 4;
 /// Significant digits of a number that users type back, in an error, a reason or a suggested change.
 pub(super) const EXACT: usize = 6;
 
-/// A number for people: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
+/// A number for display: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};

@@ -62,7 +62,7 @@ const LATIN: [u16; 96] = [
     556, 556, 556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500,
 ];
 
-/// The glyph of a character; a question mark where there is none.
+/// The glyph of a character; a question mark if it is missing.
 pub fn glyph(c: char) -> Glyph {
     let helvetica = |byte, width| Glyph {
         face: Face::Helvetica,

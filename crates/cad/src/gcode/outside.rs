@@ -96,7 +96,7 @@ fn with_lines(
 }
 
 /// The parallel of one arc of the profile at the distance `tool` on its left, with the outward normals at its
-/// ends; `None` where the cutter does not fit into it.
+/// ends; `None` if the cutter does not fit into it.
 fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])> {
     let (from, to) = ([a[0], a[1]], [b[0], b[1]]);
     let Some((centre, radius)) = circle(from, to, a[2]) else {

@@ -3,7 +3,7 @@
 use super::types::RejectReason;
 use crate::recording::Channel;
 
-/// Force from which a foot is on the plate, N; the README of the recordings counts stances so.
+/// Contact threshold, N, as in the README of the recordings.
 const CONTACT_N: f64 = 20.0;
 /// Fraction of the contact threshold below which a contact ends, so that noise does not split a stance.
 const HYSTERESIS: f64 = 0.5;

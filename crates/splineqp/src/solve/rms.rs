@@ -1,26 +1,24 @@
-//! A limit on a root mean square √(2 q) to rounding, by a number at which it holds with equality.
+//! A limit on a root mean square √(2 q), satisfied to rounding by a search for a weight or a peak.
 //!
-//! **Beginning.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. That is
-//! enough between the steps of a sequence; here it is where the search for a weight begins. That for a peak begins at the law of
-//! the least root mean square, without which there is none, and ends at once where the law of the least peak keeps the limit.
+//! **Start.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. This suffices for
+//! the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law of the minimum
+//! root mean square, and ends at once if the law of the minimum peak satisfies the limit.
 //!
-//! **Weight.** With weight μ on q the optimum x(μ) of J + μ q keeps the other limits, and q(x(μ)) falls as μ grows. Where
-//! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most` and μ·most the multiplier of its tangent: J's gradient and the
-//! active rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives serves,
-//! and the proof is theirs with one row more.
+//! **Weight.** With weight μ on q the optimum x(μ) of J + μ q satisfies the other limits, and q(x(μ)) decreases with μ. If
+//! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most`, and μ·most is the multiplier of its tangent: J's gradient and the
+//! active rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies,
+//! and its proof needs one more row.
 //!
-//! **Peak.** Where J is a peak t alone, q is minimised under t ≤ p instead, and p sought at which its least value is what is
-//! allowed: the same optimum, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
-//! 31, 2008, §2). Each step has the force error's own objective, and none is a linear program of many contacts. Where the other
-//! limits alone hold the peak up, the laws just above that peak are as thin as rounding: the search ends there, and the proof is
-//! that of the least peak without the limit on q.
+//! **Peak.** If J is a peak t alone, q is minimised under t ≤ p, and p is searched for which the minimum is the allowed value.
+//! This is the same optimum, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31,
+//! 2008, §2). Each step has the force error as objective. If the other limits alone determine the minimum peak, the feasible set
+//! just above it is as thin as rounding: the search ends there, with the proof of the minimum peak without the limit on q.
 //!
-//! Between two of these numbers the law is taken on the line from one optimum to the other, where q is what is allowed: all
-//! limits hold there. With weight and multipliers mixed in the same proportion t it leaves t(1 − t) Δμ Δ∇q of the gradient, which
-//! is of second order.
+//! Between two iterates the law is interpolated to the allowed value of q, where all limits hold. Interpolated weight and
+//! multipliers leave t(1 − t) Δμ Δ∇q of the gradient, which is of second order.
 //!
-//! Logarithms and exponentials come from one library on every machine, not from the system's: the last bit can move the coefficients
-//! of a nearly level law by a part in ten thousand, and all machines are to find the same law.
+//! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a
+//! nearly level law by a part in ten thousand.
 
 use crate::Names;
 use crate::program::{
