@@ -11,6 +11,9 @@ use crate::synth::report::force::ForceReport;
 use crate::synth::report::reason::{Reason, place, quantity};
 use crate::units::{Dimension, Quantity};
 
+/// Angles that differ by this fraction are equal.
+const SAME_ANGLE: f64 = 1e-9;
+
 /// The verdict on the cam and every reason for it, the worst first.
 pub fn verdict(
     problem: &Problem,
@@ -25,17 +28,9 @@ pub fn verdict(
     failed.sort_by_key(|c| c.name.severity());
     // The weight on a moving axis explains the whole error, and the larger of two pressure angles both.
     let has_gap = problem.mean_force_gap().is_some();
-    let steepest = |c: &Check| {
-        let angles = checks
-            .iter()
-            .filter(|o| o.name.is_pressure_angle() && o.limit == c.limit);
-        angles
-            .max_by(|a, b| a.worst.total_cmp(&b.worst))
-            .map(|o| o.name)
-    };
     failed.retain(|c| match c.name {
         Criterion::RmsError => !has_gap,
-        name if name.is_pressure_angle() => steepest(c) == Some(name),
+        name if name.is_pressure_angle() => is_largest_angle(c, checks),
         _ => true,
     });
     bad.extend(failed.iter().flat_map(|c| broken(problem, cam, force, c)));
@@ -177,6 +172,16 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
             allowed,
         },
     }
+}
+
+/// Whether a pressure angle is the largest one under its limit; of equal angles the first.
+fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
+    let angles = checks
+        .iter()
+        .filter(|o| o.name.is_pressure_angle() && o.limit == check.limit);
+    let larger = |a: &Check, b: &Check| b.worst > a.worst * (1.0 + SAME_ANGLE);
+    let largest = angles.reduce(|a, b| if larger(a, b) { b } else { a });
+    largest.is_none_or(|o| o.name == check.name)
 }
 
 /// Reason for another failed check, with its remedy if known.

@@ -221,11 +221,28 @@ impl<'a> Relaxing<'a> {
                 }
             };
             let eases = |to: &f64| number.sign() * (to - from) > 0.0;
-            let to = relaxing.on_machine(number, to.filter(eases)?)?;
+            let to = relaxing.confirmed(number, to.filter(eases)?)?;
+            let to = relaxing.on_machine(number, to)?;
             Some(Relaxation::of(number.criterion(), from, Some(to)))
         };
         let tried = beside(numbers, &self.search.halt, relaxation);
         tried.into_iter().flatten().collect()
+    }
+
+    /// The value, or a slightly weaker one, with which the design passes with its own objective: where the accuracy is a limit,
+    /// the search minimises the force error instead.
+    fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
+        if self.problem.limited_error().is_none() {
+            return Some(to);
+        }
+        let weaker = ROOMS[1..].iter().map(|room| number.with_room(to, *room));
+        let mut values = [to, number.after(to)].into_iter().chain(weaker);
+        values.find(|to| self.passes_as_asked(&[(number, *to)]))
+    }
+
+    /// Whether the design with these values passes with its own objective.
+    fn passes_as_asked(&self, values: &Values) -> bool {
+        synthesis::passing(&changed(self.problem, values), self.search).is_ok_and(|d| d.is_some())
     }
 
     /// The reason with the changes of which one suffices.
