@@ -30,8 +30,12 @@ use projection::Projection;
 const SHORTEST: f64 = 0.2;
 /// Number of grid points from which the angles are searched.
 const STARTS: usize = 6;
-/// Maximum number of iterations of each search.
-const ITERATIONS: u64 = 100;
+/// Iterations of the search from each of them, which tells the best places apart.
+const ROUGH: u64 = 25;
+/// Number of places whose search is continued: without a rest rise and fall can change places.
+const FINALISTS: usize = 2;
+/// Iterations of the continued searches.
+const ITERATIONS: u64 = 60;
 /// Parts of a turn to which the angles are rounded: 6 µrad, more than the search's rounding errors, less than a machine cuts.
 const PARTS: f64 = 1_048_576.0;
 /// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall:
@@ -39,6 +43,10 @@ const PARTS: f64 = 1_048_576.0;
 const TIE: f64 = 1e-9;
 /// Size of the first simplex, rad: one step of the grid.
 const SIMPLEX: f64 = 0.065;
+/// Size of the simplex with which a search is continued, rad.
+const FINE_SIMPLEX: f64 = 0.01;
+/// Number of iterations of all searches.
+const STEPS: usize = STARTS * ROUGH as usize + FINALISTS * ITERATIONS as usize;
 
 /// The problem's double harmonic with its search statistics; its lift is within the allowed stroke.
 ///
@@ -49,7 +57,6 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let stroke = problem.limits[LimitKind::Stroke];
     let force = Projection::new(target.cells(), &problem.drive, stroke);
     let angles = best(&force)?;
-    let steps = STARTS * ITERATIONS as usize;
     let nearest = force.nearest(angles);
     if nearest.lift == 0.0 {
         return Err(SynthError::DoubleHarmonicUseless.at_key("law.family"));
@@ -65,7 +72,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
         rise: Quantity::angle(rise),
         from: Quantity::angle(start),
         fall: Quantity::angle(fall),
-        steps,
+        steps: STEPS,
         error: Quantity::force(nearest.square.sqrt()),
     };
     Ok(SolvedLaw {
@@ -81,7 +88,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
         solver: SolverReport {
             certified: false,
             doubt: Some(Doubt::Local),
-            ..SolverReport::of(Tier::Equality, method, steps)
+            ..SolverReport::of(Tier::Equality, method, STEPS)
         },
     })
 }
@@ -120,24 +127,18 @@ impl CostFunction for &Projection {
 
 /// Start, rise and fall of the nearest force, rad.
 fn best(force: &Projection) -> Result<[f64; 3]> {
-    let failed = |e: argmin::core::Error| SynthError::SearchFailed {
-        fault: e.to_string(),
-    };
-    let mut best: Option<(f64, [f64; 3])> = None;
+    let mut found = Vec::new();
     for start in force.starts(SHORTEST, STARTS) {
-        let mut simplex = vec![Angles(start); 4];
-        for (i, corner) in simplex[1..].iter_mut().enumerate() {
-            corner.0[i] += SIMPLEX;
-        }
-        let solver = NelderMead::new(simplex);
-        let solver = solver.with_sd_tolerance(0.0).map_err(failed)?;
-        let search = Executor::new(force, solver);
-        let search = search.configure(|state| state.max_iters(ITERATIONS));
-        let done = search.run().map_err(failed)?;
-        let Some(p) = done.state().get_best_param() else {
+        found.extend(searched(force, start, SIMPLEX, ROUGH)?);
+    }
+    let cost = |angles: &[f64; 3]| force.nearest(admissible(*angles)).square;
+    found.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let mut best: Option<(f64, [f64; 3])> = None;
+    for start in found.into_iter().take(FINALISTS) {
+        let Some(angles) = searched(force, start, FINE_SIMPLEX, ITERATIONS)? else {
             continue;
         };
-        let angles = rounded(p.0);
+        let angles = rounded(angles);
         let nearest = force.nearest(angles);
         let handicap = if nearest.lift < 0.0 { 1.0 + TIE } else { 1.0 };
         let cost = nearest.square * handicap;
@@ -147,6 +148,28 @@ fn best(force: &Projection) -> Result<[f64; 3]> {
     }
     let (_, angles) = best.ok_or(NoDesignError::NoDoubleHarmonic)?;
     Ok(angles)
+}
+
+/// The best angles of a search from a place, rad; `None` if it evaluates nothing.
+fn searched(
+    force: &Projection,
+    start: [f64; 3],
+    size: f64,
+    iterations: u64,
+) -> Result<Option<[f64; 3]>> {
+    let failed = |e: argmin::core::Error| SynthError::SearchFailed {
+        fault: e.to_string(),
+    };
+    let mut simplex = vec![Angles(start); 4];
+    for (i, corner) in simplex[1..].iter_mut().enumerate() {
+        corner.0[i] += size;
+    }
+    let solver = NelderMead::new(simplex);
+    let solver = solver.with_sd_tolerance(0.0).map_err(failed)?;
+    let search = Executor::new(force, solver);
+    let search = search.configure(|state| state.max_iters(iterations));
+    let done = search.run().map_err(failed)?;
+    Ok(done.state().get_best_param().map(|p| p.0))
 }
 
 /// Admissible angles at whole parts of a turn.
