@@ -155,9 +155,14 @@ def easing(r, m):
     return close(math.sqrt(best_of(r, (limit, 1.01))[2]), 2e-4)
 
 
+def round_step(value):
+    """The distance between numbers of four digits."""
+    return 10 ** (math.floor(math.log10(abs(value))) - 3)
+
+
 @field(r"relaxations\[(\d+)\]\.(from|to)")
 def relaxed(r, m):
-    """The least change: with it the optimum reaches the accuracy, with 0.1 % less of the change it does not."""
+    """The least change of four digits: with it the optimum reaches the accuracy, with the round value before it does not."""
     row = r.summary["relaxations"][int(m[1])]
     section, _, name = row["key"].partition(".")
     if row["key"] == "machine.inertia":
@@ -171,9 +176,10 @@ def relaxed(r, m):
     if row["key"] == "accuracy.rms":
         error = next(check for check in r.summary["checks"] if check["name"] == "rms_error")
         own = error["worst"] / mean_target(r)
-        return (row["to"] if own <= row["to"] <= own * (1 + 5e-5) else math.nan), 1e-12, 0
+        return (row["to"] if own <= row["to"] <= own + 1.001 * round_step(own) else math.nan), 1e-12, 0
     if section != "limits":
         raise Unknown(f"change of {row['key']}")
     part = row["to"] / row["from"]
     reaches = lambda factor, slack: best_of(r, (name, factor))[2] <= (allowed * mean_target(r)) ** 2 * (1 + slack)
-    return (row["to"] if reaches(part, 1e-4) and not reaches(1 + 0.998 * (part - 1), -1e-4) else math.nan), 1e-12, 0
+    before = (row["to"] - math.copysign(1.001 * round_step(row["to"]), row["to"] - row["from"])) / row["from"]
+    return (row["to"] if reaches(part, 1e-4) and not reaches(before, -1e-4) else math.nan), 1e-12, 0
