@@ -23,7 +23,7 @@ class Studio(Pages):
         page = self.page()
         page.page.click("#open-scenes")
         names = page.page.eval_on_selector_all("[data-scene]", "all => all.map(e => e.dataset.scene)")
-        self.assertEqual(len(names), 24)
+        self.assertEqual(len(names), 25)
         page.page.keyboard.press("Escape")
         for name in names:
             with self.subTest(name):
