@@ -2,7 +2,6 @@
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::Criterion;
-use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam::wording::range;
 use gaitcam_output::facts::{self, Group};
@@ -128,8 +127,7 @@ fn force(design: &Design) -> Vec<String> {
     let text = |column: &str, value: f64| facts::force(design, column, value, language::current());
     let unit = design.cam.follower.measures().force();
     let range = range(language::current(), f.min_n, f.max_n);
-    let is_walking = design.problem.drive.kind == DriveKind::MovingAxis;
-    let factors = is_walking.then(|| load_factors(design)).flatten();
+    let factors = load_factors(design);
     let mut rows = vec![
         filled(
             "force",
@@ -219,7 +217,11 @@ fn proof(design: &Design) -> Option<String> {
     let solver = &design.solver;
     solver.certificate.as_ref()?;
     if solver.certified {
-        return Some(filled("optimum", "synth-certified", json!({})));
+        return Some(filled(
+            "optimum",
+            "synth-certified",
+            json!({"family": design.family.name()}),
+        ));
     }
     let why = solver.doubt?.sentence(language::current());
     Some(filled(

@@ -178,7 +178,10 @@ synth-active = limit { $limit } { $points ->
     }
 synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
 synth-solved = { $tier } tier, { $solve } ms of { $total } ms: { $status }
-synth-certified = proved: no law under these limits is better
+synth-certified = { $family ->
+        [spline] proved: no spline of this degree with these spans is better under these limits
+       *[other] proved: no law of this family is better under these limits
+    }
 synth-uncertified = not certified as the optimum: { $why }
 synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
 synth-no-sequence = none was needed

@@ -178,7 +178,10 @@ synth-active = límite { $limit } { $points ->
     }
 synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit } en lugar de { $before } { $unit }
 synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
-synth-certified = demostrado: ninguna ley con estos límites es mejor
+synth-certified = { $family ->
+        [spline] demostrado: ninguna spline de este grado con estos tramos es mejor con estos límites
+       *[other] demostrado: ninguna ley de esta familia es mejor con estos límites
+    }
 synth-uncertified = no se certifica como óptimo: { $why }
 synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
 synth-no-sequence = no hizo falta ninguna
