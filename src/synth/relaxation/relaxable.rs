@@ -117,18 +117,63 @@ impl Relaxable {
     pub fn step(self, value: f64) -> f64 {
         match self.key.range {
             Range::Acute => 1e-2_f64.to_radians(),
-            _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 3.0),
+            _ => 10_f64.powi(-decimals(value)),
         }
     }
 
     /// The value rounded to whole steps, towards the weaker limit; values within this fraction of a step remain.
     fn on_step(self, value: f64, same: f64) -> f64 {
-        let step = self.step(value);
-        let steps = value / step;
-        step * if self.grows() {
+        let steps = value / self.step(value);
+        let whole = if self.grows() {
             (steps - same).ceil()
         } else {
             (steps + same).floor()
+        };
+        match self.key.range {
+            // The decimal number itself: a product with a step below 1 would miss its last digit.
+            Range::Acute => whole * self.step(value),
+            _ if decimals(value) > 0 => whole / 10_f64.powi(decimals(value)),
+            _ => whole * self.step(value),
         }
+    }
+}
+
+/// Number of decimals of a value with four digits; negative above 10 000.
+fn decimals(value: f64) -> i32 {
+    3 - value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_rounded_to_four_digits_towards_the_weaker_limit() {
+        let of = |path: &str| {
+            let key = keys::relaxable().find(|k| k.path == path).unwrap();
+            Relaxable {
+                key,
+                relax: key.relax.unwrap(),
+                criterion: criterion_of(key).unwrap(),
+            }
+        };
+        let (stroke, force) = (of("limits.stroke"), of("limits.force_min"));
+        for (value, weaker, next) in [
+            (0.048_213_7, 0.048_22, 0.048_23),
+            (0.013_97, 0.013_97, 0.013_98),
+            (1.0, 1.0, 1.001),
+            (65_432.1, 65_440.0, 65_450.0),
+        ] {
+            assert_eq!(stroke.rounded(value).to_string(), weaker.to_string());
+            assert_eq!(
+                stroke.after(stroke.rounded(value)).to_string(),
+                next.to_string()
+            );
+        }
+        assert_eq!(force.rounded(512.37).to_string(), "512.3");
+        assert_eq!(force.after(512.3).to_string(), "512.2");
+        let angle = of("limits.pressure_angle");
+        let degrees = angle.rounded(33.281_f64.to_radians()).to_degrees();
+        assert!((degrees - 33.29).abs() < 1e-9, "{degrees}");
     }
 }
