@@ -2,16 +2,21 @@
 
 use rsparse::data::{Sprs, Trpl};
 
-/// A diagonal entry of at least this part of the largest one in its column is taken as pivot: the factor stays sparse.
+/// Minimum ratio of a diagonal entry to the largest entry of its column for it to be the pivot; other pivots fill the factor.
 const THRESHOLD: f64 = 0.1;
-/// Solutions of what is left.
+/// Number of iterative refinements.
 const CORRECTIONS: usize = 2;
-/// Minimum degree on the pattern of A + Aᵀ.
+/// Ordering of the unknowns: minimum degree of the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
 
-/// The solution of A y = b in at least two unknowns, given the lower triangle of A as (row, column, value), each place once or in parts that add;
-/// `None` where A is singular.
+/// The solution of A y = b, given the lower triangle of A as (row, column, value); values of one place add. `None` if A is
+/// singular.
 pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Vec<f64>> {
+    // The ordering needs two unknowns.
+    if let [b] = b {
+        let a: f64 = lower.iter().map(|entry| entry.2).sum();
+        return Some(vec![b / a]).filter(|y| y[0].is_finite());
+    }
     let mut entries = lower.to_vec();
     entries.sort_by_key(|&(i, j, _)| (i, j));
     entries.dedup_by(|more, kept| {
@@ -43,7 +48,7 @@ pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Ve
     y.iter().all(|v| v.is_finite()).then_some(y)
 }
 
-/// out[order[k]] = x[k].
+/// The vector whose entry `order[k]` is entry k of x.
 fn permuted(order: Option<&[isize]>, x: &[f64]) -> Vec<f64> {
     let Some(order) = order else {
         return x.to_vec();
@@ -56,7 +61,7 @@ fn permuted(order: Option<&[isize]>, x: &[f64]) -> Vec<f64> {
     out
 }
 
-/// b − A y.
+/// The residual b − A y.
 fn residual(matrix: &Sprs<f64>, y: &[f64], b: &[f64]) -> Vec<f64> {
     let turned: Vec<f64> = y.iter().map(|v| -v).collect();
     rsparse::gaxpy(matrix, &turned, b)
@@ -116,6 +121,8 @@ mod tests {
     fn a_singular_system_has_no_solution() {
         let twice = [(0, 0, 1.0), (1, 0, 1.0), (1, 1, 1.0)];
         assert!(symmetric_solution(&twice, &[1.0, 2.0]).is_none());
+        assert_eq!(symmetric_solution(&[(0, 0, 4.0)], &[2.0]), Some(vec![0.5]));
+        assert!(symmetric_solution(&[(0, 0, 0.0)], &[2.0]).is_none());
         let unknown = [(0, 0, f64::NAN), (1, 1, 1.0)];
         assert!(symmetric_solution(&unknown, &[1.0, 2.0]).is_none());
     }
