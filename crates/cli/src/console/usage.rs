@@ -96,7 +96,7 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// What a missing flag takes: its choices, or the file that it writes.
+/// Choices of a missing flag; "none" for a flag without choices.
 fn choices(missing: &str) -> String {
     let command = command(Language::En);
     let arguments = command.get_subcommands().flat_map(Command::get_arguments);

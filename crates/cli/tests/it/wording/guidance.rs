@@ -83,7 +83,7 @@ fn the_doctor_names_every_fault_at_once_and_the_cure() {
 #[test]
 fn a_wrong_command_line_is_said_like_every_other_fault_in_both_languages() {
     let folder = tempfile::tempdir().unwrap();
-    let faults: [(&[&str], &str, &str); 8] = [
+    let faults: [(&[&str], &str, &str); 9] = [
         (
             &["chart", "--quick"],
             "cargo run --release -p gaitcam-lab -- chart",
@@ -110,6 +110,11 @@ fn a_wrong_command_line_is_said_like_every_other_fault_in_both_languages() {
             &["sweep", "--vary", "a=1"],
             "missing: --out",
             "falta: --out",
+        ),
+        (
+            &["ecam", "out"],
+            "missing: --dialect <DIALECT>; write one of: codesys, twincat",
+            "falta: --dialect <DIALECT>; escriba uno de: codesys, twincat",
         ),
         (
             &["synth", "a", "b"],
