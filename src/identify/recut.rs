@@ -95,7 +95,7 @@ pub fn recut(
         .filter(|(_, t)| t.key != "log.bias" && t.key != "drive.preload")
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t))
         .collect();
-    // Friction that the log does not hold closely is not designed for, but it jumps where a law turns.
+    // Friction that is not identified is not designed for, but it changes sign with the velocity of the new law.
     let rubbing = (fitted.terms.iter().enumerate())
         .filter(|(i, t)| t.effect == Effect::Coulomb && !found.parameters[*i].identifiable)
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t));

@@ -294,7 +294,7 @@ pub fn rms(feet: &[Foot]) -> f64 {
     (squares.sum::<f64>() / feet.len() as f64).sqrt()
 }
 
-/// The kept items.
+/// The items of a list that are marked as kept.
 pub fn chosen<T: Copy>(all: &[T], kept: &[bool]) -> Vec<T> {
     let is_kept = |(one, kept): (&T, &bool)| kept.then_some(*one);
     all.iter().zip(kept).filter_map(is_kept).collect()
