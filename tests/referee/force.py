@@ -53,25 +53,52 @@ class Drive:
         return math.sqrt(least) if math.isfinite(least) and least >= 0 else None
 
 
-def model(name, frequency, weight, phase):
-    """Both feet together: G (1 + Σ a_i sin(i phase + p_i)); `None` for a model of one foot."""
-    f = frequency
+def model(name, frequency, weight, phase, feet="both"):
+    """Both feet together: G (1 + Σ a_i sin(i phase + p_i)), or one foot over its stride; `None` for a model that is not known here."""
+    if name == "li-2010":
+        return weight * (both_feet(phase, frequency) if feet == "both" else stance(phase / math.pi, frequency))
+    factors = load_factors(name, frequency)
+    return None if factors is None or feet != "both" else weight * sines(factors, phase)
+
+
+def load_factors(name, f):
+    """Amplitude and added phase of each harmonic of the step frequency (SOURCES.md of the curves); `None` for other models."""
     pi = math.pi
-    factors = {
+    return {
         "blanchard": [(0.257, 0.0)],
         "bachmann": [(0.4 + 0.1 * (min(max(f, 2.0), 2.4) - 2.0) / 0.4, 0.0), (0.1, -pi / 2), (0.1, -pi / 2)],
         "setra": [(0.4, 0.0), (0.1, -pi / 2), (0.1, -pi / 2)],
+        "rebelo": [(0.43 * f - 0.38, 0.0), (0.15 * f - 0.125 if f > 1.5 else 0.0, 0.0), (0.1, 0.0)],
+        "kerr": [(-0.2649 * f**3 + 1.3206 * f**2 - 1.7597 * f + 0.7613, 0.0), (0.07, 0.0), (0.05, 0.0)],
         "young": [(min(0.37 * (f - 0.95), 0.5), 0.0), (0.054 + 0.0044 * 2 * f, -pi / 2), (0.026 + 0.0050 * 3 * f, pi),
                   (0.010 + 0.0051 * 4 * f, pi / 2)],
+        "young-design": [(min(0.41 * (f - 0.95), 0.56), 0.0), (0.069 + 0.0056 * 2 * f, -pi / 2), (0.033 + 0.0064 * 3 * f, pi),
+                         (0.013 + 0.0065 * 4 * f, pi / 2)],
         "sci-p354": [(0.436 * (f - 0.95), 0.0), (0.006 * (2 * f + 12.3), -pi / 2), (0.007 * (3 * f + 5.2), pi), (0.007 * (4 * f + 2.0), pi / 2)],
         "iso-10137": [(0.37 * (f - 1.0), 0.0), (0.1, 0.0), (0.06, 0.0), (0.06, 0.0), (0.06, 0.0)],
     }.get(name)
-    if factors is None:
-        return None
+
+
+def sines(factors, phase):
+    """1 + Σ a_i sin(i phase + p_i)."""
     force = np.ones_like(phase)
     for i, (size, shift) in enumerate(factors, 1):
         force = force + size * np.sin(i * phase + shift)
-    return weight * force
+    return force
+
+
+def stance(steps, frequency):
+    """Force of one foot per weight (Li and others 2010), over the number of steps since it came down; its stride has two."""
+    f = frequency
+    part = np.mod(steps, 2.0) * 0.76
+    sizes = (-0.0698 * f + 1.211, 0.1052 * f - 0.1284, 0.3002 * f - 0.1534, 0.0416 * f - 0.0288, -0.0275 * f + 0.0608)
+    return np.where(part < 1.0, sum(size * np.sin(n * math.pi * part) for n, size in enumerate(sizes, 1)), 0.0)
+
+
+def both_feet(phase, frequency):
+    """Two feet half a stride apart, over the phase of a step."""
+    step = np.mod(phase, 2 * math.pi) / (2 * math.pi)
+    return stance(step, frequency) + stance(step + 1.0, frequency)
 
 
 def harmonics(samples, count):

@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 
 import law as laws
+import recorded
 from cam import Cam
-from force import CONTACT_MODULUS, Drive, model
+from force import CONTACT_MODULUS, Drive, model, sines
 from machine import Floor, Motion, Motor
 from units import quantity
 
@@ -76,6 +77,7 @@ class Result:
         is_arm = "oscillating" in self.cam.kind
         self.drive = Drive(self.scene, drive["mass_kg"], drive["speed_rad_per_s"], lever if is_arm else 1.0)
         self.friction = 0.0
+        self.is_recorded = "file" in self.scene["gait"]
         self.target = self.rows["target_n"] if np.isfinite(self.rows["target_n"]).all() else None
         self.machine = self.scene.get("machine", {})
         self.motion = self.run = None
@@ -244,22 +246,31 @@ def presses(r):
 
 
 def model_of(r):
-    """The target of the scene's load model over the phase of the cycle; `None` for a recording."""
+    """The target of the scene's load model, load factors or critical points over the phase of the cycle; `None` for a recording."""
     gait = r.scene.get("gait", {})
     frequency, weight = quantity(gait.get("step_frequency")), quantity(gait.get("body_weight", 700.0)) or 700.0
     parts = str(gait.get("step_frequency")).split(":")
     if len(parts) == 3:  # of several walkers that in the middle
         frequency = (quantity(parts[0]) + quantity(parts[1])) / 2
-    if "model" not in gait or gait.get("feet", "both") != "both" or not frequency:
-        return None
     shift = quantity(gait.get("phase", 0.0)) or 0.0
     if gait.get("phase") == "free":
         shift = r.summary["law"]["phase_rad"]
-    size = 1.0
-    if gait.get("scale") == "to-mass" and r.drive.kind == "moving-axis":
-        size = r.drive.mass * r.drive.gravity / weight
-    if model(gait["model"], frequency, weight, np.zeros(1)) is None:
-        return None
-    is_shifted = gait.get("scale") == "alternating" and r.drive.kind == "moving-axis"
-    level = r.drive.mass * r.drive.gravity - weight if is_shifted else 0.0
-    return lambda phase: size * model(gait["model"], frequency, weight, phase + shift) + level
+    if "harmonics" in gait:
+        factors = own_factors(gait["harmonics"])
+        plain = lambda phase: weight * sines(factors, phase)
+    elif "model" in gait and frequency and model(gait["model"], frequency, weight, np.zeros(1), gait.get("feet", "both")) is not None:
+        plain = lambda phase: model(gait["model"], frequency, weight, phase, gait.get("feet", "both"))
+    else:
+        return recorded.curve(r)
+    size, level = 1.0, 0.0
+    if gait.get("scale", "none") != "none" and r.drive.kind == "moving-axis":
+        mean = float(np.mean(plain(2 * math.pi * np.arange(2880) / 2880)))
+        rest = r.drive.mass * r.drive.gravity
+        size, level = (rest / mean, 0.0) if gait["scale"] == "to-mass" else (1.0, rest - mean)
+    return lambda phase: size * plain(phase + shift) + level
+
+
+def own_factors(rows):
+    """Amplitude and added phase of each harmonic, from texts such as `0.1 at -90 deg`."""
+    parts = [str(row).partition(" at ") for row in (rows if isinstance(rows, list) else [rows])]
+    return [(quantity(size.strip()), quantity(shift.strip() or 0.0)) for size, _, shift in parts]
