@@ -7,13 +7,14 @@ import numpy as np
 import law as laws
 from figures import force, mean_target
 from on_shaft import inertia, share_of
-from optimum import Program
+from optimum import Program, interior_point
 from result import Unknown, close, field
 from units import quantity
+from walkers import population as number_of_population
 from walkers import walkers_of
 
 
-def program_of(r, relaxed=None):
+def program_of(r, relaxed=None, weights=None):
     """The convex program of a law without other demands than limits that are linear in it; `Unknown` elsewhere."""
     law, scene = r.summary["law"], r.scene
     if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
@@ -26,8 +27,6 @@ def program_of(r, relaxed=None):
         raise Unknown("certificate with such demands")
     if r.motion is not None and r.motion.shaft is not None and r.is_timed:
         raise Unknown("certificate under a motor")
-    if "population" in r.summary and (scene["law"].get("robust", "mean") != "mean" or set(scene["limits"]) - {"stroke", "curvature"}):
-        raise Unknown("certificate of such a population")
     if "learned_force" in r.machine or "natural_frequency" in r.machine or "stiffness" in r.machine:
         raise Unknown("certificate of such a machine")
     count, degree = len(law["coefficients"]), law["degree"]
@@ -45,7 +44,8 @@ def program_of(r, relaxed=None):
         if "lift" not in dwell:
             raise Unknown("certificate with a dwell of free lift")
         program.demand(0, np.linspace(quantity(dwell["from"]), quantity(dwell["to"]), 41), quantity(dwell["lift"]))
-    w = r.drive.speed
+    drives = [drive for _, _, drive in walkers_of(r)] if "population" in r.summary else [r.drive]
+    w = max(abs(drive.speed) for drive in drives)
     for name, value in scene.get("limits", {}).items():
         bound = quantity(value)
         if bound is None:
@@ -59,38 +59,84 @@ def program_of(r, relaxed=None):
                 program.add(name, sign * w**k * program.basis[k], bound)
         elif name in ("force_min", "force_max"):
             sign = 1 if name == "force_max" else -1
-            program.add(name, sign * program.force, sign * (bound - program.rest))
+            for force, rest in forces_of(program, drives):
+                program.add(name, sign * force, sign * (bound - rest))
         elif name in ("curvature", "bore") and r.cam.kind == "flat-translating" and r.scene["cam"].get("base_radius", "auto") == "auto":
             continue  # the base circle grows until the limit holds
         else:
             raise Unknown(f"certificate under limits.{name}")
     if "population" in r.summary:
-        for_walkers(r, program)
+        for_walkers(r, program, weights)
     order = {"acceleration": 2, "jerk": 3}.get(minimised)
     if order is not None:
         program.objective = (program.basis[order], np.zeros(len(program.theta)))
     elif r.drive.kind == "moving-axis" and "force_min" not in scene.get("limits", {}):
-        program.add("force_min", -program.force, program.rest)
+        for force, rest in forces_of(program, drives):
+            program.add("force_min", -force, rest)
     return program
 
 
-def for_walkers(r, program):
-    """The mean square of the force errors of all walkers as objective."""
+def forces_of(program, drives):
+    """Force of each walker's machine as rows of the law, and at rest; of one machine on its floor."""
+    if len(drives) == 1:
+        return [(program.force, program.rest)]
+    return [(force_rows(program, drive), drive.rest) for drive in drives]
+
+
+def force_rows(program, drive):
+    w = drive.speed
+    return drive.stiffness * program.basis[0] + drive.damping * w * program.basis[1] + drive.inertia * w * w * program.basis[2]
+
+
+def for_walkers(r, program, weights=None):
+    """The mean of the squares of the force errors of all walkers as objective, with weights whose mean is 1."""
     rows, aims = [], []
-    for _, target, drive in walkers_of(r):
-        w, wanted = drive.speed, target(program.theta)
+    population = walkers_of(r)
+    for (_, target, drive), weight in zip(population, np.ones(len(population)) if weights is None else weights):
+        wanted = target(program.theta)
         size = 1.0 if r.scene["law"].get("error") == "absolute" else float(np.mean(wanted))
-        rows.append((drive.stiffness * program.basis[0] + drive.damping * w * program.basis[1] + drive.inertia * w * w * program.basis[2]) / size)
-        aims.append((wanted - drive.rest) / size)
+        rows.append(math.sqrt(weight) * force_rows(program, drive) / size)
+        aims.append(math.sqrt(weight) * (wanted - drive.rest) / size)
     program.objective = (np.vstack(rows), np.concatenate(aims))
 
 
 def best_of(r, relaxed=None):
-    """Program and its optimum."""
+    """Program and its optimum; of a population whose worst part counts the one with the weights that bound it best."""
     def solve():
+        if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
+            return worst_part(r, relaxed)
         program = program_of(r, relaxed)
         return (program, *program.best())
     return r.kept(f"best of {relaxed}", solve)
+
+
+def worst_part(r, relaxed=None):
+    """The program whose optimum bounds the worst part of a population from below, and its optimum.
+
+    For weights λ with 0 ≤ λ ≤ p/(1 − α) and sum 1, min over laws of Σ λ e² is a lower bound (Rockafellar and Uryasev 2000). The
+    best weights maximise Σ λ e² − ½ |Σ λ ∇e² + Aᵀμ|² in the metric of the inverse Hessian at the law: one quadratic program.
+    """
+    robust = str(r.scene["law"]["robust"])
+    program, count = program_of(r, relaxed), len(walkers_of(r))
+    matrix, aim = program.objective
+    c, size = np.asarray(r.summary["law"]["coefficients"]), len(program.theta)
+    parts = [(matrix[i * size : (i + 1) * size], aim[i * size : (i + 1) * size]) for i in range(count)]
+    errors = np.array([np.mean((m @ c - y) ** 2) for m, y in parts])
+    slopes = np.stack([2 * m.T @ (m @ c - y) / size for m, y in parts])
+    rows, bounds = np.vstack(program.rows), np.concatenate(program.bounds)
+    gap = bounds - rows @ c
+    near = rows[gap < 1e-5 * np.max(np.abs(rows * c), axis=1)]
+    near = near[:: max(1, len(near) // 60)]
+    metric = np.linalg.pinv(2 * matrix.T @ matrix / (size * count), rcond=1e-12)
+    both = np.vstack([slopes, near])
+    cap = 1.0 if robust == "worst" else min(1.0, 1 / count / (1 - float(robust.split()[1])))
+    n, total = len(both), np.concatenate([np.ones(count), np.zeros(len(near))])
+    limits = np.vstack([-np.eye(n), np.eye(n)[:count]])
+    found, _ = interior_point(both @ metric @ both.T, np.concatenate([-errors, np.zeros(len(near))]), limits,
+                              np.concatenate([np.zeros(n), np.full(count, cap)]), total[None, :], np.ones(1))
+    weights = np.maximum(found[:count], 0.0)
+    weighted = program_of(r, relaxed, count * weights / weights.sum())
+    return (weighted, *weighted.best())
 
 
 def holds_motion(r):
@@ -117,7 +163,11 @@ def certified(r, m):
     if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
         return True, 0, 0
     program, _, least, _ = best_of(r)
-    stated = program.value(r.summary["law"]["coefficients"])
+    if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
+        size = 1.0 if r.scene["law"].get("error") != "absolute" else mean_target(r)
+        stated = (number_of_population(r, [None, "objective_percent"])[0] / 100 * size) ** 2
+    else:
+        stated = program.value(r.summary["law"]["coefficients"])
     return bool(stated <= least * (1 + 2e-5) + 1e-12 * program.size()), 0, 0
 
 
