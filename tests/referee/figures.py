@@ -279,7 +279,7 @@ def force(r, m):
     if name == "max_error_n":
         # Beside the kinks of a stance the program has a cubic between 1024 samples.
         kinks = 1e-3 * float(np.max(r.target)) if r.scene["gait"].get("model") in STANCES else 0.0
-        return close(peak_between_rows(np.abs(error)), 4e-4, max(rounding, kinks))
+        return close(peak_between_rows(np.abs(error)), 4e-4, max(rounding, kinks, moved(r) * mean))
     raise Unknown(name)
 
 
@@ -337,6 +337,11 @@ def machine(r, m):
     raise Unknown(name)
 
 
+def moved(r):
+    """Share of the mean force to which a design knows its force: its law is that of the last motion but one (theory §10)."""
+    return 2e-6 if varies(r) else 1e-8
+
+
 def weight_of(r):
     """Weight of the walker as the target has it: that of a load model, scaled with it; of a recording the mean force."""
     gait = r.scene.get("gait", {})
@@ -377,9 +382,9 @@ def load_factor(r, m):
     angle = -angle
     weight = weight_of(r)
     if not m[2].endswith("phase_rad"):
-        return close(amplitude / weight, 2e-4, 1e-8)
+        return close(amplitude / weight, 2e-4, moved(r))
     stated = row[m[2]]
     if amplitude < 1e-9 * weight:
         return close(0.0)
     turns = round((stated - angle) / (2 * math.pi))
-    return close(angle + 2 * math.pi * turns, 2e-4, 1e-6)
+    return close(angle + 2 * math.pi * turns, 2e-4, max(1e-6, moved(r) * weight / amplitude if varies(r) else 0.0))

@@ -17,8 +17,11 @@ def design_matrix(law_of, count, theta):
     return [np.stack([column(theta, order) for column in columns], axis=1) for order in range(4)]
 
 
-def interior_point(h, g, a, b, e, f):
-    """min ½ xᵀHx + gᵀx with Ax ≤ b and Ex = f: Mehrotra's method. Returns x and the multipliers of Ax ≤ b."""
+def interior_point(h, g, a, b, e, f, level=0.0):
+    """min ½ xᵀHx + gᵀx with Ax ≤ b and Ex = f: Mehrotra's method. Returns x and the multipliers of Ax ≤ b.
+
+    `level` is the size of the objective where its value is only a change.
+    """
     n, m = len(g), len(b)
     scale = np.maximum(np.linalg.norm(a, axis=1), 1e-300)
     a, b = a / scale[:, None], b / scale
@@ -31,7 +34,7 @@ def interior_point(h, g, a, b, e, f):
         rd = h @ x + g + a.T @ dual + e.T @ nu
         rp, re = a @ x + slack - b, e @ x - f
         gap = slack @ dual / m
-        objective = abs(0.5 * x @ h @ x + g @ x) + 1e-300
+        objective = abs(0.5 * x @ h @ x + g @ x) + level + 1e-300
         if slack @ dual < 1e-12 * objective and np.max(np.abs(rp)) < 1e-12 * size and np.max(np.abs(rd)) < 1e-10 * np.max(np.abs(g)):
             break
         weight = dual / slack

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 import law as laws
+import sized
 from figures import force, mean_target
 from on_shaft import inertia, share_of
 from optimum import Program, interior_point
@@ -150,6 +151,8 @@ def holds_motion(r):
 def doubt(r, m):
     if r.summary["law"]["functions"] == "double-harmonic":
         return "local", 0, 0
+    if sized.is_sized(r):  # the radius of curvature under a roller is not convex
+        return "local", 0, 0
     if not holds_motion(r):
         raise Unknown("why there is no proof")
     return "fixed-motion", 0, 0
@@ -158,7 +161,7 @@ def doubt(r, m):
 @field(r"solver\.certified")
 def certified(r, m):
     """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
-    if holds_motion(r) or r.summary["law"]["functions"] == "double-harmonic":
+    if holds_motion(r) or r.summary["law"]["functions"] == "double-harmonic" or sized.is_sized(r):
         return False, 0, 0
     if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
         return True, 0, 0
@@ -174,6 +177,8 @@ def certified(r, m):
 @field(r"binding\[(\d+)\]\.(.*)")
 def binding(r, m):
     row = r.summary["binding"][int(m[1])]
+    if sized.is_sized(r):
+        return sized.binding(r, row, m[2])
     program, _, _, dual = best_of(r)
     names = np.array(program.names)
     if m[2] == "limit":
@@ -193,6 +198,8 @@ def binding(r, m):
 def easing(r, m):
     row = r.summary["easing"][int(m[1])]
     limit = row["limit"]
+    if sized.is_sized(r):
+        return eased_size(r, row, m[2])
     program_of(r)  # a limit outside of the program is not recomputed
     if m[2] == "limit":
         return (limit if limit in r.scene.get("limits", {}) else math.nan), 0, 0
@@ -203,6 +210,19 @@ def easing(r, m):
     if m[2] == "before":
         return force(r, [None, "rms_error_n"])
     return close(math.sqrt(best_of(r, (limit, 1.01))[2]), 2e-4)
+
+
+def eased_size(r, row, what):
+    """What the smallest cam gains from a limit eased by 1 %."""
+    if what == "limit":
+        names = {"pressure_angle_rise", "pressure_angle_fall", "curvature"}
+        return (row["limit"] if row["limit"] in names else math.nan), 0, 0
+    if what == "objective":
+        return "radius_m", 0, 0
+    if what in ("from", "to"):
+        limit = quantity(r.scene["limits"][row["limit"].removesuffix("_rise").removesuffix("_fall")])
+        return close(limit * (1.01 if what == "to" else 1.0), 1e-9)
+    return close(sized.best(r, row["limit"] if what == "after" else None)[0], 2e-5)
 
 
 def round_step(value):

@@ -17,14 +17,18 @@ import ecam
 import identified
 from referee import Result, judge, judge_rows, self_test
 
-# Fields that have no recomputation yet, by case. This list only becomes shorter.
+# Fields that are left open, by case: pattern of the field, and why. This list only becomes shorter.
 OPEN = {
-    "heel_tester_fitted": {"solver.doubt", "solver.certified", "binding", "easing"},
-    "motor": {"load_factors"},
-    "motor_stall": {"load_factors"},
-    "motor_floor": {"load_factors"},
-    "motor_spring": {"load_factors", "force.max_error_n", "rows.speed_rad_per_s"},
-    "walkers_spring": {"relaxations[0].to"},
+    "heel_tester_fitted": {
+        # Points and dwells fix the law there, so the gradient of these limits is 0 in all directions that are left.
+        r"binding\[([4-9]|1[0-6])\]\.multiplier": "any multiplier is right: prescribed points fix the law where these limits are met",
+    },
+    "motor_spring": {
+        r"rows\.speed_rad_per_s": "law.csv joins the speed at 240 angles by straight lines, which errs by 1e-4 here; dynamics.csv agrees",
+    },
+    "walkers_spring": {
+        r"relaxations\[0\]\.to": "stated 5.293 %, but the stated law reaches 5.248 %: the search over spans does not return to it",
+    },
 }
 NEEDS_A_FILE = {"measured_walk"}
 SIMULATED = {"footbridge", "footbridge_double_harmonic", "footbridge_thesis_scale", "heel_tester", "thesis_iteration_1", "thesis_iteration_4"}
@@ -73,7 +77,7 @@ def faults_of(folder):
 
 
 def is_open(scene, path):
-    return any(re.match(re.escape(field) + r"($|[.\[])", path) for field in OPEN.get(scene, ()))
+    return any(re.fullmatch(field, path) for field in OPEN.get(scene, ()))
 
 
 def write(gaitcam, folder, name, scene, values, is_run):
