@@ -198,6 +198,8 @@ def outcome(r, m):
 
 @field(r"verdict")
 def verdict(r, m):
+    if not r.is_built:
+        return "unacceptable", 0, 0
     smooth = {name: continuity(r, [None, name])[0] for name in "svaj"}
     failed = [row for row in r.summary["checks"] if not row["pass"]]
     if not smooth["s"] or not smooth["v"] or failed or "infeasible" in r.summary:

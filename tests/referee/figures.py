@@ -384,7 +384,7 @@ def load_factor(r, m):
     if not m[2].endswith("phase_rad"):
         return close(amplitude / weight, 2e-4, moved(r))
     stated = row[m[2]]
-    if amplitude < 1e-9 * weight:
+    if amplitude < 1e-9 * weight or stated == 0.0 and amplitude < 1e-8 * weight:
         return close(0.0)
     turns = round((stated - angle) / (2 * math.pi))
     return close(angle + 2 * math.pi * turns, 2e-4, max(1e-6, moved(r) * weight / amplitude if varies(r) else 0.0))

@@ -41,16 +41,22 @@ class Drive:
         return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * moved
 
     def liftoff(self, law):
-        """Smallest speed at which the force touches zero; `None` without inertia or with damping."""
-        if self.inertia == 0.0 or self.damping:
+        """Smallest speed at which the force touches zero; `None` without inertia and damping."""
+        if self.inertia == 0.0 and self.damping == 0.0:
             return None
 
-        def squared(theta, s, v, a, j):
-            with np.errstate(divide="ignore"):
-                return np.where(a < 0, (self.rest + self.stiffness * s) / (self.inertia * np.maximum(-a, 1e-300)), np.inf)
+        def touches(theta, s, v, a, j):
+            """The least root of m a ω² + c v ω + F₀ + k s."""
+            square, slope, rest = self.inertia * a, self.damping * v, self.rest + self.stiffness * s
+            with np.errstate(all="ignore"):
+                root = np.sqrt(slope**2 - 4 * square * rest)
+                # Of both roots 2C/(−B ± √(B² − 4AC)) the positive one that is nearer.
+                near, far = 2 * rest / (-slope + root), 2 * rest / (-slope - root)
+                found = np.minimum(np.where(near > 0, near, np.inf), np.where(far > 0, far, np.inf))
+            return np.where(rest <= 0, np.where((slope < 0) | (slope == 0) & (square < 0), 0.0, np.inf), found)
 
-        least = law.extreme(squared, largest=False)[0]
-        return math.sqrt(least) if math.isfinite(least) and least >= 0 else None
+        least = law.extreme(touches, largest=False)[0]
+        return least if math.isfinite(least) else None
 
 
 def model(name, frequency, weight, phase, feet="both"):
@@ -65,7 +71,7 @@ def load_factors(name, f):
     """Amplitude and added phase of each harmonic of the step frequency (SOURCES.md of the curves); `None` for other models."""
     pi = math.pi
     return {
-        "blanchard": [(0.257, 0.0)],
+        "blanchard": [(180 / 700, 0.0)],
         "bachmann": [(0.4 + 0.1 * (min(max(f, 2.0), 2.4) - 2.0) / 0.4, 0.0), (0.1, -pi / 2), (0.1, -pi / 2)],
         "setra": [(0.4, 0.0), (0.1, -pi / 2), (0.1, -pi / 2)],
         "rebelo": [(0.43 * f - 0.38, 0.0), (0.15 * f - 0.125 if f > 1.5 else 0.0, 0.0), (0.1, 0.0)],

@@ -41,42 +41,33 @@ def shaft(r, m):
     if name == "ripple":
         return close((high - low) / own.mean, 2e-4, 1e-7)
     if name == "energy_balance":
+        if not r.force(r.theta, *(r.law(r.theta, k) for k in range(3))).any():
+            raise Unknown("a balance of no work, which is rounding over rounding")
         return close(0.0, 0.0, 1e-6)
     if name == "stops_at_rad":
         stop = own.stop_from_rest(r.law.extreme(lambda *x: x[1], False)[1])
         return (None, 0, 0) if stop is None else close(stop, 5e-4, 5e-4)
     if name == "least_inertia_kg_m2":
-        # Below a part of the inertia given both have to say only that it is small.
-        return r.kept("least_inertia", lambda: least_inertia(own)), 0.02, 5e-4 * own.motor.inertia
+        # The program's search ends within a few per cent, and below 1e-4 of the inertia given.
+        return least_inertia(r), 0.04, 1.01e-4 * own.motor.inertia
     if name == "motor_torque_max_n_m":
         return close(max(abs(motor.torque(w, own.no_load)) for w in (low, high)) / (motor.gear * motor.efficiency), 2e-4)
     if name == "motor_torque_rms_n_m":
         return close(math.sqrt(r.time_mean(lambda *x: torque(*x) ** 2)) / (motor.gear * motor.efficiency), 2e-4)
     if name == "motor_power_mean_w":
         swing = own.motor.inertia * (high**2 - low**2) / 2 / own.time[-1]
-        return close(r.time_mean(lambda *x: torque(*x) * speed(*x)) / motor.efficiency, 1e-4, 1e-5 * swing)
+        return close(r.time_mean(lambda *x: torque(*x) * speed(*x)) / motor.efficiency, 1e-4, max(1e-5 * swing, 1e-9))
     raise Unknown(name)
 
 
-def least_inertia(own):
-    """Smallest inertia with which a turn repeats, each turn begun from that of a larger wheel; 0 where it turns with any."""
-    inertia, start, factor = own.motor.inertia, (own.energy[0], own.no_load), 10.0
-    goal = inertia / 1e4
-    turn = copy.copy(own)
-    turn.table(240)
-    while inertia > goal * 1.0001 and factor > 1.005:
-        turn.motor = copy.copy(own.motor)
-        turn.motor.inertia = max(inertia / factor, goal)
-        try:
-            turn.solve(start, rounds=25, slow=True)
-            turns = turn.least > 1e-4 * own.mean**2 / 2
-        except (ArithmeticError, np.linalg.LinAlgError):
-            turns = False
-        if turns:
-            inertia, start = turn.motor.inertia, (turn.first, turn.no_load)
-        else:
-            factor = math.sqrt(factor)
-    return inertia if inertia > goal * 1.0001 else 0.0
+def least_inertia(r):
+    """Smallest inertia with which a turn repeats; 0 where it turns with any.
+
+    The time of a turn falls from ∞ to 0 as the no-load speed rises, so a turn of the mean speed exists unless the shaft jams: the
+    inertia at the shaft, J + τ m v, must be positive. Without friction τ = v, and it is.
+    """
+    seen = r.law.extreme(lambda theta, s, v, a, j: r.drive.inertia * v * r.lever(theta, s, v, a)[0], False)[0]
+    return max(-seen, 0.0)
 
 
 def error_over_time(r, motion, law=None):
@@ -99,6 +90,11 @@ def force_time(r, m):
         return None, 0, 0
     rms, mean = r.kept("error", lambda: error_over_time(r, motion_of(r)))
     return close(rms if m[2] == "rms_error_n" else 100 * rms / mean, 5e-4, 1e-6 * mean if m[2] == "rms_error_n" else 1e-4)
+
+
+@field(r"shaft_design\.at_constant_speed")
+def no_error_at_constant_speed(r, m):
+    return (None if r.target is None else math.nan), 0, 0
 
 
 @field(r"shaft_design\.sensitivity\[(\d+)\]\.(.*)")
@@ -149,7 +145,7 @@ def at_constant_speed(r):
                 n = np.arange(1, count + 1)
                 own = 2 * c[1 : count + 1] / gain(n)
                 found.append(laws.fourier([level, *np.stack([own.real, -own.imag], axis=1).ravel()]))
-        return found
+        return [on_base_circle(own, drive) for own in found]
     degree = law["degree"]
     for count in range(degree + 1, law["pieces"] + 1) if spans == "auto" else [int(spans)]:
         knots = TURN * np.arange(count) / count
@@ -157,8 +153,16 @@ def at_constant_speed(r):
         program = Program(law_of, count, drive, (phase, wanted))
         c = np.linalg.lstsq(program.objective[0], program.objective[1], rcond=1e-11)[0]
         if spans != "auto" or math.sqrt(program.value(c)) <= allowed:
-            found.append(law_of(c))
+            found.append(on_base_circle(law_of(c), drive))
     return found
+
+
+def on_base_circle(law, drive):
+    """The law with its lowest point at lift 0, where the force leaves the level free; friction depends on it."""
+    if drive.stiffness:
+        return law
+    lowest = law.extreme(lambda *x: x[1], False)[0]
+    return laws.Law([(a, b, lambda x, k, f=f: f(x, k) - (lowest if k == 0 else 0.0)) for a, b, f in law.pieces])
 
 
 def share_of(r):
@@ -178,6 +182,7 @@ def forecast(r, m):
     if m[2] == "is_negligible":
         own = r.summary["shaft_design"]
         change = own["forecast"]["force_change_percent_of_mean"]
+        change = math.inf if change is None else change
         misses = is_limited and own["at_constant_speed"]["rms_error_percent_of_mean"] > 5 * neglected
         return bool(change <= neglected and not misses and not held(r)), 0, 0
     if r.target is None and m[1] == "at_constant_speed":
@@ -185,8 +190,8 @@ def forecast(r, m):
     best = math.nan
     for i, law in enumerate(r.kept("constant", lambda: at_constant_speed(r))[:8]):
         own = r.kept(f"{m[1]}{m[2]}{i}", lambda law=law: figure_of(law, before, r, m))
-        if own is None:
-            return None, 0, 0
+        if own is None or stated is None:
+            return (None if own is None or math.isnan(own) else own), 0, 0
         if not abs(own - stated) > abs(best - stated):
             best = own
         if abs(own - stated) <= (2e-3 if m[1] == "forecast" else 5e-4) * abs(own):
@@ -209,7 +214,7 @@ def figure_of(law, before, r, m):
 def held(r):
     """Whether something beside the force error depends on the speed of the shaft."""
     still = ("stroke", "curvature", "pressure_angle", "pressure_angle_rise", "pressure_angle_fall", "prime_radius", "face_width")
-    limits = [name for name in r.scene["limits"] if name not in still]
+    limits = [name for name, value in r.scene["limits"].items() if name not in still and value != "none"]
     usual = "force-error" if r.target is not None else "jerk"
     return bool(limits or "band" in r.scene["gait"] or r.scene["law"].get("minimise", usual) != "force-error")
 

@@ -28,7 +28,7 @@ def program_of(r, relaxed=None, weights=None):
         raise Unknown("certificate with such demands")
     if r.motion is not None and r.motion.shaft is not None and r.is_timed:
         raise Unknown("certificate under a motor")
-    if "learned_force" in r.machine or "natural_frequency" in r.machine or "stiffness" in r.machine:
+    if "learned_force" in r.machine:
         raise Unknown("certificate of such a machine")
     count, degree = len(law["coefficients"]), law["degree"]
     if law["functions"] == "fourier":
@@ -161,10 +161,11 @@ def doubt(r, m):
 @field(r"solver\.certified")
 def certified(r, m):
     """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
-    if holds_motion(r) or r.summary["law"]["functions"] == "double-harmonic" or sized.is_sized(r):
-        return False, 0, 0
-    if isinstance(r.summary["law"]["functions"], str) and r.summary["law"]["functions"] != "fourier" or "monomial" in r.summary["law"]["functions"]:
+    functions = r.summary["law"]["functions"]
+    if functions == "segments" or "monomial" in functions:
         return True, 0, 0
+    if holds_motion(r) or functions == "double-harmonic" or sized.is_sized(r):
+        return False, 0, 0
     program, _, least, _ = best_of(r)
     if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
         size = 1.0 if r.scene["law"].get("error") != "absolute" else mean_target(r)
@@ -172,6 +173,19 @@ def certified(r, m):
     else:
         stated = program.value(r.summary["law"]["coefficients"])
     return bool(stated <= least * (1 + 2e-5) + 1e-12 * program.size()), 0, 0
+
+
+@field(r"solver")
+def no_solver(r, m):
+    return (math.nan if r.is_built else None), 0, 0
+
+
+@field(r"infeasible\.conflict\[(\d+)\]")
+def conflict(r, m):
+    """A key that the scene gives."""
+    stated = r.summary["infeasible"]["conflict"][int(m[1])]
+    section, _, name = stated.partition(".")
+    return (stated if name in r.scene.get(section, {}) else math.nan), 0, 0
 
 
 @field(r"binding\[(\d+)\]\.(.*)")

@@ -233,7 +233,10 @@ def place(r, value, stated, worst):
                 theta = np.array([min(max(stated + beside, start), end)])
                 found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
                 nearest = min(nearest, abs(found - worst))
-    return (stated if nearest <= 3e-8 * max(abs(worst), 1e-3 * size_of(r)) else math.nan), 0, 1e-12
+    allowed = 3e-8 * max(abs(worst), 1e-3 * size_of(r))
+    if nearest > allowed:  # rounding of a worst value of 0
+        allowed = 1e-14 * r.law.extreme(lambda *x: np.abs(value(*x)))[0]
+    return (stated if nearest <= allowed else math.nan), 0, 1e-12
 
 
 def size_of(r):
