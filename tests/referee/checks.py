@@ -205,10 +205,10 @@ def verdict(r, m):
     if not smooth["s"] or not smooth["v"] or failed or "infeasible" in r.summary:
         return "unacceptable", 0, 0
     usual = DEFAULT_ANGLE["oscillating" if "oscillating" in r.cam.kind else "translating"]
-    angles = [row for row in r.summary["checks"] if row["name"].startswith("pressure_angle")]
+    angles = [row for row in r.summary["checks"] if row["name"].removeprefix("second_").startswith("pressure_angle")]
     limits = r.scene.get("limits", {})
     steep = any(row["worst"] > usual + 1e-9 for row in angles
-                if row["name"] not in limits and "pressure_angle" not in limits)
+                if row["name"].removeprefix("second_") not in limits and "pressure_angle" not in limits)
     cusp = abs(rho_min(r, None)[0]) <= 1e-9 * size_of(r)
     return ("not-for-high-speed" if steep or cusp or not smooth["a"] else "acceptable"), 0, 0
 

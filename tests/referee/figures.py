@@ -262,7 +262,7 @@ def force(r, m):
     if name in ("mean_n", "min_n", "max_n"):
         if name == "mean_n":
             return close(r.time_mean(r.force) if varies(r) else r.law.mean(r.force), 2e-5 if varies(r) else 1e-7)
-        return close(r.law.extreme(r.force, name == "max_n")[0], 2e-4 if varies(r) else 3e-6 if r.motion else 1e-7, 1e-9)
+        return close(r.law.extreme(r.force, name == "max_n")[0], 2e-4 if varies(r) else 3e-6 if r.motion or r.drive.learned else 1e-7, 1e-9)
     if r.target is None:
         return None, 0, 0
     error = r.force(r.theta, *(r.law(r.theta, k) for k in range(3))) - r.target
@@ -312,7 +312,7 @@ def machine(r, m):
         raise Unknown("hardness")
     if not presses(r):
         return None, 0, 0
-    exact = 2e-4 if varies(r) else 3e-6 if r.motion else 1e-7
+    exact = 2e-4 if varies(r) else 3e-6 if r.motion or r.drive.learned else 1e-7
     power = lambda *x: r.torque(*x) * r.speed(x[0])
     if name == "torque_max_n_m":
         return close(r.law.extreme(lambda *x: np.abs(r.torque(*x)))[0], exact)
@@ -325,7 +325,7 @@ def machine(r, m):
         return close(mean, 1e-6, (1e-5 if varies(r) else 1e-7 if r.motion else 1e-9) * r.law.extreme(lambda *x: np.abs(power(*x)))[0])
     if name == "liftoff_speed_rad_per_s":
         # A conjugate pair is held from both sides.
-        if r.drive.motion is not None or "conjugate" in r.scene["cam"]:
+        if r.drive.motion is not None or r.drive.learned or "conjugate" in r.scene["cam"]:
             return None, 0, 0
         return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
     if name == "hertz_pressure_max_pa":
@@ -387,4 +387,4 @@ def load_factor(r, m):
     if amplitude < 1e-9 * weight or stated == 0.0 and amplitude < 1e-8 * weight:
         return close(0.0)
     turns = round((stated - angle) / (2 * math.pi))
-    return close(angle + 2 * math.pi * turns, 2e-4, max(1e-6, moved(r) * weight / amplitude if varies(r) else 0.0))
+    return close(angle + 2 * math.pi * turns, 2e-4, max(3e-6 if r.motion else 1e-6, moved(r) * weight / amplitude if varies(r) else 0.0))

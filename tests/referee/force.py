@@ -1,5 +1,6 @@
 """Force of the drive, target force, and what follows from both at a constant speed of a rigid machine."""
 
+import copy
 import math
 
 import numpy as np
@@ -9,6 +10,12 @@ from units import quantity
 GRAVITY = 9.81
 # Steel on steel: E = 206.8 GPa, ν = 0.3 for both bodies.
 CONTACT_MODULUS = 206.8e9 / (2 * (1 - 0.3**2))
+
+
+def learned_terms(rows):
+    """Amplitude in N and phase of each term."""
+    parts = [str(row).partition(" at ") for row in (rows if isinstance(rows, list) else [rows] if rows else [])]
+    return [(quantity(size.strip()), quantity(phase.strip() or 0.0)) for size, _, phase in parts]
 
 
 class Drive:
@@ -22,6 +29,7 @@ class Drive:
         self.rest = self.stiffness = self.damping = 0.0
         self.inertia = mass
         self.motion = None
+        self.learned = learned_terms(scene.get("machine", {}).get("learned_force"))
         if self.kind == "moving-axis":
             self.rest = mass * self.gravity
         elif self.kind == "hydraulic":
@@ -32,7 +40,15 @@ class Drive:
             self.stiffness = quantity(drive.get("spring_rate", 0)) or 0.0
             self.damping = quantity(drive.get("damping", 0)) or 0.0
 
+    def learned_force(self, theta):
+        """Force of the machine beyond its drive: a mean, then harmonics of the turn as A sin(nθ + p)."""
+        return self.lever * sum(size * np.sin(n * theta + phase) if n else size for n, (size, phase) in enumerate(self.learned))
+
     def force(self, theta, s, v, a, j=None):
+        if self.learned:
+            plain = copy.copy(self)
+            plain.learned = []
+            return plain.force(theta, s, v, a) + self.learned_force(theta)
         if self.motion is None:
             w = self.speed
             return self.rest + self.stiffness * s + self.damping * w * v + self.inertia * w * w * a

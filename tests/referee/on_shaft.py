@@ -48,8 +48,9 @@ def shaft(r, m):
         stop = own.stop_from_rest(r.law.extreme(lambda *x: x[1], False)[1])
         return (None, 0, 0) if stop is None else close(stop, 5e-4, 5e-4)
     if name == "least_inertia_kg_m2":
-        # The program's search ends within a few per cent, and below 1e-4 of the inertia given.
-        return least_inertia(r), 0.04, 1.01e-4 * own.motor.inertia
+        # The program's search ends within a few per cent, and at 1e-4 of the inertia given.
+        least, end = least_inertia(r), 1e-4 * own.motor.inertia
+        return (least, 0.04, 0.0) if least > end else (0.0, 0.0, 1.01 * end)
     if name == "motor_torque_max_n_m":
         return close(max(abs(motor.torque(w, own.no_load)) for w in (low, high)) / (motor.gear * motor.efficiency), 2e-4)
     if name == "motor_torque_rms_n_m":

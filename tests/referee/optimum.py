@@ -82,14 +82,14 @@ def cubic(theta, samples, span):
 class Program:
     """Force error as objective, limits at a grid of angles, demands as equalities."""
 
-    def __init__(self, law_of, count, drive, target, span=(0.0, 2 * math.pi)):
+    def __init__(self, law_of, count, drive, target, span=(0.0, 2 * math.pi), angles=ANGLES):
         # Midpoints, so that jumps at knots fall between them.
-        theta = span[0] + (span[1] - span[0]) * (np.arange(ANGLES) + 0.5) / ANGLES
+        theta = span[0] + (span[1] - span[0]) * (np.arange(angles) + 0.5) / angles
         self.theta = theta
         self.basis = design_matrix(law_of, count, theta)
         w = drive.speed
         self.force = drive.stiffness * self.basis[0] + drive.damping * w * self.basis[1] + drive.inertia * w * w * self.basis[2]
-        self.rest = np.full(len(theta), drive.rest)
+        self.rest = np.full(len(theta), drive.rest) + (drive.learned_force(theta) if drive.learned else 0.0)
         if drive.motion is not None and drive.motion.floor is not None:
             self.on_floor(drive)
         self.wanted = cubic(theta, target[1], span) if target else None

@@ -8,14 +8,17 @@ import law as laws
 import sized
 from figures import force, mean_target
 from on_shaft import inertia, share_of
-from optimum import Program, interior_point
+from optimum import ANGLES, Program, interior_point
 from result import Unknown, close, field
 from units import quantity
 from walkers import population as number_of_population
 from walkers import walkers_of
 
 
-def program_of(r, relaxed=None, weights=None):
+FINE = 4 * ANGLES
+
+
+def program_of(r, relaxed=None, weights=None, angles=ANGLES):
     """The convex program of a law without other demands than limits that are linear in it; `Unknown` elsewhere."""
     law, scene = r.summary["law"], r.scene
     if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
@@ -24,19 +27,19 @@ def program_of(r, relaxed=None, weights=None):
     minimised = "force-error" if law["functions"] == "fourier" else scene["law"].get("minimise", "force-error")
     if minimised not in ("force-error", "acceleration", "jerk") or r.target is None:
         raise Unknown("certificate of this objective")
-    if any(key in scene["law"] for key in ("monotone", "polydyne")) or "weight" in scene.get("gait", {}):
+    if any(row["limit"] == "accuracy.rms" for row in r.summary["binding"]):
+        raise Unknown("certificate under a limit on the force error")
+    if scene["law"].get("monotone") is True or scene["law"].get("polydyne") is True or "weight" in scene.get("gait", {}):
         raise Unknown("certificate with such demands")
     if r.motion is not None and r.motion.shaft is not None and r.is_timed:
         raise Unknown("certificate under a motor")
-    if "learned_force" in r.machine:
-        raise Unknown("certificate of such a machine")
     count, degree = len(law["coefficients"]), law["degree"]
     if law["functions"] == "fourier":
         law_of = laws.fourier
     else:
         knots = law["functions"]["b-spline"]["knots_rad"]
         law_of = lambda c: laws.spline(knots, degree, c)
-    program = Program(law_of, count, r.drive, (r.theta, r.target))
+    program = Program(law_of, count, r.drive, (r.theta, r.target), angles=angles)
     for point in scene["law"].get("point", []):
         for order, key in enumerate(("lift", "velocity", "acceleration", "jerk")):
             if key in point:
@@ -71,9 +74,6 @@ def program_of(r, relaxed=None, weights=None):
     order = {"acceleration": 2, "jerk": 3}.get(minimised)
     if order is not None:
         program.objective = (program.basis[order], np.zeros(len(program.theta)))
-    elif r.drive.kind == "moving-axis" and "force_min" not in scene.get("limits", {}):
-        for force, rest in forces_of(program, drives):
-            program.add("force_min", -force, rest)
     return program
 
 
@@ -101,14 +101,14 @@ def for_walkers(r, program, weights=None):
     program.objective = (np.vstack(rows), np.concatenate(aims))
 
 
-def best_of(r, relaxed=None):
+def best_of(r, relaxed=None, angles=ANGLES):
     """Program and its optimum; of a population whose worst part counts the one with the weights that bound it best."""
     def solve():
         if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
             return worst_part(r, relaxed)
-        program = program_of(r, relaxed)
+        program = program_of(r, relaxed, angles=angles)
         return (program, *program.best())
-    return r.kept(f"best of {relaxed}", solve)
+    return r.kept(f"best of {relaxed} at {angles}", solve)
 
 
 def worst_part(r, relaxed=None):
@@ -193,11 +193,19 @@ def binding(r, m):
     row = r.summary["binding"][int(m[1])]
     if sized.is_sized(r):
         return sized.binding(r, row, m[2])
-    program, _, _, dual = best_of(r)
+    found = contact(r, row, m[2], ANGLES)
+    if found is None or not found[0] == row[m[2]] and isinstance(found[0], float) and not abs(found[0] - row[m[2]]) <= max(found[1] * abs(found[0]), found[2]):
+        found = contact(r, row, m[2], FINE)  # contacts of flat laws need a finer grid
+    return found
+
+
+def contact(r, row, what, angles):
+    """A number of a contact, from the multipliers of the limits on a grid of angles."""
+    program, _, _, dual = best_of(r, angles=angles)
     names = np.array(program.names)
-    if m[2] == "limit":
+    if what == "limit":
         return (row["limit"] if row["limit"] in names else math.nan), 0, 0
-    if m[2] == "multiplier":
+    if what == "multiplier":
         same = [other["multiplier"] for other in r.summary["binding"] if other["limit"] == row["limit"]]
         return close(float(np.sum(dual[names == row["limit"]])) - (sum(same) - row["multiplier"]), 5e-4, 1e-9)
     theta = np.concatenate([program.theta] * (len(names) // len(program.theta)))
@@ -258,6 +266,8 @@ def relaxed(r, m):
             raise Unknown(f"{row['key']} that the scene does not give")
         return close(own, 1e-9)
     if row["key"] == "accuracy.rms":
+        if any(check["name"] == "force_min" and not check["pass"] for check in r.summary["checks"]):
+            raise Unknown("accuracy with which the fewest spans keep the force positive")
         error = next(check for check in r.summary["checks"] if check["name"] == "rms_error")
         own = error["worst"] / mean_target(r)
         return (row["to"] if own <= row["to"] <= own + 1.001 * round_step(own) else math.nan), 1e-12, 0

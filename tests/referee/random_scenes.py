@@ -83,11 +83,11 @@ def check(gaitcam, name, given):
 def judged(folder):
     try:
         result = Result(folder)
-        if not result.summary.get("solver", {}).get("certified", True):  # a proof that was not found is no claim
+        if not (result.summary.get("solver") or {}).get("certified", True):  # a proof that was not found is no claim
             result.summary["solver"] = {}
         rows = judge(result)[0] + (judge_rows(result)[0] if result.is_built else [])
     except Unknown as unknown:
-        return "open", [], [f"all: {unknown}"]
+        return "open", [], [f"all: no recomputation: {unknown}"]
     except Exception as fault:
         return "failed", [f"the referee fails: {fault!r}"], []
     if "motor" in result.scene.get("machine", {}):
@@ -116,7 +116,12 @@ def sample(gaitcam, count, seed):
 def main():
     count, seed = (int(word) for word in (sys.argv[2:4] + ["200", "1"][len(sys.argv) - 2 :]))
     counts, lines, unknown = sample(str(Path(sys.argv[1]).resolve()), count, seed)
-    print("\n".join(f"left open: {line}" for line in unknown))
+    kinds = {}
+    for line in unknown:
+        settings, field, reason = re.fullmatch(r"(.*): ([\w.\[\]]+): (.*)", line).groups()
+        kinds.setdefault((re.sub(r"\[\d+\].*", "", field), reason), []).append(settings)
+    for (field, reason), scenes in kinds.items():
+        print(f"left open, {len(scenes)} times: {field}: {reason}; first in {scenes[0]}")
     print(f"{count} random scenes: {counts}, {len(unknown)} fields without recomputation, {len(lines)} faults")
     return bool(lines)
 

@@ -146,6 +146,8 @@ def accuracy_of_row(r, name):
     """A speed that varies is resolved by the program's steps; the program has a cubic between 1024 samples of a target with kinks."""
     if name == "target_n" and (r.is_recorded or r.scene["gait"].get("model") in figures.STANCES):
         return 1e-5 if r.is_recorded else 1e-3
+    if name == "force_n" and r.drive.learned:  # a cubic between samples of its harmonics
+        return 2e-6
     if name not in ("force_n", "target_n", "time_s", "speed_rad_per_s") or r.motion is None:
         return 1e-9
     return 2e-6 if r.motion.shaft is None else 2e-4 if name == "force_n" else 5e-5

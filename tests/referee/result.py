@@ -234,8 +234,9 @@ def place(r, value, stated, worst):
                 found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
                 nearest = min(nearest, abs(found - worst))
     allowed = 3e-8 * max(abs(worst), 1e-3 * size_of(r))
-    if nearest > allowed:  # rounding of a worst value of 0
-        allowed = 1e-14 * r.law.extreme(lambda *x: np.abs(value(*x)))[0]
+    if nearest > allowed:  # a worst value of 0 is one of rounding
+        peak = r.law.extreme(lambda *x: np.abs(value(*x)))[0]
+        allowed = 1e-14 * peak if abs(worst) < 1e-12 * peak < math.inf else allowed
     return (stated if nearest <= allowed else math.nan), 0, 1e-12
 
 
