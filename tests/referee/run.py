@@ -15,6 +15,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import cover
 import ecam
 import identified
+import recut
+import speeds
 from referee import Result, judge, judge_rows, self_test
 
 # Fields that are left open, by case: pattern of the field, and why. This list only becomes shorter.
@@ -57,16 +59,21 @@ MACHINES = {
     "motor": ("footbridge", SLOPE),
     "motor_stall": ("footbridge", STALL),
     "motor_floor": ("footbridge", SLOPE + FLOOR),
+    # Too weak to start from rest; with friction the shaft jams below an inertia.
+    "motor_weak": ("footbridge", ("machine.motor.slope=1 N m s/rad", "machine.inertia=5 kg m^2")),
+    "motor_friction": ("footbridge", ("machine.motor.stall_torque=7 N m", "machine.friction=0.15", "machine.inertia=4 kg m^2")),
     "motor_spring": ("footbridge", SPRING + ("machine.motor.slope=5 N m s/rad", "machine.inertia=1 kg m^2", "accuracy.rms=0.1 %")),
     "motor_stiff": ("thesis_iteration_3", ("machine.motor.slope=3 N m s/rad", "machine.inertia=0.05 kg m^2")),
 }
+# Cases whose cam runs at several speeds too.
+AT_SPEEDS = ("footbridge", "friction", "floor", "motor", "motor_stall", "motor_floor")
 MOVED = r"simulation\.(floor|force|torque)|floor|machine"
 TURNED = r"simulation\.(shaft|force|torque)|shaft|force_time"
 # Case: pattern of the fields that are changed in turn.
 SELF_TESTED = {
     "double_harmonic": "law",
     "footbridge_thesis_scale": "", "heel_tester": "", "camdas_07_conjugate_roller": "", "camdas_12_oscillating_flat": "", "thesis_barrel": "",
-    "walkers_worst": "population|checks|relaxations", "floor_walkers": MOVED, "motor_floor": TURNED,
+    "walkers_worst": "population|checks|relaxations|solver", "motor_weak": r"shaft\.", "motor_friction": r"shaft\.", "floor_walkers": MOVED, "motor_floor": TURNED,
 }
 
 
@@ -157,6 +164,10 @@ def main():
             "cover": lambda: covers(gaitcam, Path(folder)),
             "ecam": lambda: electronic(gaitcam, design),
             "identify": lambda: identifications(gaitcam, design),
+            "recut": lambda: recut.judge(gaitcam, design),
+        } | {
+            f"speeds_{name}": lambda name=name: speeds.judge(gaitcam, Path(folder) / name)
+            for name in AT_SPEEDS if name in cases
         }
         for what, judged in further.items():
             if only and what not in only:
