@@ -72,6 +72,7 @@ TURNED = r"simulation\.(shaft|force|torque)|shaft|force_time"
 # Case: pattern of the fields that are changed in turn.
 SELF_TESTED = {
     "double_harmonic": "law",
+    "heel_tester_fitted": "easing|solver",
     "footbridge_thesis_scale": "", "heel_tester": "", "camdas_07_conjugate_roller": "", "camdas_12_oscillating_flat": "", "thesis_barrel": "",
     "walkers_worst": "population|checks|relaxations|solver", "motor_weak": r"shaft\.", "motor_friction": r"shaft\.", "floor_walkers": MOVED, "motor_floor": TURNED,
 }
