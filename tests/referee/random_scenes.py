@@ -83,6 +83,8 @@ def check(gaitcam, name, given):
 def judged(folder):
     try:
         result = Result(folder)
+        if result.summary.get("out_of_time"):  # a search that was cut short
+            return "out of time", [], []
         if not (result.summary.get("solver") or {}).get("certified", True):  # a proof that was not found is no claim
             result.summary["solver"] = {}
         rows = judge(result)[0] + (judge_rows(result)[0] if result.is_built else [])
