@@ -165,8 +165,13 @@ pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
 }
 
 /// The product of a harmonic with a complex gain.
-fn times((a, b): Term, [re, im]: [f64; 2]) -> Term {
+pub(crate) fn times((a, b): Term, [re, im]: [f64; 2]) -> Term {
     (a * re + b * im, b * re - a * im)
+}
+
+/// 1/(1 − M H).
+fn felt(mass: f64, [re, im]: [f64; 2]) -> [f64; 2] {
+    inverse([1.0 - mass * re, -mass * im])
 }
 
 fn inverse([re, im]: [f64; 2]) -> [f64; 2] {
@@ -253,15 +258,29 @@ impl Floor {
         // The floor feels all feet: what the shaker lacks the others may press.
         let size = |(a, b): &Term| a.hypot(*b);
         let both = still.iter().zip(others);
-        let felt: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
-        let gains = self.gains(speed, &felt)?;
+        let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
+        let gains = self.gains(speed, &either)?;
         let each = still.iter().zip(others).zip(gains);
         Ok(each
             .map(|((p, o), [re, im])| {
                 let moved = times(*o, [mass * re, mass * im]);
-                let gain = inverse([1.0 - mass * re, -mass * im]);
-                times((p.0 + moved.0, p.1 + moved.1), gain)
+                times((p.0 + moved.0, p.1 + moved.1), felt(mass, [re, im]))
             })
             .collect())
+    }
+
+    /// Gₙ = 1/(1 − M Hₙ) of the harmonics from 1 on: the force of a shaker of a mass, kg, on the moving floor for each unit of its force on a rigid
+    /// one. Zero at the resonance of an undamped mode.
+    pub fn felt(&self, mass: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
+        let of = |n: usize| self.accelerance(n, n as f64 * speed);
+        (1..=count)
+            .map(|n| of(n).map_or([0.0; 2], |h| felt(mass, h)))
+            .collect()
+    }
+
+    /// Limit of Gₙ for high harmonics: 1/(1 + Σ M φ²/m).
+    pub fn felt_at_once(&self, mass: f64) -> f64 {
+        let part = |mode: &FloorMode| mass * mode.ordinate.powi(2) / mode.mass;
+        1.0 / (1.0 + self.modes.iter().map(part).sum::<f64>())
     }
 }

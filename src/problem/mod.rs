@@ -22,7 +22,7 @@ mod walkers;
 pub(crate) use force_cycle::{ForceCycle, Shape};
 use mean_force::MeanForce;
 pub use note::Note;
-pub(crate) use on_shaft::{Extra, OnShaft};
+pub(crate) use on_shaft::{Extra, OnShaft, ThroughFloor};
 pub(crate) use on_shaft::{product, sum};
 pub(crate) use size::Size;
 pub(crate) use size::USUAL_PRESSURE_ANGLE;

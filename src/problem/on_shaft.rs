@@ -12,6 +12,7 @@ use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
+use crate::scene::Minimise;
 
 /// Difference between period and cam angle, rad, below which the speed is constant.
 const EVEN: f64 = 1e-9;
@@ -25,6 +26,36 @@ pub struct Extra {
     pub timed: [Option<PiecewisePoly>; 3],
     /// Speed of the shaft, rad/s; `None` if constant.
     pub speed: Option<PiecewisePoly>,
+    /// Change of the objective by the floor's response to the law; `None` if the floor is rigid or its motion is held fixed.
+    pub through_floor: Option<ThroughFloor>,
+}
+
+/// The objective J of a law on a floor that responds to it, for a program with the floor motion of the previous law: the force of the program
+/// is P + Δ with Δ fixed, the true one is T P + const. Gradients agree if the program minimises G∞ J + mean(h P) + constant, where h is the
+/// adjoint response of the floor to the derivative of the Lagrangian by the force (theory §10).
+#[derive(Debug, Clone)]
+pub struct ThroughFloor {
+    /// The minimised quantity, of whose program these are.
+    pub minimised: Minimise,
+    /// G∞: the part of a change of force that the floor leaves at once.
+    pub at_once: f64,
+    /// Cosine and sine amplitude of the harmonics of h from 1 on, in units of the objective per N.
+    pub slope: Vec<(f64, f64)>,
+    /// Constant with which the program's objective is that of the previous law at that law.
+    pub constant: f64,
+}
+
+impl ThroughFloor {
+    /// h at a cam angle, in units of the objective per N.
+    pub fn slope_at(&self, theta: f64) -> f64 {
+        let (sine, cosine) = theta.sin_cos();
+        let (mut sum, mut at) = (0.0, (1.0, 0.0));
+        for (a, b) in &self.slope {
+            at = (at.0 * cosine - at.1 * sine, at.1 * cosine + at.0 * sine);
+            sum += a * at.0 + b * at.1;
+        }
+        sum
+    }
 }
 
 impl Extra {
@@ -34,6 +65,7 @@ impl Extra {
             force,
             timed: [None, None, None],
             speed: None,
+            through_floor: None,
         }
     }
 }
@@ -106,6 +138,12 @@ impl Problem {
             }));
         }
         out
+    }
+
+    /// The change of its objective by the response of the floor; `None` on a rigid floor and where its motion is held fixed.
+    pub fn through_floor(&self) -> Option<&ThroughFloor> {
+        let through = self.on_shaft.as_ref()?.extra.through_floor.as_ref()?;
+        (through.minimised == self.objective()).then_some(through)
     }
 
     /// Force added by speed and floor at a cam angle, N.

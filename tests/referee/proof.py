@@ -141,10 +141,11 @@ def worst_part(r, relaxed=None):
 
 
 def holds_motion(r):
-    """Whether the law was found for one motion of shaft or floor, so that no law with another one is excluded."""
+    """Whether the law was found for one motion of the shaft, or of the floor where a limit is not linear in the force."""
     shaft = r.summary.get("shaft_design")
     turned = shaft is not None and (shaft["rounds"] > 0 or r.scene["law"].get("shaft") == "constant")
-    return turned or "floor" in r.summary
+    curved = any(key in r.scene.get("limits", {}) for key in ("torque", "power", "power_mean", "torque_rate", "hertz_pressure"))
+    return turned or ("floor" in r.summary and curved)
 
 
 @field(r"solver\.doubt|solver\.certificate\.scope")

@@ -21,6 +21,8 @@ const JERK_TERM: f64 = 1e-12;
 const MOST_DEMANDS: usize = 2000;
 /// Number of quadrature nodes on half a wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
+/// Number of quadrature nodes on a piece for the response of a floor.
+const FLOOR_NODES: usize = 16;
 /// Distance of a weight's edge from a break below which they coincide, rad.
 const SAME_ANGLE: f64 = 1e-12;
 
@@ -64,7 +66,7 @@ pub fn of_harmonics(
 ) -> Formulation {
     let stiffness = stiffness(problem);
     let basis = Basis::Harmonic { count };
-    let force = force_distance(problem, &basis);
+    let force = through_floor(problem, &basis, force_distance(problem, &basis));
     let mut program = Program::new(basis, force.clone(), Vec::new(), problem.length());
     qp::sizes::declare(&mut program);
     program.halt = search.halt.clone();
@@ -84,7 +86,8 @@ pub fn of_harmonics(
 /// Convexity α: the objective's quadratic part is at least ½ α mean(s″²); `None` if it has none.
 fn stiffness(problem: &Problem) -> Option<f64> {
     let inertia = problem.drive.weights()[2];
-    let force = problem.least_weight() * inertia * inertia;
+    let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
+    let force = problem.least_weight() * inertia * inertia * at_once;
     let alpha = match problem.objective() {
         Minimise::ForceError => force,
         Minimise::Energy(order) if order >= 2 => 1.0,
@@ -98,9 +101,12 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     let degree = problem.spline_degree;
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
     let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
-    let force = force_distance(problem, &basis);
+    let mut force = force_distance(problem, &basis);
     let mut whole = match problem.objective() {
-        Minimise::ForceError => force.clone(),
+        Minimise::ForceError => {
+            force = through_floor(problem, &basis, force);
+            force.clone()
+        }
         _ => Quadratic::zero(&basis),
     };
     match problem.objective() {
@@ -120,7 +126,33 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
             }
         }
     }
+    if problem.objective() != Minimise::ForceError {
+        whole = through_floor(problem, &basis, whole);
+    }
     Ok((basis, whole, force))
+}
+
+/// An objective with the response of the floor; on a rigid floor the objective itself.
+fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadratic {
+    let Some(through) = problem.through_floor() else {
+        return whole;
+    };
+    let mut out = match through.minimised {
+        Minimise::ForceError => whole.times(through.at_once),
+        _ => whole,
+    };
+    let (weights, rule) = (problem.drive.weights(), gauss_legendre(FLOOR_NODES));
+    for (piece, ends) in basis.breaks().windows(2).enumerate() {
+        let width = ends[1] - ends[0];
+        for &(u, part) in &rule {
+            let factor = part * width / TAU * through.slope_at(ends[0] + u * width);
+            for (i, entry) in basis.row_on(piece, u, &weights) {
+                out.gradient[i] += factor * entry;
+            }
+        }
+    }
+    out.constant += through.constant;
+    out
 }
 
 /// Periodic splines over the turn with `spans` spans outside the dwells, and `smooth` continuous derivatives at the dwells' ends.

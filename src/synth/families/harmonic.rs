@@ -6,7 +6,7 @@ use super::solved::{SolvedLaw, solved_law};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::optimum::{self, Sought};
+use crate::synth::optimum::{self, ForcePrice, Sought};
 use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
@@ -34,6 +34,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
         binding: Vec::new(),
         easing: Vec::new(),
         solver,
+        price: ForcePrice::unlimited(problem),
     };
     Ok((law, spectral.left_over))
 }

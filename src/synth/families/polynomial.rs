@@ -8,6 +8,7 @@ use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
+use crate::synth::optimum::ForcePrice;
 use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
@@ -62,6 +63,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
         binding: Vec::new(),
         easing: Vec::new(),
         solver: SolverReport::of(Tier::Equality, Method::Interpolation, 0),
+        price: ForcePrice::unlimited(problem),
     })
 }
 

@@ -5,6 +5,7 @@ use crate::error::{Placed, Result};
 use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
+use crate::synth::optimum::ForcePrice;
 use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
@@ -43,6 +44,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
         binding: Vec::new(),
         easing: Vec::new(),
         solver,
+        price: ForcePrice::unlimited(problem),
     })
 }
 

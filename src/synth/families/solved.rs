@@ -6,7 +6,7 @@ use crate::cam::PrimeCircle;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::optimum::{Optimum, easing};
+use crate::synth::optimum::{ForcePrice, Optimum, easing, force_price};
 use crate::synth::qp::{OFFSET, Program, RISE, Row, Solution};
 use crate::synth::report::limited::{Binding, Easing, Minimised};
 use crate::synth::report::parameters::Functions;
@@ -35,6 +35,8 @@ pub struct SolvedLaw {
     pub easing: Vec<Easing>,
     /// Method of the solution.
     pub solver: SolverReport,
+    /// Derivative of the Lagrangian with respect to the force.
+    pub price: ForcePrice,
 }
 
 /// The law of a solved program.
@@ -45,7 +47,8 @@ pub fn solved_law(
     minimised: Minimise,
     solver: SolverReport,
 ) -> SolvedLaw {
-    let (program, solution) = (&optimum.formulation.program, &optimum.solution);
+    let program = &optimum.formulation.program;
+    let solution = &force_price::on_floor(problem, &optimum.solution);
     let binding = gathered(program, solution, optimum.formulation.pieces);
     let mut easing = easing::easings(program, solution, minimised);
     let of_force = |e: &&mut Easing| e.objective == Minimised::RmsError;
@@ -65,6 +68,7 @@ pub fn solved_law(
         binding,
         easing,
         solver,
+        price: ForcePrice::of(problem, optimum, solution),
     }
 }
 

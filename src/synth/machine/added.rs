@@ -128,6 +128,7 @@ impl Layout {
             force,
             timed,
             speed,
+            through_floor: None,
         };
         (left.to_vec(), extra)
     }

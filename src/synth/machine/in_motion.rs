@@ -7,23 +7,24 @@
 
 use super::added::Layout;
 use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
+use super::through_floor::FloorResponse;
 use crate::cam::{Check, Criterion};
-use crate::dynamics::FloorMotion;
 use crate::dynamics::fixed_point::{Round, Settled, largest_difference, settled};
 use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::shaft::{InTime, Motion};
+use crate::dynamics::{Floor, FloorMotion};
 use crate::error::{Placed, Result, SynthError};
-use crate::law::Law;
+use crate::law::{Law, Svaj};
 use crate::poly::Extreme;
-use crate::problem::{Note, Problem};
-use crate::scene::{Family, ShaftSpeed};
+use crate::problem::{Extra, Note, Problem};
+use crate::scene::{Family, LawSpec, ShaftSpeed};
 use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
 use crate::synth::families::{SolvedLaw, TELLING};
 use crate::synth::finish::{Reports, finished};
 use crate::synth::qp::TOLERANCE;
 use crate::synth::report::limited::Relaxation;
-use crate::synth::report::proof::Doubt;
+use crate::synth::report::proof::{self, Doubt};
 use crate::synth::report::shaft::{Forecast, OnShaft};
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
@@ -32,6 +33,8 @@ use crate::units::{Dimension, Quantity};
 /// Maximum difference, relative to the mean, between the assumed and the actual force at which the design is final; and that at which the last
 /// iterate is accepted.
 const SETTLED: f64 = 1e-6;
+/// The same where the floor's response is part of the program.
+const SETTLED_ON_FLOOR: f64 = 1e-9;
 const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies it over the angle but not over time, and their margin.
 const TIGHTER: usize = 4;
@@ -50,15 +53,49 @@ struct Iterate {
     motion: MachineMotion,
 }
 
+/// State of the iteration: additions to the force of a law, and at constant speed the response of the floor.
+struct Assumed {
+    layout: Layout,
+    floor: Option<FloorResponse>,
+}
+
+impl Assumed {
+    /// The state of a law in its machine motion, `at` every angle.
+    fn state(
+        &self,
+        problem: &Problem,
+        attempt: &Attempt,
+        motion: &MachineMotion,
+        at: &dyn Fn(f64) -> Svaj,
+    ) -> Vec<f64> {
+        let floor = self.floor.as_ref();
+        let mut out = floor.map_or_else(Vec::new, |floor| floor.state(problem, attempt, motion));
+        out.extend(self.layout.state(problem, motion, at));
+        out
+    }
+
+    /// The problem in a state.
+    fn problem(&self, problem: &Problem, state: &[f64]) -> Problem {
+        let floor = self.floor.as_ref();
+        let (through, own) = state.split_at(floor.map_or(0, |_| FloorResponse::VALUES));
+        let (phases, extra) = self.layout.extra(problem, own);
+        let through_floor = floor.map(|floor| floor.through(through));
+        let extra = Extra {
+            through_floor,
+            ..extra
+        };
+        problem.on_shaft(&phases, extra)
+    }
+}
+
 impl Iterate {
     /// The iterate with its cam checked in another machine state.
     ///
     /// # Errors
     /// Those of the sizing of the cam.
-    fn judged(mut self, problem: &Problem, layout: &Layout, state: &[f64]) -> Result<Iterate> {
-        let (phases, extra) = layout.extra(problem, state);
+    fn judged(mut self, problem: &Problem, assumed: &Assumed, state: &[f64]) -> Result<Iterate> {
         let law = &self.attempt.law;
-        self.problem = problem.on_shaft(&phases, extra);
+        self.problem = assumed.problem(problem, state);
         self.attempt.cam = checked_cam(&self.problem, &law.law, law.circle, None)?;
         Ok(self)
     }
@@ -70,6 +107,26 @@ impl Iterate {
             solver.certified = false;
             solver.doubt = Some(Doubt::FixedMotion);
         }
+    }
+
+    /// Takes the gap of the coupled program into the certificate; without one, the optimum is of its floor motion.
+    fn prove_on_floor(&mut self, gap: Option<f64>) {
+        let solver = &mut self.attempt.law.solver;
+        match (gap, &mut solver.certificate) {
+            (Some(gap), Some(certificate)) => {
+                certificate.widen(gap);
+                solver.doubt = solver.doubt.or_else(|| proof::doubt(certificate));
+                solver.certified = solver.doubt.is_none();
+            }
+            _ => self.hold_for_its_motion(),
+        }
+    }
+
+    /// Takes the law as the scene asks for it, and what the first design says of other families.
+    fn take_law_of(&mut self, law: &LawSpec, first: &Attempt) {
+        let solver = &mut self.attempt.law.solver;
+        solver.passed_over = first.law.solver.passed_over.clone();
+        self.problem = self.problem.with_law(law.clone());
     }
 
     /// Replaces the error by that over time, and its check.
@@ -168,16 +225,19 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     if is_corrected && !varies {
         last.motion = run.of_law(&last.attempt.cam.cam.law, None)?;
     }
-    if varies || (is_corrected && floor.is_some()) {
+    if varies {
         last.hold_for_its_motion();
     }
     // A law for constant speed is judged at the speed that its motor gives it.
     let has_ripple = forecast.as_ref().is_some_and(|f| !f.is_negligible);
     if has_ripple && !varies && problem.target.is_some() {
         let law = &last.attempt.law.law;
-        let layout = Layout::new(problem, law, true, true);
-        let state = layout.state(problem, &last.motion, &|x| law.svaj(x));
-        last = last.judged(problem, &layout, &state)?;
+        let assumed = Assumed {
+            layout: Layout::new(problem, law, true, true),
+            floor: None,
+        };
+        let state = assumed.state(problem, &last.attempt, &last.motion, &|x| law.svaj(x));
+        last = last.judged(problem, &assumed, &state)?;
         last.hold_for_its_motion();
         last.take_means_over_time(problem);
     }
@@ -259,13 +319,16 @@ fn corrected(
             Some(last) => Begin::Settled(last),
             None => Begin::ConstantSpeed(first, &before),
         };
-        let (mut settled, layout) = rounds(begin, run, problem, search)?;
+        let (mut settled, assumed) = rounds(begin, None, run, problem, search)?;
         if let Some(state) = &settled.made {
-            settled.design = settled.design.judged(problem, &layout, state)?;
+            settled.design = settled.design.judged(problem, &assumed, state)?;
         }
         Ok(settled)
     };
     let mut settled = rounds_of(problem, None)?;
+    if let Some(floor) = run.carrier.floor.filter(|_| run.carrier.motor.is_none()) {
+        settled = answered(settled, floor, run, problem, search);
+    }
     let accuracy = problem
         .judged_error()
         .filter(|_| run.carrier.motor.is_some());
@@ -296,6 +359,50 @@ fn corrected(
     Ok((last, settled.rounds, settled.contraction))
 }
 
+/// The optimum on the floor that responds to it, from that for the floor's own motion and with as many spans; the latter where the rounds do not end.
+fn answered(
+    mut settled: Settled<Iterate>,
+    floor: &Floor,
+    run: &Runner,
+    problem: &Problem,
+    search: &Search,
+) -> Settled<Iterate> {
+    let first = &settled.design.attempt;
+    if first.law.solver.certificate.is_none() {
+        return settled;
+    }
+    let mut law = problem.law.clone();
+    if first.law.family == Family::Spline {
+        // The law itself may have more spans than suffice.
+        let spans = match law.dwells.is_empty() {
+            true => first.law.law.breaks().len() - 1,
+            false => first.law.spans,
+        };
+        (law.family, law.spans) = (Family::Spline, Some(spans));
+    }
+    let response = FloorResponse::of(problem, floor, &first.law);
+    let begin = Begin::Settled(&settled.design);
+    let found = rounds(begin, Some(response), run, &problem.with_law(law), search).ok();
+    let found = found.filter(|(found, _)| {
+        found.design.attempt.refusal.is_none() && found.difference <= ACCEPTED
+    });
+    let Some((
+        mut found,
+        Assumed {
+            floor: Some(floor), ..
+        },
+    )) = found
+    else {
+        settled.design.hold_for_its_motion();
+        return settled;
+    };
+    let gap = floor.gap(problem, &found.design.attempt, found.difference);
+    found.design.prove_on_floor(gap);
+    found.design.take_law_of(&problem.law, first);
+    found.rounds += settled.rounds;
+    found
+}
+
 /// Mean over the period of the force of a law, N.
 fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     let (mut sum, mut all) = (0.0, 0.0);
@@ -319,10 +426,11 @@ enum Begin<'a> {
 /// Iterates until design and machine motion agree.
 fn rounds(
     begin: Begin,
+    floor: Option<FloorResponse>,
     run: &Runner,
     problem: &Problem,
     search: &Search,
-) -> Result<(Settled<Iterate>, Layout)> {
+) -> Result<(Settled<Iterate>, Assumed)> {
     let (first, before) = match begin {
         Begin::ConstantSpeed(first, before) => (first, before),
         Begin::Settled(last) => (&last.attempt, &last.motion),
@@ -341,17 +449,25 @@ fn rounds(
         fault.at_key("machine.inertia")
     };
     let is_exact = depends_on_speed(problem) || run.carrier.floor.is_some();
-    let layout = Layout::new(problem, law, run.carrier.motor.is_some(), is_exact);
+    let assumed = Assumed {
+        layout: Layout::new(problem, law, run.carrier.motor.is_some(), is_exact),
+        floor,
+    };
+    let allowed = match assumed.floor {
+        Some(_) => SETTLED_ON_FLOOR,
+        None => SETTLED,
+    };
     let (mut motion, state) = match begin {
         Begin::ConstantSpeed(..) => {
             // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
             let start = run.in_time(law, before.clone());
             let motion = start.map_err(|_| diverges(before, None))?;
-            let state = layout.state(problem, &motion, &|x| retimed(law, &motion.shaft, x));
+            let at = |x: f64| retimed(law, &motion.shaft, x);
+            let state = assumed.state(problem, first, &motion, &at);
             (motion, state)
         }
         Begin::Settled(_) => {
-            let state = layout.state(problem, before, &|x| law.svaj(x));
+            let state = assumed.state(problem, first, before, &|x| law.svaj(x));
             (before.clone(), state)
         }
     };
@@ -360,9 +476,8 @@ fn rounds(
     let mut search = search.clone();
     search.least_spans = first.law.spans;
     let (mut nearest, mut stalled) = (f64::INFINITY, 0);
-    let last = settled(state, SETTLED, |state| {
-        let (phases, extra) = layout.extra(problem, state);
-        let own = problem.on_shaft(&phases, extra);
+    let last = settled(state, allowed, |state| {
+        let own = assumed.problem(problem, state);
         let attempt = attempt(&own, &search)?;
         let SolvedLaw { law, spans, .. } = &attempt.law;
         // A law of a round may stop the shaft that the first one does not.
@@ -371,7 +486,7 @@ fn rounds(
             Err(fault) if run.carrier.motor.is_none() => return Err(fault),
             Err(_) => return Err(diverges(&motion, None)),
         };
-        let made = layout.state(problem, &motion, &|x| law.svaj(x));
+        let made = assumed.state(problem, &attempt, &motion, &|x| law.svaj(x));
         let off = largest_difference(&made, state);
         stalled = if off < nearest { 0 } else { stalled + 1 };
         nearest = off.min(nearest);
@@ -393,5 +508,5 @@ fn rounds(
     if disagrees && run.carrier.motor.is_some() {
         return Err(diverges(&last.design.motion, last.contraction));
     }
-    Ok((last, layout))
+    Ok((last, assumed))
 }

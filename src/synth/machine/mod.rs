@@ -6,6 +6,7 @@ mod in_motion;
 mod polydyne;
 mod runner;
 pub mod sensitivity;
+mod through_floor;
 
 use super::design::Design;
 use super::search::Search;

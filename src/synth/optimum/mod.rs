@@ -1,6 +1,7 @@
 //! The best law under all limits: first the touching angle on the base circle, then nonconvex limits by a sequence of convex programs.
 
 pub mod easing;
+pub mod force_price;
 mod refusal;
 pub mod scp;
 mod solved;
@@ -8,6 +9,7 @@ mod solved;
 mod tests;
 mod touching;
 
+pub use force_price::ForcePrice;
 pub use refusal::{Refusal, Sought};
 pub use solved::{Formulation, Optimum};
 pub use touching::at_best_angle;

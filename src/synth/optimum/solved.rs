@@ -134,11 +134,12 @@ impl Optimum {
     }
 
     /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8), so that a sequence of convex programs is
-    /// useless. With an automatic number of spans more of them may reach it.
+    /// useless. With an automatic number of spans more of them may reach it; on a floor that responds the objective is that of one round.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
-            && !problem.is_weighed();
+            && !problem.is_weighed()
+            && problem.through_floor().is_none();
         let allowed = problem.allowed_error().filter(|_| is_objective);
         (allowed.zip(self.least())).is_some_and(|(most, least)| {
             (2.0 * least).max(0.0).sqrt() > (1.0 + BOUND_ROUNDING) * most

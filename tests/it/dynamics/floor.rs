@@ -137,6 +137,99 @@ fn limits_of_the_force_hold_for_the_true_force_on_the_moving_floor() {
     }
 }
 
+/// Force error of a law of harmonics on the moving floor, N, by one response per harmonic.
+fn error_of(
+    floor: &Floor,
+    mass: f64,
+    omega: f64,
+    law: &[(f64, f64)],
+    target: &[(f64, f64)],
+) -> f64 {
+    let mut still = vec![(0.0, 0.0); target.len()];
+    for (n, (own, (a, b))) in (1..).zip(still.iter_mut().zip(law)) {
+        let size = -mass * (f64::from(n) * omega).powi(2);
+        *own = (size * a, size * b);
+    }
+    let none = vec![(0.0, 0.0); target.len()];
+    let felt = floor.pressed(mass, omega, &still, &none).unwrap();
+    let square = |(f, t): (&(f64, f64), &(f64, f64))| (f.0 - t.0).powi(2) + (f.1 - t.1).powi(2);
+    (0.5 * felt.iter().zip(target).map(square).sum::<f64>()).sqrt()
+}
+
+/// Among random laws of the family under the limit none has a smaller force error on the floor that it moves itself.
+#[test]
+fn the_best_law_is_that_on_the_floor_which_answers_to_it() {
+    for (mass, frequency, damping, limit) in [
+        ("3000 kg", "3.6 Hz", "0.01", 40.0),
+        ("1500 kg", "2 Hz", "0.02", 40.0),
+        ("2000 kg", "1.7 Hz", "0.01", 60.0),
+    ] {
+        let text = format!("{limit} m/s^3");
+        let mut changes = bridge(mass, frequency, damping);
+        changes.extend([
+            ("law.family", "harmonic"),
+            ("law.harmonics", "3"),
+            ("limits.jerk", text.as_str()),
+            ("accuracy.rms", "none"),
+        ]);
+        let found = design(&changes);
+        assert!(found.solver.certified, "{mass} {:?}", found.solver.doubt);
+        let floor = found.problem.machine.floor().unwrap();
+        let (mass, omega) = (found.problem.drive.mass, found.problem.drive.speed);
+        let curve = found.problem.target_in_time().unwrap();
+        let own: Vec<(f64, f64)> = (found.coefficients[1..].chunks_exact(2))
+            .map(|c| (c[0], c[1]))
+            .collect();
+        let target: Vec<(f64, f64)> = (1..=8)
+            .map(|n| {
+                let part = |i: i32| {
+                    let x = TAU * f64::from(i) / 4096.0;
+                    let (sine, cosine) = (f64::from(n) * x).sin_cos();
+                    let force = curve.at(x) / 2048.0;
+                    (force * cosine, force * sine)
+                };
+                let parts = (0..4096).map(part);
+                parts.fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1))
+            })
+            .collect();
+        let of = |law: &[(f64, f64)]| error_of(&floor, mass, omega, law, &target);
+        let least = of(&own);
+        assert!(
+            (least / found.force.rms_error_n - 1.0).abs() < 1e-6,
+            "{least}"
+        );
+        let jerk = |law: &[(f64, f64)]| {
+            let at = |i: i32| {
+                let x = TAU * f64::from(i) / 1440.0;
+                let wave = |(n, (a, b)): (i32, &(f64, f64))| {
+                    let (sine, cosine) = (f64::from(n) * x).sin_cos();
+                    (f64::from(n) * omega).powi(3) * (a * sine - b * cosine)
+                };
+                (1..).zip(law).map(wave).sum::<f64>().abs()
+            };
+            (0..1440).map(at).fold(0.0, f64::max)
+        };
+        let mut seed = 7_u64;
+        let mut draw = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
+        };
+        let length = own[0].0.hypot(own[0].1);
+        let mut nearest = f64::INFINITY;
+        for trial in 0..4000 {
+            let size = length * 10_f64.powi(-1 - trial % 4);
+            let other: Vec<(f64, f64)> = (own.iter())
+                .map(|(a, b)| (a + size * draw(), b + size * draw()))
+                .collect();
+            let kept = (limit / jerk(&other)).min(1.0);
+            let other: Vec<(f64, f64)> = other.iter().map(|(a, b)| (kept * a, kept * b)).collect();
+            nearest = of(&other).min(nearest);
+        }
+        assert!(nearest > least * (1.0 - 1e-5), "{nearest} {least}");
+        assert!(nearest < least * 1.001, "{nearest} {least}");
+    }
+}
+
 #[test]
 fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
     for (order, key, unit, limit) in [

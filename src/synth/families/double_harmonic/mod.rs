@@ -19,6 +19,7 @@ use crate::error::{NoDesignError, Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::problem::Problem;
 use crate::scene::{Family, LimitKind};
+use crate::synth::optimum::ForcePrice;
 use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::proof::Doubt;
@@ -90,6 +91,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
             doubt: Some(Doubt::Local),
             ..SolverReport::of(Tier::Equality, method, STEPS)
         },
+        price: ForcePrice::unlimited(problem),
     })
 }
 

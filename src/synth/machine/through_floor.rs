@@ -1,0 +1,155 @@
+//! The response of the floor as part of the program of a law: what a change of the law costs through the floor, and the proof that covers it.
+//!
+//! The force on the moving floor is linear in the law: F = T P + const, with T the gains Gₙ = 1/(1 − M Hₙ) of the harmonics. With π the derivative of
+//! the Lagrangian by the force, that by the law is P*T*π. A program with a fixed floor motion has P*π; the difference h = (T − G∞)*π joins its
+//! objective, so that a law that is the optimum of its own program satisfies the conditions of the coupled program, which is convex (theory §10).
+
+use std::f64::consts::TAU;
+
+use crate::dynamics::Floor;
+use crate::dynamics::floor::{Term, harmonics, times};
+use crate::dynamics::machine_motion::MachineMotion;
+use crate::law::Law;
+use crate::poly::samples;
+use crate::problem::{Problem, ThroughFloor};
+use crate::scene::Minimise;
+use crate::synth::attempt::Attempt;
+use crate::synth::families::SolvedLaw;
+use crate::synth::qp::Certificate;
+
+/// Number of equal angles of π and h.
+const ANGLES: usize = 2880;
+/// Number of harmonics of h, whose gains decrease with the square of their order.
+const COUNT: usize = 240;
+
+/// Gains of the floor, with the units of the state.
+pub struct FloorResponse {
+    minimised: Minimise,
+    /// Gₙ − G∞ of the harmonics from 1 on.
+    gains: Vec<[f64; 2]>,
+    at_once: f64,
+    /// Least |Gₙ|.
+    least: f64,
+    /// Unit of h, in units of the objective per N.
+    unit: f64,
+    /// Unit of the objective.
+    objective: f64,
+}
+
+impl FloorResponse {
+    /// Number of values of a state.
+    pub const VALUES: usize = 2 * COUNT + 1;
+
+    /// The response of a floor to the laws of a problem, of which `first` is one.
+    pub fn of(problem: &Problem, floor: &Floor, first: &SolvedLaw) -> FloorResponse {
+        let drive = &problem.drive;
+        let at_once = floor.felt_at_once(drive.mass);
+        let felt = floor.felt(drive.mass, drive.speed, COUNT);
+        let sizes = felt.iter().map(|[re, im]| re.hypot(*im));
+        let least = sizes.fold(at_once, f64::min);
+        let mean = problem.target_mean();
+        let size = |c: &Certificate| c.size;
+        let objective = match problem.objective() {
+            Minimise::ForceError => mean * mean,
+            _ => first.solver.certificate.as_ref().map_or(1.0, size),
+        };
+        FloorResponse {
+            minimised: problem.objective(),
+            gains: felt.iter().map(|[re, im]| [re - at_once, *im]).collect(),
+            at_once,
+            least,
+            unit: objective / mean,
+            objective,
+        }
+    }
+
+    /// The state of a law in its machine motion: harmonics of h, and the constant of the program's objective. Zero for a law without its limits.
+    pub fn state(&self, problem: &Problem, attempt: &Attempt, motion: &MachineMotion) -> Vec<f64> {
+        if attempt.refusal.is_some() {
+            return vec![0.0; FloorResponse::VALUES];
+        }
+        let (law, price) = (&attempt.law.law, &attempt.law.price);
+        let target = problem.target_at_cam();
+        let error = |x: f64| {
+            let own = problem.drive.force(law.svaj(x)) + problem.learned_force(x);
+            own + problem.drive.mass * motion.floor_at(x) - target.map_or(0.0, |t| t.at(x))
+        };
+        let mut square = 0.0;
+        let of = |i: usize| {
+            let x = TAU * i as f64 / ANGLES as f64;
+            let (error, weight) = (error(x), problem.weight(x));
+            square += 0.5 * weight * error * error / ANGLES as f64;
+            (price.of_objective * weight + price.of_accuracy) * error
+        };
+        let mut terms = harmonics(&(0..ANGLES).map(of).collect::<Vec<_>>());
+        terms.truncate(COUNT);
+        for (n, term) in (1..).zip(&mut terms) {
+            for (at, multiplier) in &price.of_limits {
+                let (sine, cosine) = (n as f64 * at).sin_cos();
+                term.0 += 2.0 * multiplier * cosine;
+                term.1 += 2.0 * multiplier * sine;
+            }
+        }
+        let slope: Vec<Term> = (terms.iter().zip(&self.gains))
+            .map(|(term, [re, im])| times(*term, [*re, -im]))
+            .collect();
+        let along = mean_product(law, &samples(&slope, 0, ANGLES), problem);
+        let constant = (1.0 - self.at_once) * price.of_objective * square - along;
+        let parts = slope
+            .iter()
+            .flat_map(|(a, b)| [a / self.unit, b / self.unit]);
+        parts.chain([constant / self.objective]).collect()
+    }
+
+    /// The change of the objective for a state.
+    pub fn through(&self, state: &[f64]) -> ThroughFloor {
+        let (slope, constant) = state.split_at(2 * COUNT);
+        let pairs = slope.chunks_exact(2);
+        ThroughFloor {
+            minimised: self.minimised,
+            at_once: self.at_once,
+            slope: pairs
+                .map(|p| (self.unit * p[0], self.unit * p[1]))
+                .collect(),
+            constant: self.objective * constant[0],
+        }
+    }
+
+    /// Gap of the coupled program at a law whose state differs from the assumed one by at most `off`, in units of the objective; `None` without a
+    /// proof.
+    ///
+    /// With the coupled optimum the force error is at most that of the law, so that their rigid forces differ by at most twice that error over the
+    /// least |Gₙ|. On this distance the differences of h and of the force act; the curvature of the coupled objective is at least min |Gₙ|²/G∞ of
+    /// that of the program.
+    pub fn gap(&self, problem: &Problem, attempt: &Attempt, off: f64) -> Option<f64> {
+        let price = &attempt.law.price;
+        let own = attempt.law.solver.certificate.as_ref()?.duality_gap;
+        let of_error = price.of_objective + price.of_accuracy;
+        if of_error == 0.0 && price.of_limits.is_empty() && price.is_whole {
+            return Some(own);
+        }
+        let error = match problem.objective() {
+            Minimise::ForceError => attempt.cam.force.rms_error_n,
+            _ => problem.limited_error()?,
+        };
+        let apart = 2.0 * error / self.least;
+        let curvature = match problem.objective() {
+            Minimise::ForceError => (self.at_once / self.least.powi(2)).max(1.0),
+            _ => 1.0,
+        };
+        let force = problem.target_mean() * off;
+        let slope = self.unit * off * (COUNT as f64).sqrt() + of_error * force;
+        let of_limits = price.of_limits.iter().map(|(_, m)| m.abs()).sum::<f64>() * force;
+        price
+            .is_whole
+            .then_some(curvature * own + apart * slope + of_limits)
+    }
+}
+
+/// Mean over the turn of a function at equal angles times the part of the force that the law makes.
+fn mean_product(law: &Law, values: &[f64], problem: &Problem) -> f64 {
+    let step = TAU / values.len() as f64;
+    let own = |i: usize| problem.drive.force(law.svaj(step * i as f64)) - problem.drive.rest_force;
+    let sum: f64 = (values.iter().enumerate()).map(|(i, h)| h * own(i)).sum();
+    sum / values.len() as f64
+}

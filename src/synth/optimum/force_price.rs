@@ -1,0 +1,80 @@
+//! Derivative of the Lagrangian of a solution with respect to the force, which a floor that moves returns to the law.
+
+use super::Optimum;
+use crate::criterion::{Criterion, DependsOn};
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::qp::{Program, Row, Solution};
+
+/// The derivative as factors of the force error and as multipliers at angles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForcePrice {
+    /// Factor of the weighted force error: 1 if its mean square is minimised.
+    pub of_objective: f64,
+    /// Factor of the force error, from the limit on its root mean square.
+    pub of_accuracy: f64,
+    /// Angle, rad, and signed multiplier of every active limit on the force.
+    pub of_limits: Vec<(f64, f64)>,
+    /// Whether the objective and all active limits are linear or quadratic in the force, and the multipliers speak of all laws.
+    pub is_whole: bool,
+}
+
+impl ForcePrice {
+    /// The derivative without active limits.
+    pub fn unlimited(problem: &Problem) -> ForcePrice {
+        let is_minimised = problem.objective() == Minimise::ForceError;
+        ForcePrice {
+            of_objective: f64::from(u8::from(is_minimised)),
+            of_accuracy: 0.0,
+            of_limits: Vec::new(),
+            is_whole: !problem.is_weighed(),
+        }
+    }
+
+    /// The derivative at an optimum whose multipliers are those of `solution`.
+    pub fn of(problem: &Problem, optimum: &Optimum, solution: &Solution) -> ForcePrice {
+        let mut out = ForcePrice::unlimited(problem);
+        out.is_whole &= optimum.at.is_none() && optimum.sequence.is_none();
+        let program = &optimum.formulation.program;
+        let inertia = problem.drive.weights()[2];
+        for row in &solution.active {
+            if row.name == Criterion::Accuracy {
+                out.of_accuracy += row.multiplier / most(program, row);
+            } else if is_of_force(problem, row) {
+                let sign = row.weights[2] / inertia;
+                out.of_limits.push((row.peak.at, sign * row.multiplier));
+            } else if let Criterion::Limit(kind) = row.name {
+                out.is_whole &= kind.facts().depends_on != DependsOn::Load;
+            }
+        }
+        out
+    }
+}
+
+/// The solution with multipliers per unit of the force on the moving floor, of which the force of the program is the part 1/G∞.
+pub fn on_floor(problem: &Problem, solution: &Solution) -> Solution {
+    let mut out = solution.clone();
+    let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
+    for row in &mut out.active {
+        if row.name == Criterion::Accuracy || is_of_force(problem, row) {
+            row.multiplier /= at_once;
+        }
+    }
+    out
+}
+
+/// Whether a row limits the force or its difference from the target.
+fn is_of_force(problem: &Problem, row: &Row) -> bool {
+    match row.name {
+        Criterion::Limit(kind) => kind.facts().depends_on == DependsOn::Force,
+        Criterion::Band => true,
+        Criterion::Peak => problem.objective() == Minimise::PeakForceError,
+        _ => false,
+    }
+}
+
+/// The bound of the limit on a root mean square to which a tangent belongs, N.
+fn most(program: &Program, row: &Row) -> f64 {
+    let own = program.rms.iter().find(|limit| limit.is_tangent(row));
+    own.map_or(f64::INFINITY, |limit| limit.most)
+}
