@@ -1,7 +1,7 @@
 //! An irreducible infeasible set of a program: conflicting limits that become feasible if any one is dropped.
 
-use super::reasons::{conflicting, smallest_relaxations};
-use crate::cam::{Criterion, LimitKind, Measures};
+use super::reasons::conflicting;
+use crate::cam::{Criterion, LimitKind};
 use crate::problem::{Problem, Size};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::optimum::easing;
@@ -53,7 +53,7 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
                     own.or_else(|| elastic(&refusal.program, name))
                 })
                 .collect();
-            in_conflict(&limits, relaxations, problem.cam.measures())
+            in_conflict(&limits, relaxations)
         }
     }
 }
@@ -62,18 +62,12 @@ fn members(demands: &[Demand]) -> Vec<Conflicting> {
     demands.iter().copied().map(Conflicting::Demand).collect()
 }
 
-/// Conflicting limits with suggested changes.
-fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
-    let conflict: Vec<Conflicting> = kept.iter().copied().map(Conflicting::Limit).collect();
-    let mut reasons = vec![conflicting(kept)];
-    // Without a first relaxation there is nothing to suggest yet.
-    if !relaxations.is_empty() {
-        reasons.push(smallest_relaxations(&relaxations, measures));
-    }
+/// Conflicting limits, with the values at which the search for sufficient changes begins.
+fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     Infeasible {
-        conflict,
+        conflict: kept.iter().copied().map(Conflicting::Limit).collect(),
         relaxations,
-        reasons,
+        reasons: vec![conflicting(kept)],
     }
 }
 
@@ -201,7 +195,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
         Relaxation::of(conflict[0], bore, (smaller > 0.0).then_some(smaller)),
         Relaxation::of(conflict[1], limit, Some(least)),
     ];
-    Some(in_conflict(&conflict, relaxations, problem.cam.measures()))
+    Some(in_conflict(&conflict, relaxations))
 }
 
 /// The minimum force error under the other limits, as an accuracy; `None` for another limit.

@@ -15,6 +15,7 @@ use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Design;
 use crate::synth::infeasible::reasons::{changes, smallest_relaxations};
+use crate::synth::limits::NonconvexLimits;
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 use crate::synth::search::Search;
@@ -186,9 +187,12 @@ struct Relaxing<'a> {
 impl<'a> Relaxing<'a> {
     fn of(problem: &'a Problem, search: &'a Search, design: &Design) -> Self {
         let (mean, rest) = (design.force.target_mean_n, design.problem.drive.rest_force);
+        let asked = problem.at_constant_speed();
+        // A floor that responds is quick to design for, and its motion with the limit as it is tells little of that with another.
+        let is_quick = problem.through_floor().is_some();
         Relaxing {
-            problem,
-            asked: problem.at_constant_speed(),
+            problem: if is_quick { asked } else { problem },
+            asked,
             search,
             force: mean.abs().max(rest.abs()),
         }
@@ -229,10 +233,11 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, with which the design passes with its own objective: where the accuracy is a limit,
-    /// the search minimises the force error instead.
+    /// The value, or a slightly weaker one, with which the optimum passes. The search for passing designs ends at another law where limits are not
+    /// convex, and minimises the force error where the accuracy is a limit.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
-        if self.problem.limited_error().is_none() {
+        let is_convex = NonconvexLimits::of(self.problem).is_none();
+        if self.problem.on_shaft.is_some() || is_convex && self.problem.limited_error().is_none() {
             return Some(to);
         }
         let weaker = ROOMS[1..].iter().map(|room| number.with_room(to, *room));
@@ -240,9 +245,9 @@ impl<'a> Relaxing<'a> {
         values.find(|to| self.passes_as_asked(&[(number, *to)]))
     }
 
-    /// Whether the design with these values passes with its own objective.
+    /// Whether the optimum with these values passes on its machine.
     fn passes_as_asked(&self, values: &Values) -> bool {
-        synthesis::passing(&changed(self.problem, values), self.search).is_ok_and(|d| d.is_some())
+        synthesis::kept(&changed(self.asked, values), self.search).is_ok_and(|d| d.is_some())
     }
 
     /// The reason with the changes of which one suffices.
@@ -307,7 +312,7 @@ impl<'a> Relaxing<'a> {
         if self.problem.on_shaft.is_none() {
             return Some(to);
         }
-        let holds = |to: f64| passing(&number.with(self.asked, to), self.search).is_some();
+        let holds = |to: f64| self.passes_as_asked(&[(number, to)]);
         let values = MACHINE_ROOMS.map(|room| number.with_room(to, room));
         let at = values.iter().position(|to| holds(*to))?;
         let Some(last) = at.checked_sub(1) else {

@@ -121,25 +121,20 @@ impl Relaxing<'_> {
             );
             rounded(found)
         };
-        let shares = [0.0, 1e-3, 1e-2].map(|room| rounded(share + room));
-        let share = (shares.into_iter()).find(|share| self.passes_as_asked(&eased(*share)))?;
         let share = self.share_on_machine(share, eased)?;
         let all = (eased(share).into_iter().zip(numbers))
             .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
         Some((share, all.collect()))
     }
 
-    /// A relative change, or a slightly larger one, with which the design passes on its machine.
+    /// A relative change, or a slightly larger one, with which the optimum passes on its machine.
     fn share_on_machine(
         &self,
         share: f64,
         eased: impl Fn(f64) -> Vec<(Relaxable, f64)>,
     ) -> Option<f64> {
-        if self.problem.on_shaft.is_none() {
-            return Some(share);
-        }
         let mut shares = MACHINE_ROOMS.map(|room| rounded(share + room)).into_iter();
-        shares.find(|share| passing(&changed(self.asked, &eased(*share)), self.search).is_some())
+        shares.find(|share| self.passes_as_asked(&eased(*share)))
     }
 }
 

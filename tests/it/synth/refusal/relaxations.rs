@@ -414,3 +414,57 @@ fn two_impossible_limits_are_relaxed_together() {
         .collect();
     assert!(good(&synthesise(&scene_of(HUMP, &all), None).unwrap()));
 }
+
+/// Under limits that are not convex the search for passing designs ends at other laws than the optimum: what is suggested is sufficient for the optimum.
+#[test]
+fn suggestions_for_arms_are_sufficient_for_the_optimum() {
+    const ARM: &str = r#"
+name = "arm"
+[gait]
+model = "young"
+step_frequency = "1.85 Hz"
+body_weight = "700 N"
+[drive]
+kind = "hydraulic"
+piston_radius = "13.2 mm"
+pressure_per_volume = "2.68e10 Pa/m^3"
+lever = "133.5 mm"
+[cam]
+follower = "flat-oscillating"
+pivot_distance = "167.4 mm"
+base_radius = "44.5 mm"
+bore = "12 mm"
+[limits]
+curvature = "15 mm"
+face_width = "65 mm"
+torque = "44 N m"
+[accuracy]
+rms = "0.9 %"
+"#;
+    let cases: [&[(&str, &str)]; 3] = [
+        &[],
+        &[("gait.step_frequency", "1.7 Hz")],
+        &[
+            ("gait.step_frequency", "2 Hz"),
+            ("limits.face_width", "70 mm"),
+        ],
+    ];
+    let mut suggested = 0;
+    for changes in cases {
+        let start = gaitcam_test_support::scene::<&str>(ARM, &[]).unwrap();
+        let scene = (changes.iter()).fold(start, |s, (key, value)| s.with(key, value).unwrap());
+        let design = |scene: &scene::Scene| {
+            synthesise(scene, scene.model_force().unwrap().as_ref()).unwrap()
+        };
+        let refused = design(&scene).relaxed();
+        for relaxation in &refused.relaxations {
+            let to = relaxation.to.unwrap();
+            let text = assignment(relaxation.limit.name(), to);
+            let (key, value) = text.split_once('=').unwrap();
+            let eased = design(&scene.with(key, value).unwrap());
+            assert!(good(&eased), "{changes:?} {text} {:?}", eased.reasons);
+            suggested += 1;
+        }
+    }
+    assert!(suggested >= 3, "{suggested}");
+}
