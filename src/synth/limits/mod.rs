@@ -38,9 +38,10 @@ use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, LimitKind, Wall}
 use crate::criterion::DependsOn;
 use crate::poly::PiecewisePoly;
 use crate::problem::{OnShaft, Problem, Size};
+use crate::scene::Minimise;
 
 /// Adds the limits of a problem that are convex in its law to a program: on root mean squares, over the whole turn, and on the
-/// size where that is sought. Laws of harmonics answer no demand, no other objective and no size.
+/// size where that is sought. Laws of harmonics answer no demand and no other objective.
 ///
 /// Where nothing fixes the level of the law, limits on the profile count the lift from the angle at which the law touches its
 /// base circle. Where the speed of the shaft varies or the floor moves, a bound is less by what that adds to its quantity.
@@ -52,7 +53,8 @@ pub fn constrain(
     force_error: impl FnOnce(&Problem, &Basis) -> MeanSquare,
 ) {
     let is_spline = matches!(program.basis, Basis::Spline { .. });
-    let is_sized = is_spline && problem.size() == Size::Sought;
+    let is_sized = problem.size() == Size::Sought
+        && (is_spline || problem.objective() == Minimise::ForceError);
     let base_circle = kinematic::base_circle(problem).filter(|_| !search.below_base_circle);
     let mut rows: Vec<Limit> = base_circle.into_iter().collect();
     rows.extend(kinematic::stroke(problem));

@@ -82,3 +82,50 @@ fn what_only_splines_have_asks_for_a_spline() {
     let dwell = "[law]\nfamily = \"auto\"\n[[law.dwell]]\nfrom = \"10 deg\"\nto = \"40 deg\"\n";
     assert_eq!(built(dwell).family.name(), "spline");
 }
+
+/// Of harmonics under a flat face, as of splines: a smaller wave always has a smaller cam.
+#[test]
+fn harmonics_keep_a_limit_on_the_size_as_splines_do() {
+    const SPRING: &str = r#"
+name = "spring"
+[gait]
+model = "young"
+step_frequency = "1.9 Hz"
+body_weight = "600 N"
+[drive]
+kind = "fixed-axis"
+mass = "1 kg"
+spring_rate = "10 N/mm"
+preload = "150 N"
+[cam]
+follower = "flat-translating"
+[limits]
+curvature = "5 mm"
+[accuracy]
+rms = "none"
+"#;
+    for harmonics in ["3", "8"] {
+        let of = |changes: &[(&str, &str)]| {
+            let mut scene = gaitcam_test_support::scene::<&str>(SPRING, &[]).unwrap();
+            let family = [("law.family", "harmonic"), ("law.harmonics", harmonics)];
+            for (key, value) in family.iter().chain(changes) {
+                scene = scene.with(key, value).unwrap();
+            }
+            synthesise(&scene, scene.model_force().unwrap().as_ref()).unwrap()
+        };
+        let needed = of(&[]).cam.follower.prime_radius();
+        let mut last = 0.0;
+        for part in [0.95, 0.8, 0.6] {
+            let limit = format!("{} mm", 1e3 * part * needed);
+            let small = of(&[("limits.prime_radius", &limit), ("cam.bore", "1 mm")]);
+            assert!(good(&small), "{harmonics} {part} {:?}", small.reasons);
+            assert!(small.solver.certified, "{harmonics} {part}");
+            assert!(small.force.rms_error_n > last);
+            last = small.force.rms_error_n;
+        }
+    }
+}
+
+fn good(design: &Design) -> bool {
+    design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
+}
