@@ -30,6 +30,7 @@ pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
 pub use press::Press;
 pub use pressure_angle::{NEARLY_RIGHT, is_usual, usual_pressure_angle};
 pub use profile::Profile;
+pub use size::leave_room;
 pub use slack::ProfileSize;
 
 use super::qp::{Basis, Limit, MeanSquare, Program};

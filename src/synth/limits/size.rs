@@ -2,7 +2,6 @@
 
 use super::finished::{GEOMETRY, SLACK};
 use super::nonconvex::ENLARGED;
-use super::profile::Profile;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
@@ -51,16 +50,19 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     limits
 }
 
-/// A limit on a size without cost: one row, at angle 0, with the final enlargement for a roller's curvature as margin.
+/// A limit on a size without cost: one row, at angle 0.
 fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
-    let kept = if Profile::of(problem).is_some() {
-        1.0 - 2.0 * ENLARGED
-    } else {
-        1.0
-    };
     Limit {
         name: LimitKind::PrimeRadius.into(),
-        ..Meaning::times(1.0).of(on_size(problem, variable, 1.0, radius * kept))
+        ..Meaning::times(1.0).of(on_size(problem, variable, 1.0, radius))
+    }
+}
+
+/// Tightens the limit on the size by the enlargement at the end of a sequence.
+pub fn leave_room(program: &mut Program) {
+    let is_of_size = |l: &&mut Limit| l.name == LimitKind::PrimeRadius;
+    for limit in program.limits.iter_mut().filter(is_of_size) {
+        limit.bound *= 1.0 - 2.0 * ENLARGED;
     }
 }
 

@@ -109,7 +109,11 @@ fn in_sequence(
     optimum: &mut Optimum,
     limits: NonconvexLimits,
 ) -> bool {
-    let (program, solution) = at_level(problem, optimum, &limits, &optimum.solution);
+    let (mut program, solution) = at_level(problem, optimum, &limits, &optimum.solution);
+    if scp::keeps(&program, &solution, &limits) {
+        return true;
+    }
+    limits::leave_room(&mut program);
     if let Some(found) = sequence_from(problem, search, optimum, &limits, &program, &solution) {
         // The convex optimum itself, at a size of the same cost.
         let (refined, steps, _) = &found;
@@ -133,7 +137,8 @@ fn in_sequence(
     };
     let least = &mut smallest.solution;
     least.extra[PEAK] = formulation.program.own_peak(&least.x, &least.extra);
-    let (program, solution) = at_level(problem, optimum, &limits, &smallest.solution);
+    let (mut program, solution) = at_level(problem, optimum, &limits, &smallest.solution);
+    limits::leave_room(&mut program);
     let found = sequence_from(problem, search, optimum, &limits, &program, &solution);
     let is_found = found.is_some();
     if let Some(found) = found {

@@ -1,5 +1,7 @@
 //! Changes of several limits, if no single change suffices.
 
+use std::mem::discriminant;
+
 use super::relaxable::Relaxable;
 use super::{FAR, MACHINE_ROOMS, Relaxing, SMALL, Values, beside, changed, passes, passing};
 use crate::halt::Halt;
@@ -21,7 +23,10 @@ impl Relaxing<'_> {
         match synthesis::design(&changed(self.problem, &free), self.search) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
-                reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
+                // What failed before fails there by another value.
+                let is_known =
+                    |r: &Reason| known.iter().any(|k| discriminant(k) == discriminant(r));
+                reasons.extend(design.reasons.into_iter().filter(|r| !is_known(r)));
                 (reasons, Vec::new())
             }
             Ok(_) => self.with_those_out_of_reach(numbers, &free),

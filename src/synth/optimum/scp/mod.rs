@@ -21,6 +21,7 @@ pub use at_size::AtSize;
 pub use start::of_least_size;
 
 use last::{held, resolved};
+use linearised::least_of;
 use steps::descended;
 
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
@@ -63,6 +64,12 @@ pub fn refine(
         };
     }
     Some((current, steps, ended))
+}
+
+/// Whether a solution keeps the nonconvex limits at its size.
+pub fn keeps(program: &Program, solution: &Solution, limits: &NonconvexLimits) -> bool {
+    let at_size = AtSize::new(limits.clone(), program);
+    least_of(&at_size.clear(program, solution)) >= 0.0
 }
 
 /// A solution that keeps the nonconvex limits too, from a solution of the program; `None` on failure.

@@ -106,3 +106,53 @@ fn a_gap_of_all_laws_is_stated_only_where_every_touching_angle_is_bounded() {
     }
     assert!(counts.iter().all(|n| *n > 2), "{counts:?}");
 }
+
+/// A limit on the size is used up to the limit as written: nothing that the program keeps free of it hides a better law.
+#[test]
+fn the_optimum_under_a_limit_on_the_size_is_that_of_the_limit_as_written() {
+    const SCENE: &str = r#"
+name = "size"
+[drive]
+kind = "fixed-axis"
+speed = "9.989 rad/s"
+mass = "2 kg"
+preload = "80 N"
+[cam]
+follower = "roller-translating"
+roller_radius = "2 mm"
+[limits]
+pressure_angle = "25.71 deg"
+[law]
+family = "spline"
+degree = 7
+spans = 32
+minimise = "jerk"
+[[law.point]]
+angle = "0 deg"
+lift = "0 mm"
+velocity = "0 mm/rad"
+[[law.point]]
+angle = "270 deg"
+lift = "16.035 mm"
+velocity = "0 mm/rad"
+[[law.point]]
+angle = "315 deg"
+lift = "19.049 mm"
+"#;
+    for (offset, limit) in [("3 mm", 59.61), ("0 mm", 61.0), ("-4 mm", 62.0)] {
+        let of = |limit: f64| {
+            let radius = format!("limits.prime_radius={limit} mm");
+            let offset = format!("cam.offset={offset}");
+            gaitcam_test_support::design_of(SCENE, &[&radius, &offset])
+        };
+        let (own, wider) = (of(limit), of(limit * (1.0 + 1e-5)));
+        let radius = 1e3 * own.cam.follower.prime_radius();
+        assert!(
+            own.solver.certified && (radius / limit - 1.0).abs() < 1e-9,
+            "{offset} {radius}"
+        );
+        // The law changes with the limit: it is active.
+        let [own, wider] = [&own, &wider].map(|d| d.solver.certificate.unwrap().size);
+        assert!(wider < own * (1.0 - 1e-6), "{offset} {own} {wider}");
+    }
+}
