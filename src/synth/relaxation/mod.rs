@@ -103,9 +103,9 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
             (None, known.chain(cures).collect())
         }
     };
-    // What the machine needs does not change with a limit of the cam.
+    // What the accuracy needs of the machine is sufficient where nothing else fails.
     let of_machine = design.relaxations.into_iter();
-    let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia);
+    let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia && relaxing.passes_on(r));
     let out_of_time = search.halt.was_heard() && !design.out_of_time;
     let notes = design.notes.into_iter();
     Design {
@@ -234,15 +234,25 @@ impl<'a> Relaxing<'a> {
     }
 
     /// The value, or a slightly weaker one, with which the optimum passes. The search for passing designs ends at another law where limits are not
-    /// convex, and minimises the force error where the accuracy is a limit.
+    /// convex or the walkers are many, and minimises the force error where the accuracy is a limit.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
-        let is_convex = NonconvexLimits::of(self.problem).is_none();
-        if self.problem.on_shaft.is_some() || is_convex && self.problem.limited_error().is_none() {
+        let problem = self.problem;
+        let is_same = NonconvexLimits::of(problem).is_none()
+            && problem.limited_error().is_none()
+            && problem.walkers.is_none();
+        if is_same || problem.on_shaft.is_some() {
             return Some(to);
         }
         let weaker = ROOMS[1..].iter().map(|room| number.with_room(to, *room));
         let mut values = [to, number.after(to)].into_iter().chain(weaker);
         values.find(|to| self.passes_as_asked(&[(number, *to)]))
+    }
+
+    /// Whether the optimum on the machine with another inertia passes.
+    fn passes_on(&self, machine: &Relaxation) -> bool {
+        let inertia = machine.to.map(|to| self.asked.with(machine.limit, to));
+        let kept = inertia.and_then(|problem| synthesis::kept(&problem, self.search).ok());
+        kept.flatten().is_some()
     }
 
     /// Whether the optimum with these values passes on its machine.

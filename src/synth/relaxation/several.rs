@@ -9,14 +9,13 @@ use crate::synth::infeasible::reasons::changes;
 use crate::synth::report::limited::Relaxation;
 use crate::synth::report::reason::Reason;
 use crate::synth::synthesis;
-use crate::units::Quantity;
 
 impl Relaxing<'_> {
     /// Reasons and values for changes of several limits, if no single change suffices.
     pub fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
-        if let Some((share, all)) = self.together(numbers) {
-            let share = Quantity::share(share);
-            return (vec![Reason::AllTogether { share }], all);
+        if let Some(all) = self.together(numbers) {
+            let changes = changes(&all, self.problem.cam.measures());
+            return (vec![Reason::AllTogether { changes }], all);
         }
         let away = |&(number, from): &(Relaxable, f64)| (number, number.away(from, self.force));
         let free: Vec<(Relaxable, f64)> = numbers.iter().map(away).collect();
@@ -63,7 +62,7 @@ impl Relaxing<'_> {
         let own =
             |&(number, to): &(Relaxable, f64)| Relaxation::of(number.criterion(), to, Some(to));
         let mut values = match eased {
-            Some((_, values)) => values,
+            Some(values) => values,
             None => alone.iter().map(own).collect(),
         };
         for value in &mut values {
@@ -104,10 +103,11 @@ impl Relaxing<'_> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The smallest common relative change of all limits that suffices, with the values.
-    fn together(&self, numbers: &Values) -> Option<(f64, Vec<Relaxation>)> {
+    /// The values of all limits after the smallest common relative change that suffices.
+    fn together(&self, numbers: &Values) -> Option<Vec<Relaxation>> {
         let eased = |share: f64| -> Vec<(Relaxable, f64)> {
-            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, share, self.force));
+            let by =
+                |&(k, from): &(Relaxable, f64)| (k, k.rounded(k.eased(from, share, self.force)));
             numbers.iter().map(by).collect()
         };
         let holds =
@@ -129,7 +129,7 @@ impl Relaxing<'_> {
         let share = self.share_on_machine(share, eased)?;
         let all = (eased(share).into_iter().zip(numbers))
             .map(|((number, to), &(_, from))| Relaxation::of(number.criterion(), from, Some(to)));
-        Some((share, all.collect()))
+        Some(all.collect())
     }
 
     /// A relative change, or a slightly larger one, with which the optimum passes on its machine.

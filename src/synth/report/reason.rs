@@ -177,8 +177,8 @@ pub enum Reason {
     NoRelaxation,
     /// Changes of which one suffices, all of them by more than a factor of ten.
     FarRelaxations { changes: Vec<Change> },
-    /// Only a common relative change of all limits suffices.
-    AllTogether { share: Quantity },
+    /// Values that suffice together, where no change of a single limit suffices.
+    AllTogether { changes: Vec<Change> },
     /// Values that suffice together, if some limits are infeasible alone.
     FarTogether { changes: Vec<Change> },
     /// Limits that are infeasible even alone, with sufficient values, if the other limits fail as well.
