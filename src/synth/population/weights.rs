@@ -25,6 +25,10 @@ pub struct Weights<'a> {
     pub upper: f64,
     /// Lower bound of the measure over all laws of the family.
     pub lower: f64,
+    /// Weighted sum of the squares of the combination that the last weights belong to.
+    hull: f64,
+    /// Whether the last law is no better than that combination, so that the next weights would be the same.
+    is_settled: bool,
 }
 
 impl<'a> Weights<'a> {
@@ -37,6 +41,8 @@ impl<'a> Weights<'a> {
             best: Vec::new(),
             upper: f64::INFINITY,
             lower: 0.0,
+            hull: f64::INFINITY,
+            is_settled: false,
         }
     }
 
@@ -45,8 +51,9 @@ impl<'a> Weights<'a> {
         let squares = self.squares(&force);
         let both = weights.iter().zip(self.aims);
         let curvature: f64 = both.map(|(w, aim)| w * aim.scale * aim.scale).sum();
-        let bound = dot(weights, &squares) - 2.0 * curvature * gap;
-        self.lower = self.lower.max(bound);
+        let own = dot(weights, &squares);
+        self.lower = self.lower.max(own - 2.0 * curvature * gap);
+        self.is_settled = own >= (1.0 - PROVED) * self.hull;
         self.laws.push(force);
         let mut parts = vec![0.0; self.laws.len()];
         parts[self.laws.len() - 1] = 1.0;
@@ -88,8 +95,12 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// The weights for the next law; `None` if the hull gives none. If combinations satisfy the limits, the best one of the hull is added too.
+    /// The weights for the next law; `None` if the hull gives none. If combinations satisfy the limits, the best one of the hull is added too;
+    /// otherwise nothing will be proved, and the search ends with the first law that does not enlarge the hull.
     pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
+        if self.is_settled && !combines {
+            return None;
+        }
         let centre = self.force(&self.best);
         let axes = axes(&self.laws, &centre);
         let largest = self.aims.iter().fold(0.0_f64, |m, aim| m.max(aim.scale));
@@ -111,8 +122,9 @@ impl<'a> Weights<'a> {
         };
         let squares: Vec<Square> = self.aims.iter().map(square).collect();
         let found = least_worst(&points, &squares, self.caps().as_deref())?;
+        let squares = self.squares(&self.force(&found.parts));
+        self.hull = dot(&found.weights, &squares);
         if combines {
-            let squares = self.squares(&self.force(&found.parts));
             self.keep(found.parts, &squares);
         }
         Some(found.weights)
