@@ -5,7 +5,7 @@ use super::profile::Profile;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::Criterion;
 use crate::law::{Law, Svaj};
-use crate::poly::{PiecewisePoly, stand_in_for_difference};
+use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
 /// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds to rounding.
@@ -92,15 +92,11 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
         law.svaj_on(piece, (x - own[piece]) / (own[piece + 1] - own[piece]))
     };
     let first = limits.slacks(place(0, breaks[0]), breaks[0]);
-    (0..first.len())
-        .map(|k| {
-            let terms = (first[k].largest / first[k].w).abs();
-            stand_in_for_difference(breaks, 1e-11, terms, |i, x| {
-                let s = &limits.slacks(place(i, x), x)[k];
-                s.h / s.w
-            })
-        })
-        .collect()
+    let terms: Vec<f64> = first.iter().map(|s| (s.largest / s.w).abs()).collect();
+    stand_ins_for_differences(breaks, 1e-11, &terms, |i, x| {
+        let slacks = limits.slacks(place(i, x), x);
+        slacks.iter().map(|s| s.h / s.w).collect()
+    })
 }
 
 /// Minimum clearance h/w over the law, for each of the limits.

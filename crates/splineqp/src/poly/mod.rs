@@ -20,6 +20,6 @@ pub use extreme::Extreme;
 pub use fourier::{amplitudes, samples};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Peak, PiecewisePoly};
-pub use proxy::{stand_in, stand_in_for_difference};
+pub use proxy::{stand_in, stand_ins_for_differences};
 pub use trigonometric::{harmonic_extremes, harmonic_sums, harmonic_values};
 pub use wave::{Wave, add_taylor, subdivide};

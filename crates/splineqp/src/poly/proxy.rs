@@ -19,33 +19,61 @@ const NOISE: f64 = 1e-9;
 ///
 /// Interpolates at Chebyshev points and halves an interval until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
-    stand_in_for_difference(breaks, tolerance, 0.0, f)
+    let transform = Transform::new();
+    let first: Vec<Values> = (breaks.windows(2).enumerate())
+        .map(|(piece, w)| transform.nodes_on([w[0], w[1]]).map(|x| f(piece, x)))
+        .collect();
+    joined(&transform, breaks, tolerance, 0.0, &first, f)
 }
 
-/// The proxy of an `f` that is a difference of large terms, whose rounding limits the accuracy.
-pub fn stand_in_for_difference(
+/// The proxies of several functions that are computed together; `terms` are the sizes of the large terms whose difference each of them is,
+/// because their rounding limits the accuracy.
+pub fn stand_ins_for_differences(
+    breaks: &[f64],
+    tolerance: f64,
+    terms: &[f64],
+    f: impl Fn(usize, f64) -> Vec<f64>,
+) -> Vec<PiecewisePoly> {
+    let transform = Transform::new();
+    let mut first = vec![vec![[0.0; DEGREE + 1]; breaks.len() - 1]; terms.len()];
+    for (piece, w) in breaks.windows(2).enumerate() {
+        let nodes = transform.nodes_on([w[0], w[1]]);
+        for (node, x) in nodes.into_iter().enumerate() {
+            for (own, value) in first.iter_mut().zip(f(piece, x)) {
+                own[piece][node] = value;
+            }
+        }
+    }
+    let each = first.iter().zip(terms).enumerate();
+    each.map(|(k, (first, terms))| {
+        let own = |piece: usize, x: f64| f(piece, x)[k];
+        joined(&transform, breaks, tolerance, *terms, first, own)
+    })
+    .collect()
+}
+
+/// Values of a function at the nodes of a part.
+type Values = [f64; DEGREE + 1];
+
+/// The proxy of a function, from its `first` values on whole intervals.
+fn joined(
+    transform: &Transform,
     breaks: &[f64],
     tolerance: f64,
     terms: f64,
+    first: &[Values],
     f: impl Fn(usize, f64) -> f64,
 ) -> PiecewisePoly {
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
-    let transform = Transform::new();
     // The scale of the whole function comes first: relative to its own scale, a piece that is only rounding (a dwell) would be
     // halved without end.
-    let mut scale = terms;
-    for (piece, w) in breaks.windows(2).enumerate() {
-        for x in transform.nodes {
-            let value = f(piece, w[0] + (w[1] - w[0]) * 0.5 * (1.0 + x)).abs();
-            if value.is_finite() {
-                scale = scale.max(value);
-            }
-        }
-    }
-    for (piece, w) in breaks.windows(2).enumerate() {
+    let sizes = first.iter().flatten().map(|value| value.abs());
+    let mut scale = sizes.filter(|s| s.is_finite()).fold(terms, f64::max);
+    for (piece, (w, values)) in breaks.windows(2).zip(first).enumerate() {
+        let whole = Part::of(transform, values, [w[0], w[1]], (f64::INFINITY, 0));
         let on_piece = |x: f64| f(piece, x);
-        for part in parts(&transform, &on_piece, [w[0], w[1]], tolerance, &mut scale) {
+        for part in parts(transform, &on_piece, whole, tolerance, &mut scale) {
             out_breaks.push(part.ends[1]);
             coef.extend(transform.bernstein(&part.chebyshev));
         }
@@ -89,8 +117,13 @@ impl Transform {
         }
     }
 
+    /// The nodes between two ends.
+    fn nodes_on(&self, [a, b]: [f64; 2]) -> [f64; DEGREE + 1] {
+        self.nodes.map(|x| a + (b - a) * 0.5 * (1.0 + x))
+    }
+
     /// Chebyshev coefficients of the interpolant of these values at the nodes.
-    fn of(&self, values: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
+    fn of(&self, values: &Values) -> [f64; DEGREE + 1] {
         std::array::from_fn(|k| {
             let terms = values.iter().zip(&self.waves[k]);
             let sum: f64 = terms.map(|(v, wave)| v * wave).sum();
@@ -114,34 +147,31 @@ impl Transform {
 struct Part {
     ends: [f64; 2],
     chebyshev: [f64; DEGREE + 1],
+    /// Largest absolute value at the nodes.
+    largest: f64,
     /// Largest of the last coefficients, for this part and before the last halving.
     tail: f64,
     parent_tail: f64,
     halvings: u32,
-    is_finite: bool,
 }
 
 impl Part {
-    fn new(
+    fn of(
         transform: &Transform,
-        f: &impl Fn(f64) -> f64,
+        values: &Values,
         ends: [f64; 2],
         (parent_tail, halvings): (f64, u32),
-        scale: &mut f64,
     ) -> Part {
-        let [a, b] = ends;
-        let values = transform.nodes.map(|x| f(a + (b - a) * 0.5 * (1.0 + x)));
         let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        *scale = scale.max(largest);
-        let chebyshev = transform.of(&values);
+        let chebyshev = transform.of(values);
         let last = &chebyshev[DEGREE - 2..];
         Part {
             ends,
             chebyshev,
+            largest,
             tail: last.iter().fold(0.0_f64, |m, x| m.max(x.abs())),
             parent_tail,
             halvings,
-            is_finite: largest.is_finite(),
         }
     }
 
@@ -149,7 +179,8 @@ impl Part {
     fn is_rough(&self, tolerance: f64, scale: f64) -> bool {
         let [a, b] = self.ends;
         let mid = 0.5 * (a + b);
-        let splittable = self.halvings < MAX_HALVINGS && mid > a && mid < b && self.is_finite;
+        let splittable =
+            self.halvings < MAX_HALVINGS && mid > a && mid < b && self.largest.is_finite();
         let noise = self.tail < NOISE * scale && self.tail > 0.5 * self.parent_tail;
         self.tail > tolerance * scale && splittable && !noise
     }
@@ -159,11 +190,12 @@ impl Part {
 fn parts(
     transform: &Transform,
     f: &impl Fn(f64) -> f64,
-    ends: [f64; 2],
+    whole: Part,
     tolerance: f64,
     scale: &mut f64,
 ) -> Vec<Part> {
-    let mut rough: Vec<Part> = vec![Part::new(transform, f, ends, (f64::INFINITY, 0), scale)];
+    *scale = scale.max(whole.largest);
+    let mut rough: Vec<Part> = vec![whole];
     let mut done: Vec<Part> = Vec::new();
     while !rough.is_empty() && rough.len() + done.len() < MOST_PARTS {
         let by_tail = |a: &usize, b: &usize| rough[*a].tail.total_cmp(&rough[*b].tail);
@@ -176,8 +208,12 @@ fn parts(
         let [a, b] = part.ends;
         let mid = 0.5 * (a + b);
         let from = (part.tail, part.halvings + 1);
-        rough.push(Part::new(transform, f, [a, mid], from, scale));
-        rough.push(Part::new(transform, f, [mid, b], from, scale));
+        for ends in [[a, mid], [mid, b]] {
+            let values = transform.nodes_on(ends).map(f);
+            let half = Part::of(transform, &values, ends, from);
+            *scale = scale.max(half.largest);
+            rough.push(half);
+        }
     }
     done.append(&mut rough);
     done.sort_by(|p, q| p.ends[0].total_cmp(&q.ends[0]));
@@ -200,8 +236,8 @@ mod tests {
     #[test]
     fn rounding_of_large_terms_is_not_halved_for_ever() {
         // 1 + x − 1 to rounding: small values that carry the noise of 1.
-        let f = |_: usize, x: f64| (1.0 + 1e-7 * x.sin()) - 1.0;
-        let p = stand_in_for_difference(&[0.0, 3.0], 1e-11, 1.0, f);
+        let f = |_: usize, x: f64| vec![(1.0 + 1e-7 * x.sin()) - 1.0];
+        let p = &stand_ins_for_differences(&[0.0, 3.0], 1e-11, &[1.0], f)[0];
         assert!(p.pieces() < 10, "{}", p.pieces());
         assert!((p.extremes().1.value - 1e-7).abs() < 1e-11);
     }
