@@ -118,7 +118,8 @@ pub fn from_rows<N: Names>(
             return Ok(solution);
         }
         let near = violation < program.settings.refinement.from;
-        if near && program.rms.is_empty() && refinements < settings.refinements {
+        let is_wanted = program.rms.is_empty() && refine::is_wanted(program);
+        if near && is_wanted && refinements < settings.refinements {
             refinements += 1;
             if let Some(refined) = refine::on_contacts(program, &solution) {
                 return Ok(refined);

@@ -54,10 +54,14 @@ enum Way {
     Program,
 }
 
-/// The refined solution, if its certificate is open and refinement closes it. Programs of a sequence with a coarser tolerance remain unchanged.
+/// Whether a program needs the last digits; the steps of a sequence have a coarser tolerance.
+pub fn is_wanted<N: Names>(program: &Program<N>) -> bool {
+    program.settings.tolerance <= program.settings.refinement.finest_tolerance
+}
+
+/// The refined solution, if its certificate is open and refinement closes it. Programs that need no last digits remain unchanged.
 pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solution<N> {
-    let settings = &program.settings;
-    if !solution.used_rows || settings.tolerance > settings.refinement.finest_tolerance {
+    if !solution.used_rows || !is_wanted(program) {
         return solution;
     }
     let before = openness(program, &solution);
