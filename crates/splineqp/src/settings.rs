@@ -199,8 +199,6 @@ settings! {
     ExchangeSettings {
         /// Maximum number of iterations; a handful is usual.
         rounds: usize = 60,
-        /// Maximum number of iterations that refine contacts, since a dense step costs as much as one.
-        refinements: usize = 3,
         /// Fraction of the smallest violation above which an iteration has stalled.
         stalled: f64 = 0.5,
         /// After a stall, margin of every limit as a multiple of the violation, added to the previous margin …

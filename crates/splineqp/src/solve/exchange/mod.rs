@@ -63,7 +63,8 @@ pub fn from_rows<N: Names>(
     solver: &mut impl RowSolver<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    let mut refinements = 0;
+    // A second attempt would fail on the same contacts.
+    let mut is_refinable = program.rms.is_empty() && refine::is_wanted(program);
     let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
     // refinement, so there it is kept from the start.
@@ -117,10 +118,8 @@ pub fn from_rows<N: Names>(
         if broken.is_empty() && rows_hold {
             return Ok(solution);
         }
-        let near = violation < program.settings.refinement.from;
-        let is_wanted = program.rms.is_empty() && refine::is_wanted(program);
-        if near && is_wanted && refinements < settings.refinements {
-            refinements += 1;
+        if is_refinable && violation < program.settings.refinement.from {
+            is_refinable = false;
             if let Some(refined) = refine::on_contacts(program, &solution) {
                 return Ok(refined);
             }
