@@ -379,11 +379,15 @@ impl<'a, N: Names> Contacts<'a, N> {
             let push = |r: &Row<N>| r.multiplier * row_unit(&r.entries, self.program.length);
             let pushes = || next.active.iter().map(push);
             let largest = pushes().fold(0.0, |m: f64, p| m.max(p.abs()));
-            let weakest = pushes().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
             let negative = self.program.settings.refinement.negative_multiplier;
-            match weakest {
-                Some((row, least)) if least < -negative * largest => drop(rows.remove(row)),
-                _ => {
+            let pulls = || pushes().enumerate().filter(|p| p.1 < -negative * largest);
+            // About one system for each row that leaves.
+            if pulls().count() > *solves {
+                return None;
+            }
+            match pulls().min_by(|a, b| a.1.total_cmp(&b.1)) {
+                Some((row, _)) => drop(rows.remove(row)),
+                None => {
                     next.active.retain(|r| r.multiplier > 0.0);
                     next.violation = self.violation(&next);
                     return Some(next);
