@@ -47,6 +47,11 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     if rest.value < -NO_PULL_AT_REST * most.value.abs() {
         return Some(0.0);
     }
+    // Where nothing presses at rest, damping of the fall lifts off at any speed.
+    let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
+    if touches && drive.damping > 0.0 && law.stroke() > 0.0 {
+        return Some(0.0);
+    }
     if drive.mass <= 0.0 && drive.damping <= 0.0 {
         return None;
     }

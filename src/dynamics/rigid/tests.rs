@@ -78,6 +78,22 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
     assert_eq!(liftoff_speed(&law, &pulled), Some(0.0));
 }
 
+/// s = A (1 + cos θ) without preload: k s + c ω s′ is negative for k tan(φ/2) < c ω, φ the angle before the lowest point.
+#[test]
+fn damping_without_a_preload_lifts_off_at_any_speed() {
+    let law = Law::harmonic(0.01, &[(0.01, 0.0)]);
+    for mass in [0.0, 2.0] {
+        let drive = Drive {
+            rest_force: 0.0,
+            damping: 2.0,
+            mass,
+            ..spring_loaded(0.3)
+        };
+        assert_eq!(liftoff_speed(&law, &drive), Some(0.0));
+        assert!(drive.force_extremes(&law).0.value < 0.0);
+    }
+}
+
 #[test]
 fn damping_alone_lifts_off_where_the_follower_moves_fastest_against_it() {
     // F₀ + c ω v = 0 at ω v = −|ω| e.

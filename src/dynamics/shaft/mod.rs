@@ -23,6 +23,8 @@ use steady::{Stall, Steady};
 
 /// Margin of a suggested no-load speed or inertia above the required one.
 const MARGIN: f64 = 1.02;
+/// Work relative to J Ω² below which it is a rounding error.
+const ROUNDING: f64 = 1e-9;
 
 /// The steady motion of the shaft.
 ///
@@ -267,6 +269,8 @@ impl Motion {
         let stops = load.stop_from_rest(motor, turn.no_load, lowest);
         // The torque falls with the speed.
         let torques = [min, max].map(|w| motor.torque(w, turn.no_load)[0].abs());
+        // Without a load both works are rounding.
+        let least = ROUNDING * motor.inertia * self.mean * self.mean;
         Some(Shaft {
             mean: self.mean,
             min,
@@ -279,7 +283,7 @@ impl Motion {
             motor_power_mean_w: turn.motor_work / motor.efficiency / period,
             stops_at_rad: stops.map(|at| (at - lowest).rem_euclid(TAU)),
             least_inertia_kg_m2: turn.least_inertia(load, motor, self.mean),
-            energy_balance: balance / swing.max(turn.motor_work.abs()).max(f64::MIN_POSITIVE),
+            energy_balance: balance / swing.max(turn.motor_work.abs()).max(least),
         })
     }
 }

@@ -39,6 +39,8 @@ const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies it over the angle but not over time, and their margin.
 const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
+/// Number of equal angles of speed and time of a report.
+const TOLD_ROWS: usize = 1440;
 /// Ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
 /// Successive enlargements of the inertia that suffices for a law, until the design passes.
@@ -253,6 +255,7 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
         last.take_error_over_time(force_time);
         let (law, shaft) = (&last.attempt.cam.cam.law, &last.motion.shaft);
         let report = shaft.report(motor, law.extremes(0).0.at);
+        let told = shaft.clone().at_rows(TOLD_ROWS);
         reports.shaft = report.map(|shaft| OnShaft {
             shaft,
             force_time,
@@ -260,8 +263,8 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
             rounds,
             contraction,
             forecast,
-            speed: rows.speed,
-            time: rows.time,
+            speed: told.speed,
+            time: told.time,
         });
     }
     Ok((last, reports))
