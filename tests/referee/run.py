@@ -25,9 +25,6 @@ OPEN = {
         # Points and dwells fix the law there, so the gradient of these limits is 0 in all directions that are left.
         r"binding\[([4-9]|1[0-6])\]\.multiplier": "any multiplier is right: prescribed points fix the law where these limits are met",
     },
-    "motor_spring": {
-        r"rows\.speed_rad_per_s": "law.csv joins the speed at 240 angles by straight lines, which errs by 1e-4 here; dynamics.csv agrees",
-    },
     "walkers_spring": {
         r"relaxations\[0\]\.to": "stated 5.293 %, but the stated law reaches 5.248 %: the search over spans does not return to it",
     },
