@@ -47,9 +47,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     if rest.value < -NO_PULL_AT_REST * most.value.abs() {
         return Some(0.0);
     }
-    // Where nothing presses at rest, damping of the fall lifts off at any speed.
-    let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
-    if touches && drive.damping > 0.0 && law.stroke() > 0.0 {
+    if lifts_at_rest(law, drive, rest, most) {
         return Some(0.0);
     }
     if drive.mass <= 0.0 && drive.damping <= 0.0 {
@@ -94,6 +92,19 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
         speed = next.unwrap_or(speed);
     }
     Some(speed)
+}
+
+/// Whether damping lifts off at any speed, where nothing presses at the lowest point: there s = α φⁿ, and k s + c ω s′ + m ω² s″ before it is
+/// somewhere negative at all speeds or at none, for c² above or below 4 k m (n − 1)/n. The order n is 2, or 3 at the end of a dwell.
+fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
+    let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
+    let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {
+        2.0
+    } else {
+        3.0
+    };
+    let critical = 4.0 * drive.spring_rate * drive.mass * (order - 1.0) / order;
+    touches && law.stroke() > 0.0 && drive.damping.powi(2) > critical
 }
 
 /// The motion at an extreme, from the side of a break on which the quantity has the extreme's value.

@@ -78,19 +78,22 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
     assert_eq!(liftoff_speed(&law, &pulled), Some(0.0));
 }
 
-/// s = A (1 + cos θ) without preload: k s + c ω s′ is negative for k tan(φ/2) < c ω, φ the angle before the lowest point.
+/// s = A (1 + cos θ) without preload: the lowest force is A ω² (m − c²/(2k)) to first order.
 #[test]
 fn damping_without_a_preload_lifts_off_at_any_speed() {
     let law = Law::harmonic(0.01, &[(0.01, 0.0)]);
-    for mass in [0.0, 2.0] {
-        let drive = Drive {
-            rest_force: 0.0,
-            damping: 2.0,
-            mass,
-            ..spring_loaded(0.3)
-        };
-        assert_eq!(liftoff_speed(&law, &drive), Some(0.0));
-        assert!(drive.force_extremes(&law).0.value < 0.0);
+    let of = |mass: f64| Drive {
+        rest_force: 0.0,
+        spring_rate: 100.0,
+        damping: 20.0,
+        mass,
+        ..spring_loaded(1.0)
+    };
+    for (mass, lifts) in [(0.0, true), (1.5, true), (2.5, false)] {
+        let drive = of(mass);
+        let jump = liftoff_speed(&law, &drive);
+        assert_eq!(jump == Some(0.0), lifts, "{mass} {jump:?}");
+        assert_eq!(drive.force_extremes(&law).0.value < 0.0, lifts, "{mass}");
     }
 }
 
