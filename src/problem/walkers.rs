@@ -10,7 +10,7 @@ use super::mean_force::MeanForce;
 use super::target::Target;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SynthError};
-use crate::force::{ForceCurve, Walker};
+use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
 /// Relative difference of the weights of drives that count as multiples of each other.
@@ -84,6 +84,27 @@ impl Walkers {
             return Ok(None);
         };
         let adjust = adjusted(scene)?;
+        let with = |adjust| Walkers::adjusted(scene, population, reference, mean, adjust);
+        let is_asked = scene.gait.as_ref().is_some_and(|g| g.adjust.is_some());
+        if is_asked || reference.kind == DriveKind::MovingAxis {
+            return with(adjust).map(Some);
+        }
+        // Another speed is not the same machine times a factor where springs, dampers and masses act together.
+        let fixed = Adjust {
+            speed: false,
+            ..adjust
+        };
+        with(adjust).or_else(|_| with(fixed)).map(Some)
+    }
+
+    /// The population on machines that are adjusted for its walkers.
+    fn adjusted(
+        scene: &Scene,
+        population: &Population,
+        reference: &Drive,
+        mean: Option<MeanForce>,
+        adjust: Adjust,
+    ) -> Result<Walkers> {
         let mut set = scene.clone();
         if adjust.mass {
             set.drive.mass = None;
@@ -111,13 +132,13 @@ impl Walkers {
             })
         };
         let each: Result<Vec<Served>> = population.each().map(served).collect();
-        Ok(Some(Walkers {
+        Ok(Walkers {
             each: each?,
             count: population.count(),
             robust: scene.law.robust,
             error: scene.law.error,
             adjust,
-        }))
+        })
     }
 
     /// The population with a phase for each cycle.
@@ -147,7 +168,7 @@ fn adjusted(scene: &Scene) -> Result<Adjust> {
     let Some(adjust) = scene.gait.as_ref().and_then(|g| g.adjust) else {
         return Ok(Adjust {
             mass: is_moving && spec.mass.is_none(),
-            speed: is_moving && spec.speed.is_none(),
+            speed: spec.speed.is_none(),
             phase: false,
         });
     };

@@ -401,3 +401,52 @@ fn spans_left_open_are_those_that_the_worst_walker_needs() {
         "{of_worst} {of_mean}: {error} {many}"
     );
 }
+
+/// A spring drive of mass and preload alone is another by one factor at another speed, and so is a hydraulic one; mass and spring together are not.
+#[test]
+fn the_speed_is_set_for_each_walker_on_every_drive_that_allows_it() {
+    let mass = [
+        ("drive.kind", "fixed-axis"),
+        ("drive.mass", "60 kg"),
+        ("drive.preload", "700 N"),
+    ];
+    let spring = [mass[0], mass[1], mass[2], ("drive.spring_rate", "20 N/mm")];
+    let chamber = [
+        ("drive.piston_radius", "20 mm"),
+        ("drive.pressure_per_volume", "1e10 Pa/m^3"),
+        ("drive.kind", "hydraulic"),
+    ];
+    let common = [
+        ("gait.step_frequency", "1.5 Hz:2.2 Hz:5"),
+        ("law.robust", "worst"),
+        ("accuracy.rms", "none"),
+    ];
+    let design = |drive: &[(&str, &str)], speed: Option<&str>| {
+        let given = speed.map(|s| ("drive.speed", s));
+        let mut table = scene::built_in("footbridge")
+            .unwrap()
+            .scene()
+            .unwrap()
+            .to_table();
+        for (key, value) in drive.iter().chain(&common).chain(&given) {
+            scene::set(&mut table, &format!("{key}={value}")).unwrap();
+        }
+        let scene = scene::read(&table).unwrap();
+        gaitcam::synth::synthesise(&scene, scene.model_force().unwrap().as_ref()).unwrap()
+    };
+    for (drive, is_set) in [(&mass[..], true), (&chamber, true), (&spring, false)] {
+        let free = design(drive, None);
+        let speeds: Vec<f64> = (free.problem.walkers.as_ref().unwrap().each.iter())
+            .map(|w| w.drive.speed)
+            .collect();
+        assert_eq!(
+            (speeds[0] / speeds[4] - 1.5 / 2.2).abs() < 1e-9,
+            is_set,
+            "{speeds:?}"
+        );
+        let fixed = design(drive, Some("11.6 rad/s"));
+        let worst = |d: &gaitcam::synth::Design| d.population.as_ref().unwrap().worst_percent;
+        let [free, fixed] = [worst(&free), worst(&fixed)];
+        assert!(!is_set || free <= fixed + 1e-6, "{free} {fixed}");
+    }
+}
