@@ -330,7 +330,7 @@ fn corrected(
     };
     let mut settled = rounds_of(problem, None)?;
     if let Some(floor) = run.carrier.floor.filter(|_| run.carrier.motor.is_none()) {
-        settled = answered(settled, floor, run, problem, search);
+        settled = on_responding_floor(settled, floor, run, problem, search);
     }
     let accuracy = problem
         .judged_error()
@@ -363,7 +363,7 @@ fn corrected(
 }
 
 /// The optimum on the floor that responds to it, from that for the floor's own motion and with as many spans; the latter where the rounds do not end.
-fn answered(
+fn on_responding_floor(
     mut settled: Settled<Iterate>,
     floor: &Floor,
     run: &Runner,

@@ -158,7 +158,7 @@ fn error_of(
 
 /// Among random laws of the family under the limit none has a smaller force error on the floor that it moves itself.
 #[test]
-fn the_best_law_is_that_on_the_floor_which_answers_to_it() {
+fn the_best_law_is_that_on_the_floor_that_responds_to_it() {
     for (mass, frequency, damping, limit) in [
         ("3000 kg", "3.6 Hz", "0.01", 40.0),
         ("1500 kg", "2 Hz", "0.02", 40.0),
