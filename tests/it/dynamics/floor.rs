@@ -247,6 +247,27 @@ fn the_best_law_is_that_on_the_floor_that_responds_to_it() {
     }
 }
 
+/// The least jerk within an accuracy falls as the multiplier of the accuracy says, which counts that the floor responds.
+#[test]
+fn easing_the_accuracy_on_a_floor_buys_what_its_multiplier_promises() {
+    let of = |accuracy: &str| {
+        let mut changes = bridge("2000 kg", "3.6 Hz", "0.01");
+        changes.extend([
+            ("law.family", "spline"),
+            ("law.spans", "12"),
+            ("law.minimise", "jerk"),
+            ("accuracy.rms", accuracy),
+        ]);
+        design(&changes)
+    };
+    let (own, eased) = (of("3 %"), of("3.03 %"));
+    assert!(own.solver.certified && eased.solver.certified);
+    let [own, eased] = [&own, &eased].map(|d| &d.easing[0]);
+    let part = (own.before - eased.before) / (own.before - own.after);
+    // Of second order in the change.
+    assert!((part - 1.0).abs() < 0.01, "{part}");
+}
+
 #[test]
 fn limits_by_time_are_those_of_the_law_on_a_moving_floor() {
     for (order, key, unit, limit) in [
