@@ -22,9 +22,7 @@ impl Relaxing<'_> {
         match synthesis::design(&changed(self.problem, &free), self.search) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
-                // What failed before fails there by another value.
-                let is_known =
-                    |r: &Reason| known.iter().any(|k| discriminant(k) == discriminant(r));
+                let is_known = |r: &Reason| known.iter().any(|k| tells_the_same(k, r));
                 reasons.extend(design.reasons.into_iter().filter(|r| !is_known(r)));
                 (reasons, Vec::new())
             }
@@ -140,6 +138,17 @@ impl Relaxing<'_> {
     ) -> Option<f64> {
         let mut shares = MACHINE_ROOMS.map(|room| rounded(share + room)).into_iter();
         shares.find(|share| self.passes_as_asked(&eased(*share)))
+    }
+}
+
+/// Whether two reasons are the same but for their values.
+fn tells_the_same(one: &Reason, other: &Reason) -> bool {
+    match (one, other) {
+        (Reason::LimitBroken { limit: one, .. }, Reason::LimitBroken { limit: other, .. }) => {
+            one == other
+        }
+        (Reason::LimitInfeasible { .. } | Reason::LimitsInfeasible { .. }, _) => one == other,
+        _ => discriminant(one) == discriminant(other),
     }
 }
 
