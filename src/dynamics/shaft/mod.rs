@@ -283,7 +283,11 @@ impl Motion {
             motor_power_mean_w: turn.motor_work / motor.efficiency / period,
             stops_at_rad: stops.map(|at| (at - lowest).rem_euclid(TAU)),
             least_inertia_kg_m2: turn.least_inertia(load, motor, self.mean),
-            energy_balance: balance / swing.max(turn.motor_work.abs()).max(least),
+            energy_balance: balance
+                / swing
+                    .max(turn.motor_work.abs())
+                    .max(least)
+                    .max(f64::MIN_POSITIVE),
         })
     }
 }
