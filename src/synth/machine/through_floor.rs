@@ -28,7 +28,7 @@ pub struct FloorResponse {
     /// Gₙ − G∞ of the harmonics from 1 on.
     gains: Vec<[f64; 2]>,
     at_once: f64,
-    /// Least |Gₙ|.
+    /// Minimum |Gₙ| over the harmonics; 0 at the resonance of an undamped mode.
     least: f64,
     /// Unit of h, in units of the objective per N.
     unit: f64,
@@ -140,9 +140,8 @@ impl FloorResponse {
         let force = problem.target_mean() * off;
         let slope = self.unit * off * (COUNT as f64).sqrt() + of_error * force;
         let of_limits = price.of_limits.iter().map(|(_, m)| m.abs()).sum::<f64>() * force;
-        price
-            .is_whole
-            .then_some(curvature * own + apart * slope + of_limits)
+        let is_bounded = price.is_whole && self.least > 0.0;
+        is_bounded.then_some(curvature * own + apart * slope + of_limits)
     }
 }
 
