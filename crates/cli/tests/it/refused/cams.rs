@@ -40,12 +40,12 @@ fn says(answer: (i32, String), code: i32, words: &[&str]) {
 
 #[test]
 fn an_arm_too_short_is_told_how_long_it_must_be() {
-    // c 130, Rp 68: the arm must exceed 62 mm.
+    // c 100, Rp 60: the arm must exceed 40 mm.
     let text = scene("camdas_11_oscillating_roller");
     says(
-        synth(&text, &["cam.arm=55 mm"]),
+        synth(&text, &["cam.arm=35 mm"]),
         3,
-        &["arm", "too short", "62 mm"],
+        &["arm", "too short", "40 mm"],
     );
 }
 
