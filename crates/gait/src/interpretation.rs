@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Value, json};
+use strum::IntoStaticStr;
 
 use crate::recording::{
     ClockSource, CycleSource, Feet, Foot, ForceUnit, Format, Idle, Kind, MassSource, Note,
@@ -44,6 +45,8 @@ pub struct Interpretation {
     pub feet: Feet,
     /// Every contact, used or rejected, in order of time.
     pub contacts: Vec<Contact>,
+    /// Every whole stride of both feet, used or rejected, in order of time.
+    pub strides: Vec<RecordedStride>,
     /// Duration of a cycle, its source and its variation.
     pub period: Option<Period>,
     /// Mass, kg, and its source.
@@ -131,8 +134,62 @@ pub struct Contact {
     pub from_s: f64,
     /// End on the same clock, s.
     pub to_s: f64,
+    /// Loading peak, valley and push-off peak of a whole stance, where it has them.
+    pub landmarks: [Option<Point>; 3],
+    /// Integral of the force over a whole stance, N s.
+    pub impulse_ns: Option<f64>,
     /// Reason for its rejection; `None` if it is used.
     pub rejected: Option<RejectReason>,
+}
+
+/// One whole stride on record, from a heel strike to the next of the same foot.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, StrideReject, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Strides that begin with the other foot share the samples of the averaged ones.
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let strides = curve.recording.unwrap().strides.clone();
+/// let used = strides.iter().filter(|s| s.rejected.is_none()).count();
+/// let other = strides.iter().filter(|s| s.rejected == Some(StrideReject::OtherFoot)).count();
+/// assert_eq!((strides.len(), used, other), (18, 9, 9));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordedStride {
+    /// The foot that begins and ends it, if known.
+    pub foot: Option<Foot>,
+    /// Its first heel strike on the file's own clock, s.
+    pub from_s: f64,
+    /// The next heel strike of the same foot on the same clock, s.
+    pub to_s: f64,
+    /// Loading peak, valley and push-off peak of its first stance, where that has them.
+    pub landmarks: [Option<Point>; 3],
+    /// Integral of the force of both feet over the stride, N s.
+    pub impulse_ns: f64,
+    /// Reason why the mean cycle does not contain it; `None` if it does.
+    pub rejected: Option<StrideReject>,
+}
+
+/// Reasons why a whole stride is not averaged.
+///
+/// ```
+/// use gaitcam_gait::StrideReject;
+///
+/// assert_eq!(<&str>::from(StrideReject::OddDuration), "odd-duration");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum StrideReject {
+    /// Its duration differs by a quarter or more from the median.
+    OddDuration,
+    /// Strides that begin with the other foot are averaged; this one shares their samples.
+    OtherFoot,
+    /// The mean cycle is built from single stances.
+    StancesAveraged,
 }
 
 /// A stride of the recorded walk.

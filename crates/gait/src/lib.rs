@@ -30,13 +30,15 @@ mod recording;
 mod source;
 mod stance;
 mod statistics;
+mod step_table;
 pub mod wording;
 
 pub use curve::{ForceCurve, SAMPLES};
 pub use cycle::{Cycle, JointMean, LeftOut, Trial, cycle, implausible, joint_mean, overlay};
 pub use gaitcam_base::units;
 pub use interpretation::{
-    Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
+    Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, RecordedStride,
+    StrideReject, coded,
 };
 pub use models::{FourierForce, ModelInfo, Status, catalogue, model, of_harmonics, series};
 pub use population::{
@@ -54,6 +56,7 @@ pub use recording::{
 };
 pub use source::force_curve;
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};
+pub use step_table::{StepRow, steps_csv};
 
 /// The program in the README compiles and runs.
 #[cfg(doctest)]

@@ -10,6 +10,12 @@ pub fn assert_same_messages(english: &str, spanish: &str) {
     let (english, spanish) = (arguments(english), arguments(spanish));
     for (key, wanted) in &english {
         assert_eq!(Some(wanted), spanish.get(key), "{key} in Spanish");
+        // A field `at_ends` is the argument `$at-ends`.
+        let filled = wanted.iter().all(|argument| !argument.contains('_'));
+        assert!(
+            filled,
+            "{key} has an argument that no field fills: {wanted:?}"
+        );
     }
     for key in spanish.keys() {
         assert!(english.contains_key(key), "{key} in Spanish alone");

@@ -31,6 +31,12 @@ pub enum CliError {
     CycleEnding {
         file: String,
     },
+    NotStances {
+        file: String,
+    },
+    StancesOfSeveral {
+        table: String,
+    },
     TableChanged,
     Cams {
         typed: String,

@@ -12,14 +12,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::input;
 use crate::input::recordings::recordings;
-use gaitcam::error::Result;
-use gaitcam::force::{Feet, OpenQuestion, ReadOptions, Walker};
+use gaitcam::error::{Placed, Result};
+use gaitcam::force::{Feet, OpenQuestion, ReadOptions, Walker, steps_csv};
 use gaitcam::units::Dimension;
+use gaitcam_app::folder::write_whole;
 use gaitcam_app::inputs;
 use places::Places;
 use reading::{Read, of_files, read, together, write_picture};
@@ -29,6 +31,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam gait walk.mot --out curve.csv
   gaitcam gait trials/ --out mean.csv
   gaitcam gait walk.c3d --stances
+  gaitcam gait walk.c3d --stances stances.csv
   gaitcam gait left.csv right.csv --out curves/ --feet both --rate '1000 Hz'
   gaitcam gait press.csv --period '0.5 s' --out curve.csv
   gaitcam gait plate.csv --force Fz --unit kN --mass '72.6 kg' --json";
@@ -78,9 +81,9 @@ pub struct GaitArgs {
     /// Take a recording into the joint mean although this is open about it: kind, clock, mass
     #[arg(long, value_name = "LIST", default_value = "")]
     accept: String,
-    /// List every stance and every rejected contact of a recording
-    #[arg(long)]
-    stances: bool,
+    /// List every stance and every rejected contact of a recording, or write them as a table
+    #[arg(long, value_name = "STANCES.csv", num_args = 0..=1)]
+    stances: Option<Option<PathBuf>>,
     /// Which cam of a folder that gaitcam cover wrote serves the walker, and how well
     #[arg(long, value_name = "DIR")]
     against: Option<PathBuf>,
@@ -97,6 +100,10 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     let files: Vec<PathBuf> = files.into_iter().map(PathBuf::from).collect();
     files.iter().for_each(|file| inputs::note(file));
     let trials = plates::by_trial(files);
+    if let (Some(Some(table)), [_, _, ..]) = (&args.stances, &trials[..]) {
+        let table = table.display().to_string();
+        return Err(CliError::StancesOfSeveral { table }.at_argument("--stances"));
+    }
     let is_one = trials.len() == 1 && trials[0] == args.files;
     let places = Places::of(args.out.as_deref(), &trials, !is_one)?;
     if is_one {
@@ -135,7 +142,13 @@ fn one(
     places: &Places,
     feet: Feet,
 ) -> Result<u8> {
-    let mut read = read(options, paths, feet, args.stances)?;
+    let table = args.stances.as_ref().and_then(Option::as_deref);
+    table.map_or(Ok(()), places::check_table)?;
+    let listed = args.stances.is_some() && table.is_none();
+    let mut read = read(options, paths, feet, listed)?;
+    if let (Some(place), Some(understood)) = (table, &read.understood) {
+        write_whole(place, steps_csv(&understood.stance_rows()).as_bytes())?;
+    }
     if let Some(folder) = &args.against {
         let (text, object) = held_against(folder, std::slice::from_ref(&read))?;
         read.text = format!("{}\n{text}", read.text.trim_end());

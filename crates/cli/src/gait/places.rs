@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
+use gaitcam::force::steps_csv;
 use gaitcam_app::folder::Folder;
 use gaitcam_app::inputs;
 
@@ -64,6 +65,21 @@ impl Places {
         }
         Ok(places)
     }
+}
+
+/// Rejects a table of stances whose place is a file that is not such a table, or that has another ending.
+///
+/// # Errors
+/// The path of the file.
+pub fn check_table(table: &Path) -> Result<()> {
+    let file = table.display().to_string();
+    let is_csv = (table.extension()).is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    inputs::check(table)?;
+    let is_other = |bytes: Vec<u8>| !bytes.starts_with(steps_csv(&[]).as_bytes());
+    if !is_csv || std::fs::read(table).is_ok_and(is_other) {
+        return Err(CliError::NotStances { file }.at_argument("--stances"));
+    }
+    Ok(())
 }
 
 /// `NAME_cycle.csv` for each recording; the first of several files gives the name, and recordings of one name from two folders are numbered.

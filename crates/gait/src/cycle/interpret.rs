@@ -1,9 +1,10 @@
 //! The interpretation of a recording, for reports and pictures.
 
+use super::stride::recorded_strides;
 use super::{Cycle, overlay};
 use crate::interpretation::{Clock, Column, Contact, Interpretation};
 use crate::recording::{Channel, CycleSource, Feet, Recording};
-use crate::stance::{Footfall, RejectReason, Stances, footfalls};
+use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
 /// Number of points of a channel in its picture: lowest and highest force of each piece.
@@ -39,6 +40,7 @@ impl Interpretation {
             columns: r.channels.iter().map(Column::of).collect(),
             feet,
             contacts: contacts(r, stances, cycle),
+            strides: recorded_strides(r, stances, averages_strides(cycle)),
             period: cycle.map(|c| c.period),
             mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
             cycle: cycle.map(|c| c.source),
@@ -74,20 +76,28 @@ fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
 /// Contacts in order of time, on the file's own clock.
 fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Contact> {
     // The sum of both feet keeps stances that the mean of one foot leaves out.
-    let whole = matches!(
-        cycle.map(|c| c.source),
-        Some(CycleSource::WholeStrides { .. })
-    );
-    let contact = |f: &Footfall| Contact {
-        column: f.channel,
-        foot: f.foot,
-        from_s: r.start_s + f.start_s,
-        to_s: r.start_s + f.end_s,
-        rejected: f
-            .rejected
-            .or((f.unlike && !whole).then_some(RejectReason::Unlike)),
+    let whole = averages_strides(cycle);
+    let contact = |f: &Footfall| {
+        let stance = stances.at(f);
+        Contact {
+            column: f.channel,
+            foot: f.foot,
+            from_s: r.start_s + f.start_s,
+            to_s: r.start_s + f.end_s,
+            landmarks: stance.map_or([None; 3], Stance::landmarks),
+            impulse_ns: stance.map(|s| s.impulse_ns),
+            rejected: f
+                .rejected
+                .or((f.unlike && !whole).then_some(RejectReason::Unlike)),
+        }
     };
     footfalls(r, stances).iter().map(contact).collect()
+}
+
+/// Whether a cycle is the mean of whole strides.
+fn averages_strides(cycle: Option<&Cycle>) -> bool {
+    let source = cycle.map(|c| c.source);
+    matches!(source, Some(CycleSource::WholeStrides { .. }))
 }
 
 #[cfg(test)]

@@ -3,9 +3,10 @@
 use super::Average;
 use super::average::{BLEND, Mean, at, periodic, whole_span};
 use crate::curve::SAMPLES;
+use crate::interpretation::{RecordedStride, StrideReject};
 use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
-use crate::stance::{Footfall, RejectReason, Stances, footfalls};
-use crate::statistics::median;
+use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
+use crate::statistics::{mean, median};
 
 /// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
 #[derive(Debug, Clone)]
@@ -67,40 +68,72 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
 }
 
 /// Strides of usual duration that begin with the same foot, and that foot.
+fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
+    let (foot, reasons) = judged(strides);
+    let all = strides.iter().zip(reasons);
+    let kept = all.filter(|(_, reason)| reason.is_none());
+    (kept.map(|(stride, _)| stride).collect(), foot)
+}
+
+/// The foot that begins the averaged strides, and the reason against each other stride.
 ///
 /// Strides from left to left and from right to right share their samples; one kind is averaged.
-fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
+fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
     let usual = median(durations).unwrap_or(0.0);
-    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
-    let of = |foot: Option<Foot>| -> Vec<&Stride> {
-        let usual = strides.iter().filter(usual_length);
-        usual.filter(|s| s.foot == foot).collect()
+    let is_usual = |s: &Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
+    let count = |foot: Option<Foot>| {
+        let own = |s: &&Stride| is_usual(s) && s.foot == foot;
+        strides.iter().filter(own).count()
     };
     let best = [Some(Foot::Right), Some(Foot::Left), None]
         .into_iter()
-        .max_by_key(|f| of(*f).len())
+        .max_by_key(|f| count(*f))
         .unwrap_or(None);
-    let kept = of(best);
-    match best {
-        Some(_) => (kept, best),
-        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
-        None => (alternate(&kept), None),
-    }
+    // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+    let mut end_s = f64::NEG_INFINITY;
+    let reasons = strides.iter().map(|s| {
+        let shared = || best.is_none() && s.start_s < end_s - 0.05 * (s.end_s - s.start_s);
+        if !is_usual(s) {
+            return Some(StrideReject::OddDuration);
+        }
+        if s.foot != best || shared() {
+            return Some(StrideReject::OtherFoot);
+        }
+        end_s = s.end_s;
+        None
+    });
+    (best, reasons.collect())
 }
 
-/// Every second stride of each run of overlapping strides.
-fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
-    let mut kept: Vec<&Stride> = Vec::new();
-    for s in strides {
-        let clash = kept
-            .last()
-            .is_some_and(|k: &&Stride| s.start_s < k.end_s - 0.05 * (k.end_s - k.start_s));
-        if !clash {
-            kept.push(s);
+/// Every whole stride on the clock of the file; `averaged` if the mean cycle is made of them.
+pub(super) fn recorded_strides(
+    recording: &Recording,
+    stances: &Stances,
+    averaged: bool,
+) -> Vec<RecordedStride> {
+    let strides = whole_strides(recording, stances);
+    let (_, reasons) = judged(&strides);
+    let mut row = vec![0.0; SAMPLES];
+    let all = strides.iter().zip(reasons);
+    all.map(|(stride, reason)| {
+        sample_stride(recording, stride, &mut row);
+        RecordedStride {
+            foot: stride.foot,
+            from_s: recording.start_s + stride.start_s,
+            to_s: recording.start_s + stride.end_s,
+            landmarks: stances
+                .at(&stride.contacts[1])
+                .map_or([None; 3], Stance::landmarks),
+            impulse_ns: mean(&row) * (stride.end_s - stride.start_s),
+            rejected: if averaged {
+                reason
+            } else {
+                Some(StrideReject::StancesAveraged)
+            },
         }
-    }
-    kept
+    })
+    .collect()
 }
 
 /// Sum of the contacts of a stride at equal phases, with matching ends.

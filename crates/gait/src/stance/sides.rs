@@ -54,6 +54,18 @@ impl From<&Stance> for Footfall {
     }
 }
 
+impl Stances {
+    /// The whole stance of a footfall; `None` if the contact was rejected.
+    pub(crate) fn at(&self, fall: &Footfall) -> Option<&Stance> {
+        // A rejected contact may start with a stance of its channel.
+        let accepted = fall.rejected.is_none();
+        let after = self.used.partition_point(|s| s.start_s < fall.start_s);
+        let same = |s: &&Stance| s.start_s == fall.start_s;
+        let mut here = self.used[after..].iter().take_while(same);
+        here.find(|s| accepted && s.channel == fall.channel)
+    }
+}
+
 /// Every contact in order of start time.
 pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
     let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();

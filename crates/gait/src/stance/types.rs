@@ -84,6 +84,11 @@ impl Stance {
             .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
     }
 
+    /// Loading peak, valley and push-off peak, where the stance has them.
+    pub fn landmarks(&self) -> [Option<Point>; 3] {
+        [self.first_peak(), self.valley, self.second_peak()]
+    }
+
     /// Highest force of the stance, N.
     pub fn peak_n(&self) -> f64 {
         self.p2

@@ -1,9 +1,10 @@
 //! A recording as JSON.
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use gaitcam::force::{
-    Channel, Cycle, ForceCurve, Interpretation, Note, Point, Recording, Stance, Stances, coded,
+    Channel, Cycle, ForceCurve, Interpretation, Note, Point, RecordedStride, Recording, Stance,
+    Stances, coded,
 };
 use gaitcam::units::G;
 
@@ -21,6 +22,7 @@ pub fn json(
     let channels = r.channels.iter().enumerate();
     let channels: Vec<Value> = channels.map(|(i, c)| channel(i, c, r, stances)).collect();
     let rows: Vec<Value> = stances.used.iter().map(|s| stance(s, r)).collect();
+    let strides: Vec<Value> = understood.strides.iter().map(stride).collect();
     let mean = cycle.map(|c| {
         json!({
             "period_s": c.curve.period_s, "period_from": c.period.from,
@@ -34,7 +36,7 @@ pub fn json(
     let mut out = understood.json();
     let more = json!({
         "format": r.format.to_string(), "rate_hz": r.rate_hz, "duration_s": r.duration_s,
-        "notes": notes, "channels": channels, "stances": rows, "cycle": mean,
+        "notes": notes, "channels": channels, "stances": rows, "strides": strides, "cycle": mean,
     });
     if let (Value::Object(out), Value::Object(more)) = (&mut out, more) {
         out.extend(more);
@@ -55,14 +57,40 @@ fn channel(index: usize, c: &Channel, r: &Recording, stances: &Stances) -> Value
 }
 
 fn stance(s: &Stance, r: &Recording) -> Value {
-    let at = |p: Option<Point>| p.map(|p| p.at);
-    let force = |p: Option<Point>| p.map(|p| p.force_n);
-    json!({
-        "foot": s.foot, "channel": s.channel, "start_s": r.start_s + s.start_s,
-        "end_s": r.start_s + s.end_s, "p1_n": force(s.first_peak()), "p1_at": at(s.first_peak()),
-        "valley_n": force(s.valley), "valley_at": at(s.valley),
-        "p2_n": force(s.second_peak()), "p2_at": at(s.second_peak()),
-    })
+    let mut row = landmarks(s.landmarks());
+    row.extend([
+        ("foot".to_string(), json!(s.foot)),
+        ("channel".to_string(), json!(s.channel)),
+        ("start_s".to_string(), json!(r.start_s + s.start_s)),
+        ("end_s".to_string(), json!(r.start_s + s.end_s)),
+        ("impulse_n_s".to_string(), json!(s.impulse_ns)),
+    ]);
+    Value::Object(row)
+}
+
+fn stride(s: &RecordedStride) -> Value {
+    let mut row = landmarks(s.landmarks);
+    row.extend([
+        ("foot".to_string(), json!(s.foot)),
+        ("start_s".to_string(), json!(s.from_s)),
+        ("end_s".to_string(), json!(s.to_s)),
+        ("impulse_n_s".to_string(), json!(s.impulse_ns)),
+        ("used".to_string(), json!(s.rejected.is_none())),
+        ("reason".to_string(), json!(s.rejected)),
+    ]);
+    Value::Object(row)
+}
+
+/// Forces and places of loading peak, valley and push-off peak.
+fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
+    let names = ["p1", "valley", "p2"].into_iter().zip(points);
+    let two = |(name, point): (&str, Option<Point>)| {
+        [
+            (format!("{name}_n"), json!(point.map(|p| p.force_n))),
+            (format!("{name}_at"), json!(point.map(|p| p.at))),
+        ]
+    };
+    names.flat_map(two).collect()
 }
 
 /// A file that is one cycle as JSON, with the keys of [`json()`].
@@ -72,7 +100,7 @@ pub fn cycle_json(curve: &ForceCurve) -> Value {
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
         "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
-        "notes": notes, "warnings": [], "channels": [], "stances": [],
+        "notes": notes, "warnings": [], "channels": [], "stances": [], "strides": [],
         "cycle": {
             "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,
             "source": {"code": "as-given", "data": {}}, "spread_rms_n": curve.spread_rms_n(),

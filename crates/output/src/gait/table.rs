@@ -150,9 +150,7 @@ impl Lines {
         for s in &stances.used {
             let foot = self.foot(s.foot);
             let [start, end] = [s.start_s, s.end_s].map(|t| self.words.fixed(r.start_s + t, 3));
-            // A single peak late in the stance is the push-off.
-            let [p1, valley, p2] =
-                [s.first_peak(), s.valley, s.second_peak()].map(|p| self.point(p));
+            let [p1, valley, p2] = s.landmarks().map(|p| self.point(p));
             self.line(format_args!(
                 "{foot:<9} {start:>8} {end:>8}  {p1}  {valley}  {p2}"
             ));

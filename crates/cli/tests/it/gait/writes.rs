@@ -161,3 +161,47 @@ fn the_table_of_subjects_is_found_from_any_folder() {
         Some(50.0)
     );
 }
+
+#[test]
+fn stances_become_a_table_that_replaces_only_an_earlier_one() {
+    let folder = folder("stances");
+    let recording = folder.join("walk.csv");
+    walk(&recording);
+    let before = fs::read(&recording).unwrap();
+    let place = |name: &str| folder.join(name).to_str().unwrap().to_string();
+    let (recording, table) = (place("walk.csv"), place("stances.csv"));
+    for _ in 0..2 {
+        let output = gaitcam(&["gait", &recording, "--stances", &table]);
+        assert!(output.status.success(), "{output:?}");
+    }
+    let text = fs::read_to_string(&table).unwrap();
+    let object = object(&gaitcam(&["gait", &recording, "--json"]));
+    let contacts = object["contacts"].as_array().unwrap();
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .skip(1)
+        .map(|l| l.split(',').collect())
+        .collect();
+    assert_eq!(rows.len(), contacts.len());
+    for (row, contact) in rows.iter().zip(contacts) {
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        assert!((number(row[2]) - contact["from_s"].as_f64().unwrap()).abs() < 1e-6);
+        assert!((number(row[3]) - contact["to_s"].as_f64().unwrap()).abs() < 1e-6);
+        assert_eq!(row[8], contact["used"].to_string());
+        assert_eq!(row[9], contact["reason"].as_str().unwrap_or_default());
+    }
+    // A recording, another ending and a table of several recordings are refused.
+    let other = place("other.csv");
+    fs::copy(&recording, &other).unwrap();
+    for arguments in [
+        vec!["gait", &recording, "--stances", &recording],
+        vec!["gait", &recording, "--stances", &other],
+        vec!["gait", &recording, "--stances", "stances.txt"],
+        vec!["gait", &recording, &other, "--stances", &table],
+    ] {
+        let output = gaitcam(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+    }
+    assert!(fs::read(&recording).unwrap() == before && fs::read(&other).unwrap() == before);
+    fs::remove_dir_all(folder).unwrap();
+}
