@@ -49,14 +49,18 @@ PICTURES = {
 LARGEST = 150_000
 
 
+def coloured(svg, report):
+    """The picture with the report's light colours in place of CSS variables, which drawing programs do not know."""
+    colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
+    return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), svg)
+
+
 def diagram(report, name):
     """A diagram of a report as a file of its own: with the report's light colours and a white ground."""
-    colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
-    svg = re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group()
+    svg = coloured(re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group(), report)
     width, height = re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups()
-    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-    style = f'<style>svg {{ {" ".join(colours.split())} font-family: sans-serif }}</style>'
-    return re.sub(r"^<svg ([^>]*>)", rf'{start}\1{style}<rect width="{width}" height="{height}" fill="#fff"/>', svg)
+    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '
+    return re.sub(r"^<svg ([^>]*>)", rf'{start}\1<rect width="{width}" height="{height}" fill="#fff"/>', svg)
 
 
 # Seconds of a turn in the moving picture, and moments of it that are given.
@@ -98,14 +102,13 @@ def motion(report):
     levels = "".join(
         f'<path d="M340 {up(f):.1f}H780" stroke="var(--grid)"/>'
         f'<text x="332" y="{up(f) + 5:.1f}" text-anchor="end">{f}</text>' for f in range(0, int(most) + 1, 200))
-    colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
     picture = (
-        '<svg xmlns="http://www.w3.org/2000/svg" width="800" height="340" viewBox="0 0 800 340" font-size="14">'
-        f'<style>svg {{ {" ".join(colours.split())} font-family: sans-serif }} text {{ fill: var(--quiet) }}</style>'
+        '<svg xmlns="http://www.w3.org/2000/svg" width="800" height="340" viewBox="0 0 800 340" font-family="sans-serif" font-size="14">'
+        '<style>text { fill: var(--quiet) }</style>'
         f'<rect width="800" height="340" fill="#fff"/><svg {view} x="10" y="10" width="280" height="320" fill="none">{parts}</svg>'
         f'{levels}{ticks}<text x="340" y="24">F, N</text><path d="{curve}" fill="none" stroke="var(--blue)" stroke-width="2.5"/>'
         f'<circle r="6" fill="var(--red)" transform="translate({along[0]})">{moving("translate", along)}</circle></svg>\n')
-    return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), picture)
+    return coloured(picture, report)
 
 
 def content(folder, source):
