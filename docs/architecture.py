@@ -11,6 +11,7 @@ module stands one layer above the highest module that it imports. Only code coun
 
 import re
 import sys
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -95,20 +96,26 @@ def crates():
     folder = ROOT / "crates"
     manifests = [*folder.glob("*/Cargo.toml"), *ROOT.glob("python/Cargo.toml")]
     found = sorted(p.parent for p in manifests)
-    names = {"gaitcam": LIBRARY} | {f"gaitcam_{p.name}": p.name for p in found}
+    names = {"gaitcam": LIBRARY} | {spelt(p): p.name for p in found}
     imports = {}
     for path in found:
         text = "\n".join(code(p) for p in sources(path / "src"))
-        used = re.findall(r"(?<![\w:])(gaitcam\w*)::", text)
+        used = re.findall(r"(?<![\w:])(\w+)::", text)
         imports[path.name] = {names[u] for u in used if u in names} - {path.name}
     rooms = {p.name: folders(p / "src") for p in found}
     return imports, rooms
 
 
+def spelt(crate):
+    """The name by which the sources import a crate: that of its manifest."""
+    return tomllib.loads((crate / "Cargo.toml").read_text(encoding="utf-8"))["package"]["name"].replace("-", "_")
+
+
 def below(imports):
     """The crates that the library uses, and those that they use."""
     text = "\n".join(code(p) for p in sources(ROOT / "src"))
-    todo = [n for n in re.findall(r"(?<![\w:])gaitcam_(\w+)::", text) if n in imports]
+    names = {spelt(ROOT / "crates" / n): n for n in imports if (ROOT / "crates" / n).is_dir()}
+    todo = [names[n] for n in sorted(set(re.findall(r"(?<![\w:])(\w+)::", text))) if n in names]
     out = set()
     while todo:
         crate = todo.pop()
