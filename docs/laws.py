@@ -4,7 +4,7 @@
     python3 docs/laws.py target/release/gaitcam [--check]
 
 Every formula is evaluated: its peak velocity and acceleration must be those of the catalogue. With --check nothing is
-written, and the page in the repository must be what would be written.
+written, and page and picture in the repository must be what would be written.
 """
 
 import json
@@ -87,18 +87,19 @@ The names are those of `law.segment.N.motion`. A rise by h over the angle β, x 
 
     lift s = h·f(x),  velocity ≤ Cv·h/β,  acceleration ≤ Ca·h/β²,  jerk ≤ Cj·h/β³
 
-and in time with ω in addition: ω, ω², ω³. Ct = max|a·v| scales the peak of the inertia torque. A fall is the rise
-upside down; of an unsymmetrical law the rise seen backwards.
+and in time with ω in addition: ω, ω², ω³. Ct = max|a·v| scales the peak of the inertia torque. A fall is the
+rise inverted, for an unsymmetrical law also mirrored in x. In the picture every curve is scaled to its own maximum; an arrow is an infinite
+jerk. At the ends the jerk is infinite too where the neighbour has another acceleration.
 
 | law | f(x) | Cv | Ca | Cj | Ct | joins at its start → end |
 |---|---|---|---|---|---|---|
 """
 TAIL = """
-*Joins* says what may stand before and after without a jump of velocity or acceleration: a dwell, a constant velocity,
-or a fall that begins with the same acceleration. Next to a dwell a law that is made for an equal return gives a jump of
-the acceleration: `not-for-high-speed`.
+*Joins* names the neighbours without a jump of velocity or acceleration: a dwell, a constant velocity, or a fall that
+begins with the same acceleration. A law for an equal return has a jump of acceleration next to a dwell:
+`not-for-high-speed`.
 
-| wanted | law |
+| required | law |
 |---|---|
 | the smallest peak acceleration between dwells | `modified-trapezoid` |
 | the smallest peak velocity, torque and pressure angle between dwells | `modified-sine` |
@@ -106,7 +107,7 @@ the acceleration: `not-for-high-speed`.
 | a simple law for most machines | `cycloidal`, `3-4-5` |
 | rise and return without dwell | `simple-harmonic` |
 | constant velocity in the middle | `semicycloidal-start`, `constant-velocity`, `semicycloidal-end` |
-| the force of a walker, a law that no catalogue has | none: `law.family = "spline"` computes it |
+| a given force | none: `law.family = "spline"` computes the law |
 
 `scca b c d` and `eccentric ratio` take their parameters behind the name. SCCA, residual vibration and sources:
 [theory §7](../theory/cams.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
@@ -128,7 +129,7 @@ def verify(law, rows):
 
 
 def cell(name, rows, left, top):
-    """One law: four curves, each scaled to its own peak."""
+    """One law: four curves, each scaled to its own peak, and an arrow where the acceleration jumps."""
     out = [f'<text x="{left + 2}" y="{top + 14}" font-weight="bold">{name}</text>']
     for row, colour in zip(rows, ("#0072b2", "#009e73", "#d55e00", "#be5f9b")):
         # Differences over a jump are no jerk: what is far beyond the rest is left out.
@@ -138,6 +139,12 @@ def cell(name, rows, left, top):
         text = " ".join(f"{left + 2 + 176 * x:.1f},{top + 72 - 48 * y:.1f}" for x, y in points)
         out.append(f'<polyline points="{text}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
     out.insert(1, f'<path d="M{left + 2} {top + 72}h176" stroke="#9ea6b1"/>')
+    acceleration, last = rows[2], 0
+    least = max(1e-3, 0.2 * max(map(abs, acceleration)))
+    for i, (a, b) in enumerate(zip(acceleration, acceleration[1:])):
+        if abs(b - a) > least and i > last + 2:
+            last, x, up = i, left + 2 + 176 * (i + 1.5) / len(acceleration), 1 if b > a else -1
+            out.append(f'<path d="M{x:.1f} {top + 72}v{-44 * up}m-3 {7 * up}l3 {-7 * up}l3 {7 * up}" fill="none" stroke="#be5f9b" stroke-width="1.4"/>')
     return out
 
 
@@ -160,8 +167,8 @@ def main(binary, check):
                f'font-family="sans-serif" font-size="12"><rect width="780" height="{height}" fill="#fff"/>'
                f'<text x="12" y="16" xml:space="preserve">{key}</text>{"".join(drawn)}</svg>\n')
     page = HEAD + "\n".join(lines) + "\n" + TAIL
-    if check and PAGE.read_text(encoding="utf-8") != page:
-        sys.exit("docs/reference/laws.md is not up to date: run python3 docs/laws.py")
+    if check and (PAGE.read_text(encoding="utf-8"), PICTURE.read_text(encoding="utf-8")) != (page, picture):
+        sys.exit("docs/reference/laws.md or its picture is not up to date: run python3 docs/laws.py")
     if not check:
         PAGE.write_text(page, encoding="utf-8")
         PICTURE.write_text(picture, encoding="utf-8")
