@@ -89,11 +89,15 @@ def motion(report):
         first, moves = f' transform="translate({path[0]})">', moving("translate", path)
         parts = re.sub(rf'(<g id="{part}"[^>]*)>', lambda tag: tag.group(1) + first + moves, parts, count=1)
         parts = re.sub(rf'(<circle id="{part}"[^>]*)/>', lambda tag: tag.group(1) + first + moves + "</circle>", parts, count=1)
+    # Lines of the report are in pixels whatever its scale; here their width is in millimetres of the drawing.
+    pixel = float(view.split()[2]) / 280
+    parts = re.sub(r'stroke-width="([\d.]+)"', lambda width: f'stroke-width="{float(width.group(1)) * pixel:.3f}"', parts)
     reach = float(re.search(r'data-reach="([\d.]+)"', parts).group(1))
-    sizes = [f"{reach * data['f'][i] / most:.2f}" for i in moments]
-    arrow = re.search(r'<path d="M0 0H1M[^>]*/>', parts).group()
-    line = arrow.replace('stroke-width="2.4"', 'stroke-width="1.6" vector-effect="non-scaling-stroke"')
-    parts = parts.replace(arrow, f'<g transform="rotate(90)"><g transform="scale({sizes[0]})">{moving("scale", sizes)}{line}</g></g>')
+    head = lambda size: f"M0 0V{size:.2f}M{-6 * pixel:.2f} {size - 10 * pixel:.2f}L0 {size:.2f}L{6 * pixel:.2f} {size - 10 * pixel:.2f}"
+    arrows = [head(reach * data["f"][i] / most) for i in moments]
+    push = (f'<path d="{arrows[0]}" style="stroke:var(--red)" stroke-width="{2.4 * pixel:.3f}">'
+            f'<animate attributeName="d" values="{";".join(arrows)}" dur="{TURN}s" repeatCount="indefinite"/></path>')
+    parts = re.sub(r'<path d="M0 0H1M[^>]*/>', push, parts)
     # The force over the turn: 400 points wide, from 0 to its maximum.
     across, up = lambda i: 340 + 440 * i / steps, lambda f: 300 - 250 * f / most
     curve = "M" + "L".join(f"{across(i):.1f} {up(f):.1f}" for i, f in enumerate(data["f"]))
@@ -106,7 +110,7 @@ def motion(report):
         '<svg xmlns="http://www.w3.org/2000/svg" width="800" height="340" viewBox="0 0 800 340" font-family="sans-serif" font-size="14">'
         '<style>text { fill: var(--quiet) }</style>'
         f'<rect width="800" height="340" fill="#fff"/><svg {view} x="10" y="10" width="280" height="320" fill="none">{parts}</svg>'
-        f'{levels}{ticks}<text x="340" y="24">F, N</text><path d="{curve}" fill="none" stroke="var(--blue)" stroke-width="2.5"/>'
+        f'{levels}{ticks}<text x="340" y="24">F, N</text><text x="787" y="304">θ</text><path d="{curve}" fill="none" stroke="var(--blue)" stroke-width="2.5"/>'
         f'<circle r="6" fill="var(--red)" transform="translate({along[0]})">{moving("translate", along)}</circle></svg>\n')
     return coloured(picture, report)
 
