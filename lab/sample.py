@@ -15,7 +15,7 @@ import textwrap
 
 from measure import NOT_PRODUCT, Tree
 
-GENERATED = re.compile(r"^reports/|^docs/keys\.md$|^docs/reference/laws\.md$")
+GENERATED = re.compile(r"^reports/|^docs/keys\.md$|^docs/reference/(?:commands|laws)\.md$|^docs/SUMMARY\.md$")
 NOT_ENGLISH = re.compile(r"^docs/guia/|/es/|/es\.ftl$")
 SENTENCE = re.compile(r"[A-Z`*\[].*?(?:[.?!:](?=\s|$)|$)", re.S)
 
