@@ -70,7 +70,7 @@ pub struct Drive {
     pub spring_rate: f64,
     /// Force per lifting speed, N·s/m.
     pub damping: f64,
-    /// Moved mass, kg.
+    /// Mass that the lift moves, kg.
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,

@@ -62,7 +62,7 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
 
 /// Cycles under a cam that may be designed for others.
 pub struct Under {
-    /// Mean square errors.
+    /// Mean square error of each cycle.
     pub squares: Vec<f64>,
     report: OfPopulation,
     /// Components of each error, as mean squares.

@@ -26,9 +26,9 @@ pub enum LimitKind {
     Acceleration,
     /// Maximum jerk in time.
     Jerk,
-    /// Minimum contact force.
+    /// Minimum contact force over the turn.
     ForceMin,
-    /// Maximum contact force.
+    /// Maximum contact force over the turn.
     ForceMax,
     /// Minimum convex radius of curvature.
     Curvature,
@@ -38,19 +38,19 @@ pub enum LimitKind {
     PressureAngleRise,
     /// Maximum |pressure angle| where the follower falls.
     PressureAngleFall,
-    /// Maximum prime radius.
+    /// Maximum prime radius (flat faces: base radius).
     PrimeRadius,
     /// Maximum length of a flat face.
     FaceWidth,
-    /// Maximum shaft torque.
+    /// Maximum |torque| of the shaft.
     Torque,
-    /// Maximum shaft power.
+    /// Maximum |power| of the shaft.
     Power,
     /// Maximum mean shaft power.
     PowerMean,
     /// Maximum rate of the shaft torque.
     TorqueRate,
-    /// Maximum contact pressure.
+    /// Maximum Hertz pressure of the contact.
     HertzPressure,
     /// Maximum vibration amplitude in a dwell.
     Residual,

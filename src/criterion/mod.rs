@@ -25,7 +25,7 @@ use serde::{Serialize, Serializer};
 pub enum Criterion {
     /// A limit of the scene.
     Limit(LimitKind),
-    /// RMS force error.
+    /// Root mean square of the force error.
     RmsError,
     /// The accuracy as a fraction of the mean force, as in a scene.
     Accuracy,

@@ -21,7 +21,7 @@ pub struct Round<D> {
 
 /// Result of the iteration.
 pub struct Settled<D> {
-    /// Final design.
+    /// The design at the end of the iteration.
     pub design: D,
     /// State that it causes, if the iteration has not converged.
     pub made: Option<Vec<f64>>,
@@ -29,7 +29,7 @@ pub struct Settled<D> {
     pub rounds: usize,
     /// Ratio of the last two residuals.
     pub contraction: Option<f64>,
-    /// Last residual.
+    /// Residual of the last iterate.
     pub difference: f64,
 }
 

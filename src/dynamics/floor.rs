@@ -131,7 +131,7 @@ impl Serialize for Comfort {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FloorMotion {
-    /// Peak acceleration, m/s².
+    /// Peak acceleration of the floor, m/s².
     pub acceleration_peak_m_per_s2: f64,
     /// Root mean square of the acceleration, m/s².
     pub acceleration_rms_m_per_s2: f64,

@@ -104,7 +104,7 @@ pub struct Row {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
-    /// Minimum force.
+    /// Minimum force of the run.
     pub min: f64,
     /// Maximum force; impacts excluded.
     pub max: f64,
@@ -128,9 +128,9 @@ pub struct Force {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
-    /// Minimum torque.
+    /// Minimum torque of the run.
     pub min: f64,
-    /// Maximum torque.
+    /// Maximum torque of the run.
     pub max: f64,
     /// Mean over the repetition, impacts included.
     pub mean: f64,

@@ -41,7 +41,7 @@ pub struct Cycles {
     pub speed: f64,
     /// Whether the phase φ is the cam angle; otherwise it is 2π times the fraction of the period since the first sample.
     pub by_angle: bool,
-    /// Force harmonics, N.
+    /// Force over a cycle, N, as harmonics.
     pub force: Averaged,
     /// Speed of the cam, rad/s.
     pub shaft: Option<Averaged>,

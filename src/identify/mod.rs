@@ -65,7 +65,7 @@ use model::Effect;
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct Identified {
-    /// Identified parameters.
+    /// Parameters of the machine with their intervals.
     pub parameters: Vec<Parameter>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms_n: f64,

@@ -130,7 +130,7 @@ pub(super) struct Term {
 /// Quantity multiplied by a parameter in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    /// The constant 1.
+    /// A constant force: the column of ones.
     Constant,
     /// Mass on a moving axis: g + ω²a + αv.
     Weight,
@@ -138,7 +138,7 @@ pub(super) enum Effect {
     Mass,
     /// Spring: the lift s.
     Spring,
-    /// Damping: ωv.
+    /// Damping: the column ωv.
     Damping,
     /// Friction: the sign of v.
     Coulomb,
@@ -209,7 +209,7 @@ pub(super) struct Machine<'a> {
     pub clock: &'a Clock,
     /// Spring rate per unit of its parameter: 1, or the factor of a pressure per volume.
     spring_unit: f64,
-    /// Gravitational acceleration, m/s².
+    /// Gravitational acceleration g, m/s².
     gravity: f64,
 }
 

@@ -27,7 +27,7 @@ pub struct Condition {
     pub theta: f64,
     /// Order of the derivative: 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
     pub order: usize,
-    /// Prescribed value, m/radᵒʳᵈᵉʳ.
+    /// Prescribed value of the derivative, m/radᵒʳᵈᵉʳ.
     pub value: f64,
 }
 

@@ -11,12 +11,12 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Svaj {
-    /// Lift s, m.
+    /// Lift s(θ), m.
     pub s: f64,
-    /// Velocity ds/dθ, m/rad.
+    /// Velocity v = ds/dθ, m/rad.
     pub v: f64,
-    /// Acceleration d²s/dθ², m/rad².
+    /// Acceleration a = d²s/dθ², m/rad².
     pub a: f64,
-    /// Jerk d³s/dθ³, m/rad³.
+    /// Jerk j = d³s/dθ³, m/rad³.
     pub j: f64,
 }

@@ -71,9 +71,9 @@ pub struct Problem {
     pub drive: Drive,
     /// Family, size and demands of the law.
     pub law: LawSpec,
-    /// Follower and lengths.
+    /// Kind of follower and its lengths.
     pub cam: CamSpec,
-    /// Limits in force.
+    /// Limits that the law and the cam must satisfy, SI.
     pub limits: Limits,
     /// RMS force error asked for, part of the mean force.
     pub accuracy: Option<f64>,

@@ -60,7 +60,7 @@ pub enum Note {
     },
     /// A default bound of the verdict is switched off.
     NotJudged { key: &'static str },
-    /// The optimal phase.
+    /// The phase of smallest force error was chosen.
     Phase { phase: Quantity },
     /// The automatic size of the law is limited by the noise of the recording.
     Noise { size: &'static str, error: Quantity },

@@ -75,7 +75,7 @@ impl Extra {
 pub struct OnShaft {
     /// Additions over the cam angle.
     pub extra: Extra,
-    /// Derivative dΔ/dθ, N/rad.
+    /// Derivative dΔ/dθ of the added force, N/rad.
     pub force_rate: PiecewisePoly,
     /// The target over the cam angle, N.
     pub target: ForceCurve,

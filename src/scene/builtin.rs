@@ -1,4 +1,4 @@
-//! Built-in scenes.
+//! Scenes that come with the library.
 
 use std::path::Path;
 
@@ -42,7 +42,7 @@ macro_rules! scenes {
     };
 }
 
-/// Every built-in scene.
+/// Every built-in scene, by name.
 pub const SCENES: [BuiltIn; 25] = scenes![
     "footbridge",
     "footbridge_double_harmonic",

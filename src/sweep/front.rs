@@ -127,7 +127,7 @@ pub struct Objective {
     pub maximised: bool,
 }
 
-/// Default objectives, minimised.
+/// Objectives if none is given; both are minimised.
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {

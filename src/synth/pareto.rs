@@ -30,7 +30,7 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Trade {
-    /// Allowed value, SI.
+    /// Allowed value of the second quantity, SI.
     pub allowed: f64,
     /// Design with the minimum force error.
     pub design: Design,

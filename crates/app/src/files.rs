@@ -28,7 +28,7 @@ enum Of {
     Plates,
     /// Conjugate pairs of cams.
     Pairs,
-    /// Barrel cams only.
+    /// Designs with a cylindrical (barrel) cam.
     Barrels,
     /// Designs for a moving floor.
     Floors,

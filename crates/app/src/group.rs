@@ -3,13 +3,13 @@
 /// Purpose of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// Tables of numbers.
+    /// Tables of numbers: CSV, JSON and workbooks.
     Tables,
     /// The cam at true scale.
     Drawings,
     /// Pictures of the design.
     Pictures,
-    /// The HTML report.
+    /// The HTML report of a design or a run.
     Report,
     /// Solids, workshop drawing, programs for machines.
     Workshop,

@@ -14,7 +14,7 @@ use gaitcam::scene::{self, BETWEEN_PLATES, Files, Scene, Source, plates};
 /// A scene with its input files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The parsed scene.
+    /// The scene as parsed, before its force is read.
     pub scene: Scene,
     /// Table of the scene as written, with the changes.
     pub table: Table,

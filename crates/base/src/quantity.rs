@@ -42,11 +42,11 @@ pub enum Dimension {
     Damping,
     Torque,
     Power,
-    /// Torsional stiffness, N·m/rad.
+    /// Torque per angle (torsional stiffness), N·m/rad.
     AngularRate,
     /// Torque per speed of a shaft, N·m·s/rad.
     AngularDamping,
-    /// Rotational inertia, kg·m².
+    /// Moment of inertia, kg·m².
     Inertia,
     /// Derivatives of lift by cam angle: m/rad, m/rad², m/rad³.
     LengthPerAngle(u8),

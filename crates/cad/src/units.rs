@@ -9,7 +9,7 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Units {
-    /// Lengths in millimetres.
+    /// Lengths are written in millimetres.
     #[default]
     Millimetres,
     /// Inches of 25.4 mm.

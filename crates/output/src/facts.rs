@@ -34,7 +34,7 @@ pub struct Fact {
 pub enum Group {
     /// The law of motion.
     Law,
-    /// The moving machine.
+    /// The drive with its moved mass and speed.
     Drive,
     /// The cam and follower.
     Cam,

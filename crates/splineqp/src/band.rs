@@ -40,7 +40,7 @@ impl ArrowMatrix {
         }
     }
 
-    /// Number of unknowns.
+    /// Number of unknowns: rows of the matrix.
     pub fn dimension(&self) -> usize {
         self.n
     }
@@ -188,7 +188,7 @@ impl ArrowMatrix {
         y
     }
 
-    /// Largest diagonal entry.
+    /// Largest entry of the diagonal.
     pub fn largest_diagonal(&self) -> f64 {
         (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
     }

@@ -21,7 +21,7 @@ pub fn only(order: usize, weight: f64) -> [f64; 5] {
 pub enum Basis {
     /// B-splines, closed over one turn or open.
     Spline {
-        /// The spline space.
+        /// Degree, breaks and continuity of the splines.
         space: SplineSpace,
         /// Whether the law is periodic.
         closed: bool,
@@ -34,7 +34,7 @@ pub enum Basis {
 }
 
 impl Basis {
-    /// Number of coefficients.
+    /// Number of coefficients of a law.
     #[inline]
     pub fn columns(&self) -> usize {
         match self {

@@ -8,9 +8,9 @@ use crate::poly::{SplineSpace, gauss_legendre};
 /// The quadratic ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]
 pub struct Quadratic {
-    /// The matrix H.
+    /// The symmetric matrix H.
     pub hessian: ArrowMatrix,
-    /// The vector g.
+    /// The vector g of the linear part.
     pub gradient: Vec<f64>,
     /// The constant term, so that the value is meaningful.
     pub constant: f64,
@@ -171,7 +171,7 @@ impl Quadratic {
 /// terms are 10¹⁰ times their sum.
 #[derive(Debug, Clone)]
 pub struct MeanSquare {
-    /// The expanded quadratic.
+    /// The same as ½xᵀHx + gᵀx + c.
     pub whole: Quadratic,
     /// Rows at the quadrature nodes, with factor and value.
     nodes: Vec<(Entries, f64, f64)>,

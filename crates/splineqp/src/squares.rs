@@ -26,11 +26,11 @@ use crate::solve::exchange::clarabel::{prepared, run};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Square {
-    /// Factor γ.
+    /// Factor γ of v.
     pub scale: f64,
-    /// Vector b.
+    /// Vector b, the target of γv.
     pub towards: Vec<f64>,
-    /// Constant c.
+    /// Constant c, added to the square.
     pub constant: f64,
 }
 

@@ -21,7 +21,7 @@ pub struct Guard {
 /// Token and preferred port of a folder: the same at every start, so that a page finds its studio again. Both are computed from the folder's path and
 /// a secret of the user, so that others cannot guess them.
 pub struct Place {
-    /// The access token.
+    /// Secret token that every address must contain.
     pub token: String,
     /// A port in the range for private use.
     pub port: u16,

@@ -68,7 +68,7 @@ impl Ready {
         self.studio.guard.url()
     }
 
-    /// Serves requests forever.
+    /// Serves requests until the process ends.
     pub fn serve(self) -> ! {
         self.server.serve(self.studio)
     }

@@ -1,4 +1,4 @@
-//! Files in memory.
+//! Files in memory, for tests without a disk.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -23,7 +23,7 @@ pub enum FollowerKind {
     /// A translating flat face.
     #[default]
     FlatTranslating,
-    /// A translating roller.
+    /// A roller that translates along a line.
     RollerTranslating,
     /// A translating knife edge.
     KnifeTranslating,

@@ -56,9 +56,9 @@ impl Kind for Flat {
 /// Circle on a translating follower: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
 #[derive(Debug, Clone, Copy)]
 pub struct Circle {
-    /// Height D.
+    /// Height D of the centre at s = 0.
     pub rise: f64,
-    /// Offset e.
+    /// Offset e of the line of motion.
     pub offset: f64,
     pub radius: f64,
 }
@@ -130,11 +130,11 @@ impl Unrolled {
 /// Flat face on an arm: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
 #[derive(Debug, Clone, Copy)]
 pub struct FlatOnArm {
-    /// Magnitude of c.
+    /// Distance |c| of the pivot from the cam centre.
     pub pivot: f64,
     /// σ: +1 for a pivot on +x, −1 on −x.
     pub side: f64,
-    /// Offset f.
+    /// Offset f of the face from the pivot.
     pub offset: f64,
     /// Arm angle ξ at s = 0.
     pub start: f64,
@@ -178,11 +178,11 @@ impl FlatOnArm {
 /// Circle on an arm: C = (σ(c − A cos ξ), A sin ξ).
 #[derive(Debug, Clone, Copy)]
 pub struct CircleOnArm {
-    /// Magnitude of c.
+    /// Distance |c| of the pivot from the cam centre.
     pub pivot: f64,
     /// σ: +1 for a pivot on +x, −1 on −x.
     pub side: f64,
-    /// Length A.
+    /// Length A of the arm.
     pub arm: f64,
     /// Arm angle ξ at s = 0.
     pub start: f64,

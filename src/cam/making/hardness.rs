@@ -22,12 +22,12 @@ const CONVERSION: [[f64; 3]; 12] = [
 /// Lower limit of validity of the rule, HB.
 const SOFTEST: f64 = 100.0;
 
-/// Hardness scale.
+/// Scales of hardness that a scene accepts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::EnumString)]
 #[serde(rename_all = "kebab-case")]
 #[strum(ascii_case_insensitive)]
 pub enum HardnessScale {
-    /// Vickers hardness, HV.
+    /// Vickers hardness, in HV.
     #[strum(serialize = "HV")]
     Vickers,
     /// Rockwell hardness C, HRC.

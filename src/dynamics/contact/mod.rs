@@ -37,7 +37,7 @@ pub enum Phase {
         /// Index of the profile.
         surface: usize,
     },
-    /// In free flight.
+    /// The follower is in free flight.
     Flight(Flight),
     /// Without contact in a machine without inertia, where the force would be negative.
     Parted {

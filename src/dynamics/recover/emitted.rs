@@ -42,7 +42,7 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// One full turn.
+    /// One full turn of a closed profile.
     pub const TURN: Cycle = Cycle {
         length: TAU,
         closed: true,

@@ -47,10 +47,10 @@ pub struct Shaft {
     /// Mean speed over time, rad/s.
     #[serde(rename = "mean_rad_per_s")]
     pub mean: f64,
-    /// Minimum speed, rad/s.
+    /// Minimum speed of the shaft, rad/s.
     #[serde(rename = "min_rad_per_s")]
     pub min: f64,
-    /// Maximum speed, rad/s.
+    /// Maximum speed of the shaft, rad/s.
     #[serde(rename = "max_rad_per_s")]
     pub max: f64,
     /// Maximum less minimum speed, relative to the mean.

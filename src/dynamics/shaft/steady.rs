@@ -26,7 +26,7 @@ const LEAST_ENERGY: f64 = 1e-4;
 /// Ripple at which a flywheel is large enough to turn nearly evenly.
 const EVEN: f64 = 0.1;
 
-/// A periodic turn.
+/// The periodic turn of a shaft under its motor.
 #[derive(Debug, Clone)]
 pub struct Steady {
     /// Energy ω²/2 at the stages of the steps, rad²/s².
@@ -52,7 +52,7 @@ pub struct Steady {
 pub enum Stall {
     /// The inertia is below this, kg·m².
     Below(f64),
-    /// No inertia suffices.
+    /// The shaft stops with any inertia.
     Anyway,
 }
 

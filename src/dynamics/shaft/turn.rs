@@ -24,7 +24,7 @@ pub const PLACES: [f64; STAGES] = {
 /// Stages and ends of a step.
 const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
-/// Square root √15.
+/// √15, of the Gauss points of order three.
 const ROOT: f64 = 3.872_983_346_207_417;
 
 /// Coefficient matrix of the stages: the integrals of Lagrange's polynomials (Hairer, Nørsett and Wanner 1993, II.7).

@@ -131,13 +131,13 @@ impl End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factors {
-    /// Maximum of |v|.
+    /// Maximum of |v| for lift 1 in time 1.
     pub cv: f64,
-    /// Maximum of |a|.
+    /// Maximum of |a| for lift 1 in time 1.
     pub ca: f64,
     /// Maximum of |j|; infinite if the acceleration jumps between the ends.
     pub cj: f64,
-    /// Maximum of |a·v|.
+    /// Maximum of |a·v| for lift 1 in time 1.
     pub ct: f64,
     /// Smallest and largest v.
     pub v: (f64, f64),

@@ -46,7 +46,7 @@ const SLIVER: f64 = 1e-9;
 /// Acceleration on one zone of the SCCA family.
 #[derive(Clone, Copy)]
 enum Zone {
-    /// Constant acceleration.
+    /// Constant acceleration, with its value.
     Constant(f64),
     /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x) about the zone's start.
     Wave { rate: f64, cos: f64, sin: f64 },

@@ -37,7 +37,7 @@ impl Samples {
         self.series.as_ref()
     }
 
-    /// The given curve.
+    /// The curve as given; `None` if a model computes it.
     pub fn as_given(&self) -> Option<&Arc<ForceCurve>> {
         self.curve.get().filter(|_| self.series.is_none())
     }

@@ -107,9 +107,9 @@ pub enum Kind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Range {
-    /// Any number.
+    /// Every finite number.
     Any,
-    /// Numbers above zero.
+    /// Numbers greater than zero.
     Positive,
     /// Zero or positive numbers.
     NotNegative,

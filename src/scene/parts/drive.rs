@@ -21,7 +21,7 @@ pub struct DriveSpec {
     pub mass: Option<f64>,
     /// Cam speed, rad/s; `None` = one turn per cycle.
     pub speed: Option<f64>,
-    /// Gravitational acceleration, m/s².
+    /// Gravitational acceleration g, m/s².
     pub gravity: f64,
     /// Hydraulic: pressure per displaced volume, Pa/m³.
     pub pressure_per_volume: f64,

@@ -216,7 +216,7 @@ fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
-    /// No scaling.
+    /// The force is used as it is.
     #[default]
     None,
     /// Multiplication to the mean M·g.
@@ -268,7 +268,7 @@ pub struct PhaseWeight {
 /// Phase of the force cycle at cam angle 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
-    /// Given phase, rad.
+    /// A phase that the scene gives, rad.
     At(f64),
     /// The phase with the minimum force error.
     Free,

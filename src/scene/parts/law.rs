@@ -32,7 +32,7 @@ use crate::law::Rise;
 pub enum Family {
     /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise; the default for scenes without keys of a single family.
     Auto,
-    /// Spline laws.
+    /// Polynomials joined with continuous derivatives.
     #[default]
     Spline,
     /// One polynomial through given points, dwell elsewhere.
@@ -69,12 +69,12 @@ pub enum ShaftSpeed {
     /// The varying speed under the motor, if there is one.
     #[default]
     Motor,
-    /// Constant speed.
+    /// The shaft turns at constant speed.
     Constant,
 }
 
 impl ShaftSpeed {
-    /// Both choices.
+    /// Every choice, for keys and help.
     pub const ALL: &'static [ShaftSpeed] = <ShaftSpeed as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
@@ -147,11 +147,11 @@ pub struct LawPoint {
     pub lift: Option<f64>,
     /// Force, N, instead of a lift, if the drive relates both.
     pub force: Option<f64>,
-    /// Prescribed velocity, m/rad.
+    /// Prescribed velocity ds/dθ, m/rad.
     pub velocity: Option<f64>,
-    /// Prescribed acceleration, m/rad².
+    /// Prescribed acceleration d²s/dθ², m/rad².
     pub acceleration: Option<f64>,
-    /// Prescribed jerk, m/rad³.
+    /// Prescribed jerk d³s/dθ³, m/rad³.
     pub jerk: Option<f64>,
 }
 

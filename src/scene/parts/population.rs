@@ -20,7 +20,7 @@ pub enum Robust {
     /// Mean square of all errors.
     #[default]
     Mean,
-    /// Maximum error.
+    /// The maximum error over the walkers.
     Worst,
     /// The mean square of the largest, all above this part of the walkers (conditional value at risk).
     Tail(f64),
@@ -78,7 +78,7 @@ pub enum ErrorMeasure {
 }
 
 impl ErrorMeasure {
-    /// Both measures.
+    /// Every measure, for keys and help.
     pub const ALL: [ErrorMeasure; 2] = [ErrorMeasure::Relative, ErrorMeasure::Absolute];
 
     /// The name used in scenes.

@@ -75,7 +75,7 @@ pub struct MadeCam {
     pub waves: usize,
     /// RMS of the residual of the waves, m (an arm: rad).
     pub left: f64,
-    /// Behaviour as manufactured.
+    /// Behaviour of the cam as manufactured.
     pub made: Behaviour,
     /// Behaviour as designed, for comparison.
     pub designed: Behaviour,

@@ -81,7 +81,7 @@ impl Part {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// The toleranced part.
+    /// The quantity that has the tolerance.
     pub part: Part,
     /// Half width, SI; a fraction of the value if `relative`.
     pub half_width: f64,

@@ -7,7 +7,7 @@ use super::axis::AxisValue;
 /// Values of one key, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
-    /// Numbers in SI.
+    /// A number for each row, SI.
     Numbers(Vec<f64>),
     /// Words, counts or paths, as written.
     Words(Vec<Arc<str>>),

@@ -17,7 +17,7 @@ use crate::sweep::plan::key::Key;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Row numbers.
+    /// Numbers of the rows in the plan.
     Rows(Vec<u64>),
     /// Numbers, SI; NaN if missing.
     Numbers(Vec<f64>),

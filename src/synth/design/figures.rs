@@ -167,7 +167,7 @@ impl Figure {
         sentence(language, "figure", &message)
     }
 
-    /// Displayed unit.
+    /// The unit in which users see the figure.
     pub fn unit_on(&self, measures: Measures) -> Unit {
         let (name, factor) = people(self.unit);
         let usual = Unit { factor, name };

@@ -44,7 +44,7 @@ pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
 
 /// Choice of the number of spans.
 enum Spans {
-    /// Exactly this number.
+    /// The number that the scene gives.
     Given(usize),
     /// The minimum number that is feasible for the band or the accuracy, in a range.
     Fewest(usize, usize),

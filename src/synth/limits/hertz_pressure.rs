@@ -76,7 +76,7 @@ pub struct Pressure {
     pub spread: f64,
     /// Radius of the roller, m.
     pub roller: f64,
-    /// Maximum pressure, Pa.
+    /// Maximum allowed pressure, Pa.
     pub most: f64,
 }
 

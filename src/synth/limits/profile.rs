@@ -18,9 +18,9 @@ pub enum Profile {
     Roller(ProfileSize),
     /// A roller on an arm: pivot at distance c, arm A.
     Arm {
-        /// Pivot distance c.
+        /// Distance c of the pivot from the cam centre.
         pivot: f64,
-        /// Arm length A.
+        /// Length A of the arm.
         arm: f64,
         /// Radius of the prime circle.
         prime: f64,
@@ -31,7 +31,7 @@ pub enum Profile {
     },
     /// A flat face that oscillates about a pivot at distance c.
     Face {
-        /// Pivot distance c.
+        /// Distance c of the pivot from the cam centre.
         pivot: f64,
         /// Distance of the face from the pivot.
         offset: f64,

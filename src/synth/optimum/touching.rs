@@ -107,7 +107,7 @@ struct Node {
     value: f64,
     /// Lower bound by the multipliers at this angle.
     dual: f64,
-    /// Multiplier sum ν.
+    /// Sum ν of the multipliers, weighted with −w₀.
     multiplier: f64,
     /// Level s_c(c) of the law.
     level: f64,

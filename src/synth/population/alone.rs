@@ -14,7 +14,7 @@ pub struct Point {
     pub at: Vec<f64>,
     /// Bound of its distance from the optimum, N.
     pub slack: f64,
-    /// Factor γ, 1/N.
+    /// Factor γ of the walker, 1/N.
     pub scale: f64,
     /// Minimum mean square error.
     pub least: f64,

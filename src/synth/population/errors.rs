@@ -28,7 +28,7 @@ pub struct Nodes {
 
 /// A walker's target at the nodes.
 pub struct Aim {
-    /// Factor β/unit, 1/N.
+    /// Factor γ = β/unit of the walker, 1/N.
     pub scale: f64,
     /// Target (F − R)/unit, times the roots of the weights.
     pub towards: Vec<f64>,

@@ -17,7 +17,7 @@ pub enum Demand {
         point: usize,
         /// Cam angle of the prescribed point.
         at: Quantity,
-        /// Quantity prescribed there.
+        /// The quantity that is prescribed there.
         given: Given,
     },
     /// A dwell of the law.

@@ -89,7 +89,7 @@ pub struct Easing {
     pub from: f64,
     /// The relaxed value, SI.
     pub to: f64,
-    /// The minimised quantity.
+    /// The quantity that the design minimises.
     pub objective: Minimised,
     /// Present value of the objective.
     pub before: f64,

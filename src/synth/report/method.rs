@@ -48,7 +48,7 @@ pub enum Method {
     },
     /// Least squares without active limits.
     NoLimitActive,
-    /// Iterations of exchange.
+    /// Exchange: rows added at the extrema until no limit is exceeded.
     Exchange { rounds: usize, violation: f64 },
     /// A sequence of convex programs.
     Sequence {

@@ -78,7 +78,7 @@ extern "C" fn room(length: usize) -> *mut u8 {
     share(vec![0; length])
 }
 
-/// Frees an answer.
+/// Frees the memory of an answer that the page has copied.
 #[unsafe(no_mangle)]
 extern "C" fn free(at: *mut u8) {
     taken(at);

@@ -10,7 +10,7 @@ use gaitcam::error::{Error, Place, ReadError, Result};
 /// Content of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
-    /// Data as JSON.
+    /// Data as JSON text, in UTF-8.
     Json(Vec<u8>),
     /// A file of a design.
     File {

@@ -54,9 +54,9 @@ pub struct Made {
     pub table: Table,
     /// Table of the scene with the rows of every motion in place of its file.
     pub whole: Table,
-    /// The parsed scene.
+    /// The scene as parsed from the question.
     pub scene: Scene,
-    /// The finished design.
+    /// The design of the scene, with its checks.
     pub design: Design,
     /// Computing time of the design.
     pub time: Timing,

@@ -20,7 +20,7 @@ pub enum Piece {
     Wall(Wall),
     /// Solid as a STEP file.
     Step,
-    /// Workbook of tables.
+    /// Workbook with the tables of law and profile.
     Workbook,
     /// Path of a milling cutter.
     Cutter,

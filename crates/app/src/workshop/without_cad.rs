@@ -9,7 +9,7 @@ use super::piece::Piece;
 /// Bytes of a file, if it can be made, with remarks about it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// No options.
+/// Without the feature `cad` there are no options.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {}
 

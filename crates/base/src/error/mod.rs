@@ -111,7 +111,7 @@ impl Error {
         self.fault.what(language)
     }
 
-    /// Suggested remedy.
+    /// Suggested correction in a language, if the fault has one.
     pub fn help(&self, language: Language) -> Option<String> {
         self.fault.help(language)
     }

@@ -40,7 +40,7 @@ pub enum UnitsError {
     OutOfRange { text: String },
     /// An exponent that is not a small integer.
     Exponent { factor: String },
-    /// An unknown unit.
+    /// A unit that no dimension has.
     UnknownUnit {
         unit: String,
         nearest: Option<String>,

@@ -63,7 +63,7 @@ impl Sentences {
 /// ```
 pub struct Catalogue {
     crates: &'static [Sentences],
-    /// Messages by language.
+    /// Parsed messages, one entry per language.
     messages: [OnceLock<Messages>; 2],
 }
 

@@ -1,4 +1,4 @@
-//! Languages of messages.
+//! Languages of messages and how a locale selects one.
 
 use serde::Serialize;
 use strum::{Display, IntoStaticStr};
@@ -15,10 +15,10 @@ use strum::{Display, IntoStaticStr};
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Language {
-    /// English messages.
+    /// English, the default.
     #[default]
     En,
-    /// Spanish messages.
+    /// Spanish, with a decimal comma.
     Es,
 }
 
@@ -54,9 +54,9 @@ impl Language {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InLanguages {
-    /// English text.
+    /// The text in English.
     pub en: String,
-    /// Spanish text.
+    /// The text in Spanish.
     pub es: String,
 }
 

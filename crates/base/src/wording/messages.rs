@@ -39,7 +39,7 @@ const NOTE_DIGITS: usize = 4;
 /// ```
 pub struct Messages {
     language: Language,
-    /// Messages by crate.
+    /// Messages of each crate.
     crates: &'static [Sentences],
     /// Messages parsed so far; parsing all takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,

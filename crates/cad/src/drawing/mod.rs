@@ -109,7 +109,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     Some(pdf.finish())
 }
 
-/// Draws one sheet.
+/// Draws one sheet of the drawing.
 fn drawn(
     (design, piece): (&Design, &Piece),
     title: &Title,

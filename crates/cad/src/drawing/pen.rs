@@ -113,7 +113,7 @@ impl Pen {
         self.ring(&corners, stroke);
     }
 
-    /// Draws a circle.
+    /// Draws a circle of radius `r` about a point, mm.
     pub fn circle(&mut self, [x, y]: [f64; 2], r: f64, stroke: Stroke) {
         self.take(stroke);
         self.content.move_to(pt(x + r), pt(y));

@@ -88,7 +88,7 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Draws both views.
+    /// Draws plan and side view.
     pub fn draw(&self, pen: &mut Pen) {
         let points = self.piece.edge.points(POINTS);
         let outline: Vec<[f64; 2]> = points.iter().map(|e| self.place(e.p)).collect();

@@ -19,7 +19,7 @@ pub enum Shape {
         vertices: Vec<[f64; 3]>,
         closed: bool,
     },
-    /// Cubic B-spline curve.
+    /// Cubic B-spline curve with clamped ends.
     Spline(Clamped),
     /// Circle about the origin.
     Circle { radius: f64 },

@@ -68,7 +68,7 @@ pub enum Number {
 /// Capabilities of a dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Carries {
-    /// Interpolation between points.
+    /// How the controller interpolates between points.
     pub interpolation: Interpolation,
     /// Number type of points and coefficients.
     pub number: Number,
@@ -79,7 +79,7 @@ pub struct Carries {
 }
 
 impl Dialect {
-    /// Every supported dialect.
+    /// Every supported dialect, in the order of the help.
     pub const ALL: [Dialect; 5] = [
         Dialect::Codesys,
         Dialect::Twincat,

@@ -16,9 +16,9 @@ pub struct Node {
     pub x: f64,
     /// Position of the follower (slave), mm or degrees.
     pub y: f64,
-    /// Derivative dy/dx.
+    /// Derivative dy/dx at the point.
     pub v: f64,
-    /// Derivative d²y/dx².
+    /// Derivative d²y/dx² at the point.
     pub a: f64,
 }
 

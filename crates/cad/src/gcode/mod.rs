@@ -224,7 +224,7 @@ impl Program {
         }
     }
 
-    /// Writes lines unchanged.
+    /// Writes a line of the program unchanged.
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');

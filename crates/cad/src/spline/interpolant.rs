@@ -83,7 +83,7 @@ impl Interpolant {
         out
     }
 
-    /// Multiplicities and knots.
+    /// The knots, each with its multiplicity.
     pub fn knots(&self) -> Vec<(usize, f64)> {
         knots(self.spans)
     }

@@ -16,7 +16,7 @@ const MOST: usize = 16384;
 /// A clamped cubic B-spline in the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clamped {
-    /// Control points, mm.
+    /// Control points (x, y), mm.
     pub control: Vec<[f64; 2]>,
     /// Multiplicities and values of the knots.
     pub knots: Vec<(usize, f64)>,

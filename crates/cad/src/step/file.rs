@@ -7,7 +7,7 @@ use crate::spline::Clamped;
 /// One piece of a closed outline, counter-clockwise, mm.
 #[derive(Debug, Clone)]
 pub enum Piece {
-    /// A B-spline piece.
+    /// A piece that is a B-spline curve.
     Spline(Clamped),
     /// A straight piece between two points.
     Line([[f64; 2]; 2]),

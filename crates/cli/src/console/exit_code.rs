@@ -7,7 +7,7 @@ use gaitcam::error::Error;
 pub const BUILT: u8 = 0;
 /// Internal error, or an answer that could not be written.
 pub const INTERNAL_ERROR: u8 = 1;
-/// Invalid input.
+/// Invalid input: the message names the fault.
 pub const BAD_INPUT: u8 = 2;
 /// No feasible cam, or a failed check.
 pub const NO_SUCH_CAM: u8 = 3;

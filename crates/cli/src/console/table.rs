@@ -5,7 +5,7 @@
 pub enum Side {
     /// Left, for names and text.
     Left,
-    /// Right, for numbers.
+    /// Aligned to the right, for numbers.
     Right,
 }
 

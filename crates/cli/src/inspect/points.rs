@@ -42,7 +42,7 @@ enum Coordinates {
 
 /// The points of a file, m, with the line of each.
 pub struct Points {
-    /// Coordinates x, y.
+    /// Measured coordinates x, y, m.
     pub xy: Vec<[f64; 2]>,
     /// Line of the file, counted from 1.
     pub lines: Vec<usize>,

@@ -14,9 +14,9 @@ use gaitcam_output::parquet;
 /// File format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// Comma-separated text.
+    /// Comma-separated text, readable by any program.
     Csv,
-    /// Apache Parquet.
+    /// Apache Parquet, with the feature `parquet`.
     #[cfg(feature = "parquet")]
     Parquet,
 }

@@ -29,7 +29,7 @@ pub struct PartialTable {
     table: PathBuf,
     format: Format,
     counts: Counts,
-    /// An incomplete block.
+    /// Message about a damaged block, if there is one.
     damaged: Option<String>,
     _lock: Lock,
 }

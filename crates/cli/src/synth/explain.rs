@@ -8,7 +8,7 @@ use crate::console::language;
 use crate::console::table::{Side, table};
 use crate::console::words::{self, fill, fixed, name};
 
-/// One selected model.
+/// One choice of the model selection, with its reason.
 pub struct Choice {
     /// Kind of the choice: "family", "solver", "shaft" or "dynamics".
     subject: &'static str,

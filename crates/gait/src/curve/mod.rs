@@ -51,7 +51,7 @@ pub struct ForceCurve {
     /// Interpretation of the averaged recording.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
-    /// The averaged walkers.
+    /// The walkers of which the curve is the mean, if there are several.
     #[serde(skip)]
     pub population: Option<Arc<Population>>,
 }

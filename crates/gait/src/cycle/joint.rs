@@ -166,7 +166,7 @@ pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     average(&kept(trials, &left_out), most, left_out)
 }
 
-/// The included cycles.
+/// The cycles for which there is no reason to leave them out.
 fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
     let all = trials.iter().zip(left_out);
     all.filter(|(_, out)| out.is_none())

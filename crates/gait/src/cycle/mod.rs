@@ -74,7 +74,7 @@ pub struct Cycle {
     pub mean_of_weight: f64,
     /// Whether mean force and mass can belong to one walker.
     pub mass_fits: bool,
-    /// Implausible values.
+    /// Notes on values that are implausible for the movement.
     pub notes: Vec<Note>,
 }
 

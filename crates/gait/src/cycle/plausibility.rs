@@ -26,7 +26,7 @@ pub(super) struct Ranges {
     pub duty: Range<f64>,
     /// Range of the highest force of a stance, body weights.
     pub peak_bw: Range<f64>,
-    /// Typical duty factor.
+    /// Duty factor of most people.
     pub usual_duty: f64,
     /// Typical ratio of stride and stance durations.
     pub stride_of_stance: Range<f64>,

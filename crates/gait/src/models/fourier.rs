@@ -54,7 +54,7 @@ impl FourierForce {
         Err(ForceError::PeriodNotPositive { period }.into())
     }
 
-    /// Mean force, N.
+    /// Mean force over a cycle, N.
     pub fn mean_n(&self) -> f64 {
         self.body_weight_n
     }

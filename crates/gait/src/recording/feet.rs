@@ -17,9 +17,9 @@ use crate::error::{Error, ForceError};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Foot {
-    /// The left foot.
+    /// Left foot of the walker.
     Left,
-    /// The right foot.
+    /// Right foot of the walker.
     Right,
 }
 

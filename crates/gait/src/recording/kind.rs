@@ -30,7 +30,7 @@ pub enum Kind {
     Jumping,
     /// The load rises from that of the feet alone to the weight, or the reverse.
     SitToStand,
-    /// Another movement.
+    /// Any other movement; it has no mean cycle.
     Other,
 }
 

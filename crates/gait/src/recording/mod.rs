@@ -44,11 +44,11 @@ pub struct ReadOptions {
     pub force: Vec<String>,
     /// Unit of the force columns.
     pub unit: Option<ForceUnit>,
-    /// Sampling rate, 1/s.
+    /// Sampling rate, 1/s; needed where the file does not give it.
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// The recorded movement.
+    /// The recorded movement; recognised if `None`.
     pub kind: Option<Kind>,
     /// Duration of the cycle, s, if the file is exactly one cycle.
     pub period_s: Option<f64>,
@@ -184,7 +184,7 @@ pub struct Recording {
     pub format: Format,
     /// Whether the forces are those of pressure insoles.
     pub insole: bool,
-    /// Sampling rate, 1/s.
+    /// Sampling rate of all channels, 1/s.
     pub rate_hz: f64,
     /// Time of the first sample on the file's own clock, s.
     pub start_s: f64,

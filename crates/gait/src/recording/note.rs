@@ -243,7 +243,7 @@ pub enum ClockSource {
     GuessedTimes,
     /// Rate stated in the file.
     Header,
-    /// Guessed sampling rate.
+    /// A sampling rate guessed from the recording.
     GuessedRate,
 }
 

@@ -5,7 +5,7 @@ use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::sweep::table::text_cell;
 use gaitcam::synth::Design;
 
-/// Columns of `law.csv`.
+/// Columns of `law.csv`, in order.
 const LAW: [&str; 9] = [
     "theta_rad",
     "s_m",

@@ -43,7 +43,7 @@ pub enum Shape {
         ink: Ink,
         width: f64,
     },
-    /// A filled polygon.
+    /// A polygon filled with one ink.
     Area { points: Vec<[f64; 2]>, ink: Ink },
     /// A circle: filled, or drawn with a line of given width.
     Circle {

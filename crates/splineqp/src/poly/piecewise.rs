@@ -126,7 +126,7 @@ impl PiecewisePoly {
         self.degree
     }
 
-    /// Number of pieces.
+    /// Number of polynomial pieces.
     #[inline]
     pub fn pieces(&self) -> usize {
         self.breaks.len() - 1

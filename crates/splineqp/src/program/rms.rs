@@ -15,7 +15,7 @@ const RIDGE: f64 = 1e-13;
 pub struct Ball {
     /// The Cholesky factor L of q's H.
     pub factor: ArrowFactor,
-    /// The shift h.
+    /// The shift h of the cone.
     pub shift: Vec<f64>,
     /// The radius √(most² − 2 min q).
     pub radius: f64,
@@ -26,7 +26,7 @@ pub struct Ball {
 pub struct RmsLimit<N: Names> {
     /// Name of the limit for users.
     pub name: N::Limit,
-    /// The quadratic q.
+    /// The quadratic q as a mean square.
     pub half: MeanSquare,
     /// Maximum root mean square; above 0.
     pub most: f64,

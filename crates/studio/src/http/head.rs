@@ -21,13 +21,13 @@ pub enum Method {
 pub struct Head {
     /// Method of the request.
     pub method: Method,
-    /// The path, percent-decoded.
+    /// Path of the address, percent-decoded.
     pub path: String,
     /// The query as decoded pairs.
     pub query: Vec<(String, String)>,
     /// The `Host` headers, all of them.
     pub hosts: Vec<String>,
-    /// The `Origin` header.
+    /// Value of the header `Origin`, if sent.
     pub origin: Option<String>,
     /// Length of the body.
     pub length: usize,

@@ -27,7 +27,7 @@ pub struct Contour {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Colour {
-    /// No quantity.
+    /// The contour has one colour.
     #[default]
     None,
     /// Pressure angle along the contour, °.

@@ -16,7 +16,7 @@ use gaitcam::scene;
 use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
-/// A kept recording.
+/// A recording that the user dropped on the page.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dropped {

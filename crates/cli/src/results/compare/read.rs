@@ -16,11 +16,11 @@ pub struct Design {
     pub name: String,
     /// Folder of the result.
     pub folder: PathBuf,
-    /// Contents of summary.json.
+    /// Contents of the file summary.json.
     pub summary: Value,
-    /// Columns of law.csv.
+    /// Columns of the table law.csv.
     pub law: Columns,
-    /// Columns of profile.csv.
+    /// Columns of the table profile.csv.
     pub profile: Columns,
 }
 

@@ -80,7 +80,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Examines a row.
+    /// Takes the next row of the table into account.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;

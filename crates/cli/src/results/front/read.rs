@@ -19,9 +19,9 @@ pub struct Columns {
     pub names: Vec<String>,
     /// Columns of the varied keys.
     pub inputs: Vec<usize>,
-    /// Column `outcome`.
+    /// Index of the column `outcome`.
     pub outcome: usize,
-    /// Column `verdict`.
+    /// Index of the column `verdict`.
     pub verdict: usize,
 }
 

@@ -24,7 +24,7 @@ pub(in crate::read) struct Samples {
     pub insole: Option<bool>,
     /// First lines without a row.
     pub skipped: Vec<usize>,
-    /// Notes on guesses.
+    /// Notes on what was guessed.
     pub notes: Vec<Note>,
 }
 

@@ -90,7 +90,7 @@ impl SplineSpace {
         self.degree
     }
 
-    /// Number of coefficients.
+    /// Number of coefficients of a spline.
     #[inline]
     pub fn dimension(&self) -> usize {
         self.dimension

@@ -23,7 +23,7 @@ const BEYOND_ENDS: f64 = 1.0 / 8.0;
 pub struct Distance {
     /// Integral of the squared difference.
     pub square: f64,
-    /// Largest absolute difference.
+    /// Largest absolute difference of the two functions.
     pub largest: f64,
 }
 

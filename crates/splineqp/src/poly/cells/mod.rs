@@ -49,7 +49,7 @@ impl Cells {
         Cells::new(values.collect(), slopes.collect(), self.length)
     }
 
-    /// Number of cells.
+    /// Number of cells of the function.
     pub fn count(&self) -> usize {
         self.values.len() - 1
     }

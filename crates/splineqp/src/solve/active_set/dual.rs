@@ -8,7 +8,7 @@ use crate::basis::{Entries, apply, dense};
 use crate::frame::{Apart, Frame, square};
 use gaitcam_base::halt::Halt;
 
-/// An active plane.
+/// A plane on which the optimum is held, with its multiplier.
 struct Member {
     /// Index of the inequality; `None` for an equality, which never leaves.
     row: Option<usize>,
@@ -19,7 +19,7 @@ struct Member {
 /// The active planes and the optimum on them.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
-    /// Unconstrained optimum L⁻¹p.
+    /// The unconstrained optimum L⁻¹p, in the coordinates of the factor.
     free: Vec<f64>,
     /// The optimum on the active planes.
     pub x: Vec<f64>,

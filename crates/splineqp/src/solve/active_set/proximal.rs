@@ -44,7 +44,7 @@ struct Start<N: Names> {
     square: ArrowMatrix,
     /// Columns of the further variables.
     free: Vec<Variable>,
-    /// The peak T.
+    /// Peak T of the quantity in the starting law.
     peak: f64,
 }
 
