@@ -86,7 +86,7 @@ def judge(binary, recording, folder):
         message = "\n".join(line for line in text.splitlines() if line.startswith(("gaitcam:", "note", "warning", "open")))
         if question_fits(recording, message):
             return Verdict("asked")
-        return Verdict("wrong", f"refused: {message.strip()[:300]}")
+        return Verdict("wrong", "refused: " + " / ".join(message.splitlines())[:300])
     return numbers(recording, d, text)
 
 
