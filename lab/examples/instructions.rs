@@ -107,7 +107,7 @@ const KERNELS: Kernels = [
     }),
 ];
 
-/// What callgrind counts.
+/// The function whose instructions callgrind counts.
 #[inline(never)]
 fn counted(work: &mut dyn FnMut()) {
     work();

@@ -43,7 +43,7 @@ fn processor_time() -> f64 {
 
 /// A block of runs takes at least this time, s: the clock is coarse.
 const BLOCK: f64 = 0.2;
-/// Blocks of runs.
+/// Number of blocks; the median counts.
 const BLOCKS: usize = 7;
 
 /// Median time of the processor after a warm-up, s.

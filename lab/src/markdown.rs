@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A table.
+/// A Markdown table with a head and rows.
 pub(crate) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let rule = "---|".repeat(head.len());
     let mut out = format!("| {} |\n|{rule}\n", head.join(" | "));

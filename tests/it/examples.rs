@@ -1,4 +1,4 @@
-//! The examples run.
+//! Every example runs to its end.
 
 #[path = "../../examples/custom_force.rs"]
 mod custom_force;

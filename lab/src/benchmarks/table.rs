@@ -9,7 +9,7 @@ pub(crate) struct Line {
     pub(crate) area: &'static str,
     pub(crate) what: &'static str,
     pub(crate) asked: String,
-    /// The median.
+    /// Median of the runs.
     pub(crate) measured: String,
     /// The fastest run, which other programs on the machine disturbed least; empty for ratios.
     pub(crate) fastest: String,

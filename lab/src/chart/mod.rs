@@ -37,7 +37,7 @@ pub enum Across {
     /// Time of one run.
     #[default]
     Time,
-    /// Points written.
+    /// Number of points written.
     Points,
     /// Spans of the law; what is drawn upwards is the time, s, and there is no front.
     Spans,
@@ -48,7 +48,7 @@ pub enum Across {
 pub struct Chart {
     /// File name without ending: `speed_accuracy_a`.
     pub file: String,
-    /// Title.
+    /// Title of the chart.
     pub title: String,
     /// The task with its sizes, one sentence.
     pub task: String,
@@ -60,7 +60,7 @@ pub struct Chart {
     pub levels: Vec<(f64, String)>,
     /// What a user should choose, one sentence.
     pub advice: String,
-    /// The rows.
+    /// One row for each method and size.
     pub rows: Vec<Row>,
 }
 

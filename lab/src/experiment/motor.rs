@@ -25,7 +25,7 @@ pub struct Demand {
     pub rms: f64,
     /// Largest torque of either sign, N·m.
     pub peak: f64,
-    /// Mean power, W.
+    /// Mean power over a turn, W.
     pub power: f64,
 }
 

@@ -15,7 +15,7 @@ use gaitcam_test_support::thesis;
 
 /// Natural frequency of the follower in cam speeds.
 const RATIO: f64 = 8.5;
-/// Damping ratio.
+/// Damping ratio of the follower.
 const ZETA: f64 = 0.05;
 /// Angle over which the response is followed, rad.
 const TURN: f64 = std::f64::consts::TAU;

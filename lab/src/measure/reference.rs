@@ -72,14 +72,14 @@ impl Stance {
 pub enum PolynomialBasis {
     /// 1, u, u² …
     Monomial,
-    /// Bernstein.
+    /// Bernstein polynomials of the interval.
     Bernstein,
     /// Legendre on the interval.
     Legendre,
 }
 
 impl PolynomialBasis {
-    /// Every basis.
+    /// Every basis, for the charts.
     pub const ALL: [PolynomialBasis; 3] = [Self::Monomial, Self::Bernstein, Self::Legendre];
 
     /// Name in the charts.

@@ -25,15 +25,15 @@ const POINTS: usize = 720;
 /// The force error of one law.
 #[derive(Debug, Clone)]
 pub struct Method {
-    /// What was done.
+    /// Name of the method.
     pub name: String,
-    /// Stroke, m.
+    /// Stroke of the law, m.
     pub stroke: f64,
     /// RMS distance of the force to the target, N, at the phase given.
     pub rms: f64,
     /// The same with the law turned to its best phase, N.
     pub rms_turned: f64,
-    /// That phase, rad.
+    /// The best phase, rad.
     pub phase: f64,
     /// Largest |jerk|, m/s³; infinite where the acceleration jumps.
     pub jerk: f64,

@@ -81,9 +81,9 @@ const PAPERS: &str = include_str!("papers.txt");
 /// One number of a paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Paper and place.
+    /// The paper, with page or equation.
     pub source: &'static str,
-    /// What is measured.
+    /// The quantity that the paper states.
     pub quantity: &'static str,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
@@ -93,7 +93,7 @@ pub struct Row {
     pub recomputed: f64,
     /// What the difference is.
     pub class: Class,
-    /// Why.
+    /// Reason of a difference.
     pub reason: String,
 }
 
@@ -190,7 +190,7 @@ fn same_digits(stated: &str, value: f64) -> bool {
 
 /// The whole reproduction: rows, the comparison of methods, and pictures.
 pub struct Reproduction {
-    /// Every number.
+    /// Every number of the papers, stated and recomputed.
     pub rows: Vec<Row>,
     /// The four iterations of Campillo de Blas (2017) and the optimum.
     pub methods: Vec<Method>,
@@ -289,7 +289,7 @@ fn or_dash(text: &str) -> &str {
     if text.is_empty() { "—" } else { text }
 }
 
-/// Seven significant digits.
+/// The number with seven significant digits.
 fn shown(x: f64) -> String {
     if !x.is_finite() {
         return "∞".to_string();

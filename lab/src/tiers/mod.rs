@@ -27,7 +27,7 @@ type Program = qp::Program<()>;
 pub struct Bound {
     /// k, 1 … 4.
     pub order: usize,
-    /// Its size, m/radᵏ.
+    /// Maximum of the derivative, m/radᵏ.
     pub most: f64,
 }
 
@@ -42,7 +42,7 @@ pub struct Task<'a> {
     pub degree: usize,
     /// Number of equal spans.
     pub spans: usize,
-    /// Limits.
+    /// Limits on the derivatives.
     pub bounds: &'a [Bound],
 }
 

@@ -37,7 +37,7 @@ impl Dice {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Between two numbers.
+    /// A number between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
@@ -52,21 +52,21 @@ impl Dice {
 /// What the log is made with.
 #[derive(Debug, Clone, Copy)]
 pub struct Sensors {
-    /// Samples per second.
+    /// Sampling rate, 1/s.
     pub rate: f64,
-    /// Cycles.
+    /// Number of cycles in the log.
     pub cycles: usize,
     /// Standard deviation of every sample, N.
     pub noise: f64,
     /// Reading without force, N.
     pub bias: f64,
-    /// Time constant of its lag, and pure delay, s.
+    /// Time constant of the load cell's lag, s.
     pub lag: f64,
-    /// The same.
+    /// Pure delay of the load cell, s.
     pub delay: f64,
-    /// Whether the log has angle, and speed.
+    /// Whether the log has the cam angle.
     pub has_angle: bool,
-    /// The same.
+    /// Whether the log has the speed.
     pub has_speed: bool,
 }
 
@@ -87,7 +87,7 @@ pub struct Twin {
     pub floor: Option<[f64; 3]>,
     /// Forces that repeat with the cam angle: harmonic, amplitude, phase.
     pub extra: Vec<(f64, f64, f64)>,
-    /// Its load cell.
+    /// Load cell and log of the machine.
     pub sensors: Sensors,
 }
 

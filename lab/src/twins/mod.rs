@@ -38,13 +38,13 @@ pub enum Class {
 
 /// A scene with its design, and a machine that was built for it.
 pub struct Case {
-    /// The scene.
+    /// The scene as the user knows it.
     pub scene: Scene,
-    /// Its force.
+    /// Target force of the scene.
     pub target: ForceCurve,
-    /// Its design.
+    /// Design for the scene.
     pub design: Design,
-    /// The machine.
+    /// The machine with hidden parameters.
     pub twin: Twin,
     dice: Dice,
 }

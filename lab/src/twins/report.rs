@@ -16,7 +16,7 @@ use gaitcam_output::overlay::{Strip, diagrams_over};
 /// Twins whose cams are cut twice, and those of each class whose parameters are identified. The method was made with other
 /// numbers than the first, and these were looked at once.
 pub const CUTS: std::ops::Range<u64> = 3000..3050;
-/// The same.
+/// Number of machines per class whose parameters are identified.
 pub const INTERVALS: u64 = 200;
 /// Asked of the errors after one and two new cuts, percent of the weight.
 const ASKED: [f64; 2] = [1.0, 0.5];

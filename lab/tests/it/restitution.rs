@@ -10,7 +10,7 @@ const LONGEST: f64 = 40.0;
 
 /// Hunt–Crossley contact of stiffness K (N/mⁿ) and exponent n.
 struct Compliant {
-    /// K, N/mⁿ.
+    /// Stiffness K, N/mⁿ.
     stiffness: f64,
     /// n: 1.5 for a Hertzian point, 1 for a linear spring.
     exponent: f64,

@@ -11,7 +11,7 @@ use gaitcam::synth::Design;
 /// Turn of the cam in the measuring frame, and its centre, m.
 const TURN: f64 = 2.1;
 const CENTRE: [f64; 2] = [0.123, -0.045];
-/// Points measured.
+/// Number of measured points.
 const POINTS: usize = 360;
 
 fn roller() -> Cam {

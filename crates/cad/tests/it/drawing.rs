@@ -25,7 +25,7 @@ pub fn groups(bytes: &[u8]) -> Vec<(i32, String)> {
         .collect()
 }
 
-/// Reads a file.
+/// Reads the entities of a DXF file.
 pub fn read(bytes: &[u8]) -> Drawing {
     let all = groups(bytes);
     let mut out = Drawing {

@@ -37,12 +37,12 @@ pub fn limited(folder: &Path, limit: &str, arguments: &[&str]) -> Output {
     limited.output().unwrap()
 }
 
-/// Standard output.
+/// Standard output as text.
 pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-/// Standard error.
+/// Standard error as text.
 pub fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }

@@ -18,7 +18,7 @@ pub struct Running {
     pub token: String,
 }
 
-/// An answer.
+/// An answer of the server.
 pub struct Answer {
     pub status: u16,
     pub head: String,

@@ -55,7 +55,7 @@ pub struct Limits {
     pub pressure_angle: [Option<f64>; 2],
 }
 
-/// The follower.
+/// The follower with its lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Follower {
     /// A flat face, on a base circle where one is given, m.
@@ -64,7 +64,7 @@ pub enum Follower {
     Knife { prime: f64, offset: f64 },
 }
 
-/// One scene.
+/// A random scene in numbers.
 #[derive(Debug, Clone)]
 pub struct Asked {
     pub degree: usize,
@@ -73,7 +73,7 @@ pub struct Asked {
     pub weights: [f64; 3],
     /// Force at lift 0, N.
     pub rest: f64,
-    /// rad/s.
+    /// Speed of the cam, rad/s.
     pub speed: f64,
     /// The wanted force as the drive scales it, and as the library is given it.
     pub target: Option<(ForceCurve, ForceCurve)>,
@@ -143,7 +143,7 @@ impl Asked {
         written.fold(forced, |most, x| most.max(x.abs()))
     }
 
-    /// The scene file.
+    /// The scene as a TOML file.
     pub fn toml(&self) -> String {
         let mut out = String::from("name = \"guard\"\n");
         self.write(&mut out).expect("text grows");

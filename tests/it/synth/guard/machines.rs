@@ -10,7 +10,7 @@ const SPANS: [usize; 9] = [8, 9, 10, 12, 14, 16, 20, 24, 32];
 /// … and where few and many of them are asked for.
 const LONG: [usize; 9] = [4, 5, 6, 40, 64, 80, 100, 150, 200];
 
-/// SplitMix64.
+/// Random numbers by SplitMix64.
 pub struct Random(u64, [usize; 9]);
 
 impl Random {
@@ -26,7 +26,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// A number in [0, 1).
     fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }

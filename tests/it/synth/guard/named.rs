@@ -5,7 +5,7 @@ use super::compare::{Built, Seen, compare, design};
 use gaitcam::force::{Feet, model};
 use std::f64::consts::TAU;
 
-/// Agreed, and certified.
+/// The design agrees with the reference and is certified.
 fn certified(asked: &Asked) -> Built {
     let solver = design(asked).map(|d| d.solver);
     let built = compare(asked, design(asked));

@@ -8,7 +8,7 @@ use super::splines::ORDERS;
 use super::swing::{Train, swings};
 use std::f64::consts::TAU;
 
-/// Kinds of scenes.
+/// Kinds of random scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Moving axis, force error, limits.

@@ -13,7 +13,7 @@ pub const HELD: f64 = 1e-9;
 const NEAR: f64 = 0.02;
 /// What limits are eased or tightened by before a scene counts as refused or built wrongly.
 pub const EDGE: f64 = 1e-6;
-/// Rounds of rows.
+/// Maximum number of rounds that add rows.
 const ROUNDS: usize = 60;
 pub enum Outcome {
     Optimum(Optimum),

@@ -31,13 +31,13 @@ impl Splines {
         }
     }
 
-    /// Equal spans.
+    /// Splines of equal spans over a turn.
     pub fn equal(degree: usize, spans: usize) -> Self {
         let breaks = (0..=spans).map(|i| TAU * i as f64 / spans as f64).collect();
         Splines::new(degree, breaks, &vec![1; spans])
     }
 
-    /// Number of functions.
+    /// Number of basis functions.
     pub fn count(&self) -> usize {
         self.knots.len()
     }

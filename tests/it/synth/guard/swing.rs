@@ -12,7 +12,7 @@ pub struct Train {
     /// rad/s of the train alone, and its damping ratio.
     pub own: f64,
     pub ratio: f64,
-    /// Moving mass, kg.
+    /// Mass at the end of the train, kg.
     pub mass: f64,
     /// Largest amplitude at the start of a rest, m.
     pub most: f64,

@@ -40,7 +40,7 @@ fn check(design: &Design) -> &Check {
     own.unwrap()
 }
 
-/// c·mean((ds/dt)²) by samples.
+/// Mean power of the damper, c·mean((ds/dt)²), by samples.
 fn used_up(design: &Design) -> f64 {
     let samples = 20_000;
     let square = |i: usize| {

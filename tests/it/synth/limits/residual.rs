@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 /// A fixed axis with a compliant follower.
 #[derive(Debug, Clone, Copy)]
 struct Machine {
-    /// rad/s
+    /// Speed of the cam, rad/s.
     speed: f64,
     mass: f64,
     /// Return spring, damper beside it.

@@ -1,4 +1,4 @@
-//! Walkers in sweeps.
+//! Sweeps over scenes with several walkers.
 
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::halt::Halt;

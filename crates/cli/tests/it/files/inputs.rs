@@ -75,7 +75,7 @@ const CASES: [Case; 25] = [
 
 const MODEL: &str = "[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\n[law]\nspans = 12\n";
 
-/// The common inputs.
+/// Writes the input files that all cases use.
 fn prepare(at: &Path) {
     let write = |name: &str, text: &str| fs::write(at.join(name), text).unwrap();
     walk(&at.join("walk.csv"));

@@ -26,7 +26,7 @@ impl Dice {
         (0..12).map(|_| self.between(-0.5, 0.5)).sum()
     }
 
-    /// One of several.
+    /// One element of a list, at random.
     pub fn of<T: Copy>(&mut self, all: &[T]) -> T {
         all[(self.next() % all.len() as u64) as usize]
     }

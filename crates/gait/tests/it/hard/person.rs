@@ -82,7 +82,7 @@ impl Person {
             .sum()
     }
 
-    /// Total force, N.
+    /// Total force of both feet, N.
     pub fn total(&self, t: f64) -> f64 {
         let Shape::Total(points, sway) = &self.shape else {
             return self.feet(t, |_, _| true);

@@ -41,7 +41,7 @@ pub struct Truth {
     pub mass: Option<f64>,
 }
 
-/// One recording.
+/// A generated recording with its true values.
 pub struct Case {
     pub name: &'static str,
     pub file: &'static str,
