@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
-use gaitcam::identify::{Log, Recut, identify, recut};
+use gaitcam::identify::{Log, LogOptions, Recut, identify, recut};
 use gaitcam::scene::set_value;
 use gaitcam::synth::{Outcome, Search};
 use gaitcam_app::design::{self, check_inputs_stay, finish};
@@ -213,8 +213,8 @@ impl Design {
     fn identify<'py>(&self, py: Python<'py>, log: PathBuf) -> PyResult<Bound<'py, PyAny>> {
         let design = self.cam(py)?;
         let found = py.detach(|| {
-            let log = Log::read(&log, &read_bytes(&log)?)?;
-            identify(design, &self.input.scene, &log)
+            let log = Log::read(&log, &read_bytes(&log)?, &LogOptions::default())?;
+            identify(design, &self.input.scene, &[log])
         });
         let found = serde_json::json!(found.raise(py)?);
         convert::json(py, &found)
@@ -238,14 +238,14 @@ impl Design {
         let design = self.cam(py)?;
         let interrupt = Interrupt::after(interrupt::limit(py, self.time_limit)?);
         let found = py.detach(|| {
-            let log = Log::read(&log, &read_bytes(&log)?)?;
+            let log = Log::read(&log, &read_bytes(&log)?, &LogOptions::default())?;
             let named = match &self.force {
                 Some(_) => None,
                 None => self.input.target()?,
             };
             let target = self.force.as_ref().map(|f| &f.curve).or(named.as_ref());
             let search = Search::until(interrupt.halt());
-            recut(design, &self.input.scene, target, &log, &search)
+            recut(design, &self.input.scene, target, &[log], &search)
         });
         interrupt.result()?;
         let (next, figures, _) = match found {

@@ -14,6 +14,34 @@ use crate::units::Quantity;
 pub enum LogError {
     /// Neither time nor angle, or no force column.
     NoColumn { columns: String },
+    /// Several columns for one quantity.
+    ManyColumns { option: String, columns: String },
+    /// A column without unit.
+    NoUnit {
+        column: String,
+        unit: String,
+        option: String,
+    },
+    /// A unit of another quantity, or an unknown one.
+    UnknownUnit {
+        column: String,
+        unit: String,
+        units: String,
+    },
+    /// An angle in counts of an encoder.
+    Counts { column: String },
+    /// A number of counts per turn that is not positive.
+    BadCounts { counts: f64 },
+    /// Counts per turn without a column of counts.
+    NoCounts { columns: String },
+    /// Columns of different lengths.
+    Lengths {
+        column: String,
+        count: usize,
+        rows: usize,
+    },
+    /// A constant angle.
+    NoMotion { angle: f64 },
     /// A cell that is not a number.
     Value { column: String, typed: String },
     /// Time or angle does not increase.
@@ -52,6 +80,19 @@ pub enum LogError {
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,
+    /// The same log twice.
+    Copy { other: String },
+    /// A parameter differs from that of another log.
+    OtherMachine {
+        key: String,
+        value: Quantity,
+        before: Quantity,
+        other: String,
+    },
+    /// No common parameters explain the logs: force that they do not explain, RMS.
+    Inconsistent { together: Quantity, alone: Quantity },
+    /// A log of another speed than that of the design.
+    OtherSpeed { speed: Quantity, design: Quantity },
     /// The cam does not turn once per cycle.
     NoTurn,
     /// A scene without a target force.

@@ -18,8 +18,8 @@ const PER_HARMONIC: f64 = 2.5;
 /// Range of the speed from the angle, relative to the expected one, outside which a column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
 /// Change of the mean cycle within the log that is an error, relative to its alternating force and to the scatter.
-const CHANGE: f64 = 0.05;
-const SURPRISE: f64 = 8.0;
+pub(super) const CHANGE: f64 = 0.05;
+pub(super) const SURPRISE: f64 = 8.0;
 /// Diagonal of the factor below which a cycle has a gap, relative to equal steps: 0.7.
 const UNSEEN: f64 = 0.2;
 /// Number of iterations in which the phases of the cycles correct the period.
@@ -54,7 +54,8 @@ pub struct Cycles {
 }
 
 impl Averaged {
-    fn of(each: Vec<Vec<f64>>) -> Averaged {
+    /// The averages of cycles of equal numbers of harmonics.
+    pub fn of(each: Vec<Vec<f64>>) -> Averaged {
         let count = each.len() as f64;
         let mean = (0..each[0].len())
             .map(|j| each.iter().map(|c| c[j]).sum::<f64>() / count)

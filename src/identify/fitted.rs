@@ -1,200 +1,152 @@
-//! A log fitted with the machine of a design; logs of another magnitude, unit or sign are rejected.
+//! Logs fitted together with the machine of a design: its parameters are shared, the phases are their own.
 
 use std::f64::consts::TAU;
+use std::path::Path;
 
-use super::cycles::{Averaged, Cycles};
-use super::fit::{self, Column, Fit, difference, fit};
+use super::cycles::Averaged;
+use super::fit::{Fit, Shift, fit};
+use super::least_squares::{Column, difference};
 use super::log::Log;
-use super::model::{ANGLES, Clock, Machine, Term, terms};
-use super::period;
-use crate::error::{LogError, Result};
+use super::model::{Clock, Term, terms};
+use super::period::DRIFT;
+use super::run::{LONGEST_DELAY, Run};
+use super::same_machine;
+use crate::error::{LogError, Placed, Result};
 use crate::scene::Scene;
 use crate::synth::Design;
-use crate::units::Quantity;
 
-/// Maximum delay of a sensor, s.
-const LONGEST_DELAY: f64 = 0.05;
-/// Fraction of the alternating force of the model that the sampled harmonics must contain.
-const HELD: f64 = 0.999;
-/// Ranges of alternating and mean force of the log relative to the model's; outside, unit or machine differ.
-const SIZES: [f64; 2] = [0.4, 2.5];
-/// Alternating force below this fraction of the model's counts as zero.
-const NO_FORCE: f64 = 0.02;
-/// Newtons per unit of common load cells, and relative tolerance of the comparison.
-const UNITS: [(&str, f64); 5] = [
-    ("kN", 1e3),
-    ("lbf", 4.448_221_615_260_5),
-    ("kgf", 9.806_65),
-    ("mN", 1e-3),
-    ("kip", 4_448.221_615_260_5),
-];
-const SAME_UNIT: f64 = 0.25;
+/// Relative difference below which two logs hold the same samples.
+const SAME: f64 = 1e-9;
 
-/// A log fitted with the machine of a design.
+/// Logs fitted with the machine of a design.
 pub(super) struct Fitted {
-    pub(super) cycles: Cycles,
-    pub(super) clock: Clock,
-    pub(super) terms: Vec<Term>,
-    pub(super) columns: Vec<Column>,
-    pub(super) fit: Fit,
+    pub runs: Vec<Run>,
+    pub terms: Vec<Term>,
+    /// Unknowns of the phases: first the delay of the logs with an angle, s, then the phase of each other one, rad.
+    pub shifts: Vec<Shift>,
+    pub fit: Fit,
 }
 
 impl Fitted {
-    pub(super) fn of(design: &Design, scene: &Scene, log: &Log) -> Result<Fitted> {
-        let law = design.pressing();
-        if !law.is_closed() || law.extent() != (0.0, TAU) || design.problem.drive.speed <= 0.0 {
-            return Err(log.refused(LogError::NoTurn));
+    pub fn of(design: &Design, scene: &Scene, logs: &[Log]) -> Result<Fitted> {
+        let runs = logs.iter().map(|log| Run::of(design, scene, log));
+        let runs = runs.collect::<Result<Vec<Run>>>()?;
+        if runs.is_empty() {
+            let (rows, least) = (0, 1);
+            return Err(LogError::FewRows { rows, least }.in_file(Path::new("log")));
         }
-        let speed = design.problem.drive.speed;
-        let still = Clock::steady(design);
-        let machine = Machine::new(design, scene, &still);
-        let wanted = still.harmonics(&machine.nominal_force(), ANGLES / 4 + 1);
-        let mut cycles = Cycles::of(log, speed, held(&wanted))?;
-        if design.problem.drive.lever != 1.0 {
-            let lever = design.problem.drive.lever;
-            cycles.force = cycles.force.map(|c| c.iter().map(|f| lever * f).collect());
-            cycles.noise_rms *= lever;
-        }
-        let clock = Clock::of(design, &cycles);
-        if !clock.speed.iter().all(|w| *w > 0.0) {
-            return Err(log.refused(period::no_cycle(speed)));
-        }
-        let machine = Machine::new(design, scene, &clock);
-        let count = cycles.force.mean.len();
-        let wanted = clock.harmonics(&machine.nominal_force(), count);
-        let longest = if cycles.by_angle {
-            LONGEST_DELAY * cycles.speed
-        } else {
-            TAU
-        };
-        let shifts = [0.0, longest.min(TAU)];
-        check_size(log, design, &cycles.force.mean, &wanted, shifts)?;
+        check_copies(logs, &runs)?;
         let terms = terms(design, scene);
-        let columns: Vec<Column> = terms
-            .iter()
-            .map(|t| Column {
-                values: clock.harmonics(&machine.effect(t.effect), count),
-                is_positive: t.is_positive,
-            })
-            .collect();
-        let fit = fit(&columns, &cycles.force, shifts);
+        let alone: Vec<Fit> = match runs.len() {
+            1 => Vec::new(),
+            _ => runs
+                .iter()
+                .map(|run| fitted(std::slice::from_ref(run), &[]).1)
+                .collect(),
+        };
+        let (shifts, fit) = fitted(&runs, &alone);
+        same_machine::check((design, scene), (logs, &runs), &terms, &fit, &alone)?;
         Ok(Fitted {
-            cycles,
-            clock,
+            runs,
             terms,
-            columns,
+            shifts,
             fit,
         })
     }
 
-    /// The model with the fitted parameters.
-    pub(super) fn modelled(&self) -> Vec<f64> {
-        let mut out = vec![0.0; self.fit.measured.mean.len()];
-        for (column, found) in self.columns.iter().zip(&self.fit.each) {
+    /// Whether the logs have a common delay.
+    pub fn has_delay(&self) -> bool {
+        self.runs.iter().any(|run| run.cycles.by_angle)
+    }
+
+    /// The model of a log with the fitted parameters.
+    pub fn modelled(&self, run: usize) -> Vec<f64> {
+        let mut out = vec![0.0; self.fit.measured[run].mean.len()];
+        for (column, found) in self.runs[run].columns.iter().zip(&self.fit.each) {
             (out.iter_mut().zip(&column.values)).for_each(|(x, c)| *x += found.value * c);
         }
         out
     }
-}
 
-impl Clock {
-    /// The model at the design's own speed.
-    fn steady(design: &Design) -> Clock {
-        let none = Averaged {
-            each: Vec::new(),
-            mean: Vec::new(),
+    /// The log whose speed is nearest to that of the design.
+    pub fn nearest(&self, design: &Design) -> usize {
+        let off = |i: &usize| (self.runs[*i].cycles.speed / design.problem.drive.speed - 1.0).abs();
+        let all = 0..self.runs.len();
+        all.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
+    }
+
+    /// The measured cycles of all logs at the speed of one of them, in its phase.
+    pub fn measured_at(&self, place: usize) -> Averaged {
+        let near = |i: &usize| {
+            let speed = |run: &Run| run.cycles.speed;
+            (speed(&self.runs[*i]) / speed(&self.runs[place]) - 1.0).abs() <= DRIFT
         };
-        Clock::of(
-            design,
-            &Cycles {
-                speed: design.problem.drive.speed,
-                by_angle: false,
-                force: none,
-                shaft: None,
-                torque: None,
-                lead: None,
-                noise_rms: 0.0,
-            },
-        )
+        let all: Vec<usize> = (0..self.runs.len()).filter(near).collect();
+        if let [one] = all[..] {
+            return self.fit.measured[one].clone();
+        }
+        let counts = all.iter().map(|i| self.fit.measured[*i].mean.len());
+        let count = counts.min().unwrap_or(1);
+        let clock = &self.runs[place].clock;
+        let moved = |own: &Clock, c: &[f64]| clock.harmonics(&own.at_angles(c), count);
+        let of_run = |i: usize| {
+            let cycles = self.fit.measured[i].each.iter();
+            cycles.map(move |c| moved(&self.runs[i].clock, c))
+        };
+        Averaged::of(all.into_iter().flat_map(of_run).collect())
     }
 }
 
-/// Number of harmonics with all but a thousandth of the energy.
-pub(super) fn held(harmonics: &[f64]) -> usize {
-    let energy = |n: usize| harmonics[2 * n - 1].powi(2) + harmonics[2 * n].powi(2);
-    let count = harmonics.len() / 2;
-    let all: f64 = (1..=count).map(energy).sum();
-    let mut sum = 0.0;
-    let enough = (1..=count).find(|n| {
-        sum += energy(*n);
-        sum >= HELD * all
-    });
-    enough.unwrap_or(count)
-}
-
-/// Rejects a force that this machine cannot have produced: magnitude, unit or sign.
-fn check_size(
-    log: &Log,
-    design: &Design,
-    measured: &[f64],
-    wanted: &[f64],
-    shifts: fit::Shifts,
-) -> Result<()> {
-    let size = |x: &[f64]| fit::dot(&x[1..], &x[1..]).sqrt();
-    let (found, known) = (size(measured), size(wanted));
-    let newtons = |x: f64| Quantity::force(design.problem.drive.newtons(x / 2.0_f64.sqrt()));
-    let ratio = found / known;
-    if ratio < NO_FORCE * 1e-3 {
-        let (found, expected) = (newtons(found), newtons(known));
-        return Err(log.refused(LogError::NoAlternating { found, expected }));
-    }
-    let is_known = |x: f64| (SIZES[0]..=SIZES[1]).contains(&x);
-    let has_mean = wanted[0].abs() > 0.2 * known;
-    let mean = measured[0] / wanted[0];
-    if !is_known(ratio) || (has_mean && !is_known(mean.abs())) {
-        let near = |x: f64, unit: f64| (x * unit - 1.0).abs() < SAME_UNIT;
-        let fits = |u: &&(&str, f64)| near(ratio, u.1) && (!has_mean || near(mean.abs(), u.1));
-        let unit = UNITS.iter().find(fits).map(|u| u.0.to_string());
-        let (found, expected) = (newtons(found), newtons(known));
-        return Err(log.refused(match unit {
-            Some(unit) => LogError::WrongUnit {
-                unit,
-                found,
-                expected,
-            },
-            None if ratio < NO_FORCE => LogError::NoAlternating { found, expected },
-            None => LogError::OtherSize { found, expected },
-        }));
-    }
-    let alternating = |x: &[f64]| {
-        let mut out = x.to_vec();
-        out[0] = 0.0;
-        out
-    };
-    let (own, other) = (alternating(measured), alternating(wanted));
-    let along = |sign: f64| {
-        let column = Column {
-            values: other.iter().map(|x| sign * x).collect(),
-            is_positive: true,
-        };
-        let each = Averaged {
-            each: vec![own.clone(), own.clone()],
-            mean: own.clone(),
-        };
-        let found = fit(&[column], &each, shifts);
-        let model: Vec<f64> = other
+/// The unknowns of the phases, and the fit; `alone` are the fits of each log where there are several.
+fn fitted(runs: &[Run], alone: &[Fit]) -> (Vec<Shift>, Fit) {
+    let column = |term: usize| Column {
+        values: runs
             .iter()
-            .map(|x| sign * found.each[0].value * x)
-            .collect();
-        let left = difference(&found.measured.mean, &model);
-        fit::dot(&left, &left)
+            .flat_map(|run| run.columns[term].values.clone())
+            .collect(),
+        is_positive: runs[0].columns[term].is_positive,
     };
-    let is_turned = match has_mean {
-        true => mean < 0.0,
-        false => along(-1.0) < 0.5 * along(1.0),
+    let columns: Vec<Column> = (0..runs[0].columns.len()).map(column).collect();
+    let delayed = |run: &Run| f64::from(u8::from(run.cycles.by_angle)) * run.cycles.speed;
+    let rates: Vec<f64> = runs.iter().map(delayed).collect();
+    let fastest = rates.iter().fold(0.0_f64, |m, r| m.max(*r));
+    let delay = (fastest > 0.0).then(|| Shift {
+        range: [0.0, LONGEST_DELAY.min(TAU / fastest)],
+        rates,
+    });
+    let others = (0..runs.len()).filter(|i| !runs[*i].cycles.by_angle);
+    let phase = |own: usize| Shift {
+        range: runs[own].phases,
+        rates: (0..runs.len())
+            .map(|i| f64::from(u8::from(i == own)))
+            .collect(),
     };
-    match is_turned {
-        true => Err(log.refused(LogError::WrongSign)),
-        false => Ok(()),
+    let phases: Vec<Shift> = others.clone().map(phase).collect();
+    let first = |own: usize| alone.get(own).map_or(0.0, |fit| fit.shifts[0].value);
+    let start: Vec<f64> = (delay.iter().map(|_| 0.0))
+        .chain(others.map(first))
+        .collect();
+    let shifts: Vec<Shift> = delay.into_iter().chain(phases).collect();
+    let cycles: Vec<Averaged> = runs.iter().map(|run| run.cycles.force.clone()).collect();
+    let fit = fit(&columns, &cycles, &shifts, &start);
+    (shifts, fit)
+}
+
+/// Rejects a log that is given twice, perhaps in other units.
+fn check_copies(logs: &[Log], runs: &[Run]) -> Result<()> {
+    let size = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    for (i, (log, run)) in logs.iter().zip(runs).enumerate() {
+        let own = &run.cycles.force.mean;
+        let is_copy = |other: &&Run| {
+            let mean = &other.cycles.force.mean;
+            mean.len() == own.len()
+                && size(&difference(mean, own)) <= SAME * size(own)
+                && (other.cycles.speed / run.cycles.speed - 1.0).abs() <= SAME
+        };
+        if let Some(other) = runs[..i].iter().find(is_copy) {
+            let other = other.name.clone();
+            return Err(log.refused(LogError::Copy { other }));
+        }
     }
+    Ok(())
 }

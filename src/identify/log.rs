@@ -4,10 +4,9 @@ use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Fault, LogError, Placed, Result};
-use crate::force::NumberTable;
 
-/// Columns of a log, in the order of [`Log::columns`].
-const NAMES: [&str; 5] = [
+/// Columns of a log in SI, in the order of [`LogColumns`].
+pub(super) const NAMES: [&str; 5] = [
     "time_s",
     "theta_rad",
     "force_n",
@@ -17,28 +16,26 @@ const NAMES: [&str; 5] = [
 /// Minimum number of rows of a log.
 const LEAST_ROWS: usize = 32;
 /// Maximum magnitude of a number of a log, SI: 30 years, 1 GN.
-const LARGEST: f64 = 1e9;
+pub(super) const LARGEST: f64 = 1e9;
 /// Fraction of the samples at exactly the largest or smallest force above which the force is clipped.
 const CLIPPED: f64 = 0.02;
 
-/// A log of a running machine.
+/// Samples of a log in SI; time or angle or both, all of the length of the force.
 ///
 /// ```
-/// use gaitcam::identify::Log;
+/// use gaitcam::identify::{Log, LogColumns};
 ///
-/// let rows: String = (0..99).map(|i| format!("{},{}\n", 0.01 * f64::from(i), (0.3 * f64::from(i)).sin())).collect();
-/// let log = Log::read("log.csv".as_ref(), format!("time_s,force_n\n{rows}").as_bytes())?;
-/// assert_eq!(log.force.len(), 99);
-/// // A number that is missing is refused with its line.
-/// let error = Log::read("log.csv".as_ref(), b"time_s,force_n\n0,1\n0.1,nan\n").unwrap_err();
-/// assert!(error.to_string().contains("line 3"));
+/// let time: Vec<f64> = (0..99).map(|i| 0.01 * f64::from(i)).collect();
+/// let force = time.iter().map(|t| 700.0 + 100.0 * (11.6 * t).sin()).collect();
+/// let columns = LogColumns { time: Some(time), force, ..LogColumns::default() };
+/// assert_eq!(Log::new("log 1".as_ref(), columns)?.force().len(), 99);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct Log {
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LogColumns {
     /// Time of the samples, s; increasing.
     pub time: Option<Vec<f64>>,
-    /// Cam angle, rad; not wrapped, not decreasing.
+    /// Cam angle, rad; increasing, or begun anew after each turn.
     pub theta: Option<Vec<f64>>,
     /// Force of the load cell, N.
     pub force: Vec<f64>,
@@ -46,74 +43,151 @@ pub struct Log {
     pub speed: Option<Vec<f64>>,
     /// Torque at the camshaft, N·m.
     pub torque: Option<Vec<f64>>,
+}
+
+/// A log of a running machine: finite numbers in columns of one length, time and angle in order.
+///
+/// ```
+/// use gaitcam::identify::{Log, LogOptions};
+///
+/// let rows: String = (0..99).map(|i| format!("{},{}\n", 0.01 * f64::from(i), (0.3 * f64::from(i)).sin())).collect();
+/// let text = format!("time_s,force_n\n{rows}");
+/// let log = Log::read("log.csv".as_ref(), text.as_bytes(), &LogOptions::default())?;
+/// assert_eq!(log.force().len(), 99);
+/// // A number that is missing is refused with its line.
+/// let error = Log::read("log.csv".as_ref(), b"time_s,force_n\n0,1\n0.1,nan\n", &LogOptions::default()).unwrap_err();
+/// assert!(error.to_string().contains("line 3"));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Log {
+    pub(super) time: Option<Vec<f64>>,
+    /// Not wrapped, not decreasing.
+    pub(super) theta: Option<Vec<f64>>,
+    pub(super) force: Vec<f64>,
+    pub(super) speed: Option<Vec<f64>>,
+    pub(super) torque: Option<Vec<f64>>,
     path: PathBuf,
 }
 
 impl Log {
-    /// Reads a delimited text with the columns `time_s` or `theta_rad` (or both), `force_n`, and optionally `speed_rad_per_s` and `torque_n_m`;
-    /// others are ignored. `path` is used in messages.
+    /// A log from columns in SI. `path`, its file or any name, is used in messages.
     ///
     /// # Errors
-    /// A missing column; a cell that is not a number; times or angles that do not increase; too few rows; a force that is clipped.
-    pub fn read(path: &Path, bytes: &[u8]) -> Result<Log> {
-        let table = NumberTable::find(path, bytes)?;
-        let places = NAMES.map(|name| {
-            let is = |n: &String| n.trim().eq_ignore_ascii_case(name);
-            table.names().iter().position(is)
-        });
-        if places[2].is_none() || (places[0].is_none() && places[1].is_none()) {
-            let columns = table.names().join(", ");
-            return Err(LogError::NoColumn { columns }.at_line(path, table.header_line()));
+    /// Neither time nor angle; columns of different lengths; a number that is not finite or above 10⁹; times or angles that do not increase; too few
+    /// rows; a force that is clipped.
+    pub fn new(path: &Path, columns: LogColumns) -> Result<Log> {
+        Log::checked(path, columns, &[])
+    }
+
+    /// A log from columns whose rows are in these lines of a file; without lines, of no file.
+    pub(super) fn checked(path: &Path, columns: LogColumns, lines: &[usize]) -> Result<Log> {
+        let at = |row: usize, fault: LogError| match lines.get(row) {
+            Some(line) => fault.at_line(path, *line),
+            None => fault.in_file(path),
+        };
+        let rows = columns.force.len();
+        let LogColumns {
+            time,
+            mut theta,
+            force,
+            speed,
+            torque,
+        } = columns;
+        if time.is_none() && theta.is_none() {
+            let columns = "force".to_string();
+            return Err(LogError::NoColumn { columns }.in_file(path));
         }
-        let mut columns: [Vec<f64>; 5] = Default::default();
-        let mut turns = 0.0;
-        for (line, row) in table.rows() {
-            for (which, place) in places.iter().enumerate() {
-                let Some(place) = place else { continue };
-                let cell = row.get(*place);
-                let number = cell.and_then(|c| c.number);
-                let Some(mut x) = number.filter(|x| x.abs() <= LARGEST) else {
-                    let typed = cell.map_or(String::new(), |c| c.text.clone());
-                    let column = NAMES[which].to_string();
-                    return Err(LogError::Value { column, typed }.at_line(path, line));
+        let all = [&time, &theta, &Some(force.clone()), &speed, &torque];
+        for (column, name) in all.into_iter().zip(NAMES) {
+            let Some(values) = column else { continue };
+            let column = name.to_string();
+            if values.len() != rows {
+                let count = values.len();
+                let fault = LogError::Lengths {
+                    column,
+                    count,
+                    rows,
                 };
-                let before = columns[which].last().copied();
-                if let Some(before) = before.filter(|_| which < 2) {
-                    if which == 1 {
-                        // An encoder may begin anew after each turn.
-                        turns += if x + turns < before - PI { TAU } else { 0.0 };
-                        x += turns;
-                    }
-                    if x < before || (x == before && (which == 0 || places[0].is_none())) {
-                        let (column, value) = (NAMES[which].to_string(), x);
-                        let fault = LogError::Order {
-                            column,
-                            value,
-                            before,
-                        };
-                        return Err(fault.at_line(path, line));
-                    }
-                }
-                columns[which].push(x);
+                return Err(fault.in_file(path));
+            }
+            let is_bad = |x: &f64| !(x.is_finite() && x.abs() <= LARGEST);
+            if let Some(row) = values.iter().position(is_bad) {
+                let typed = values[row].to_string();
+                return Err(at(row, LogError::Value { column, typed }));
             }
         }
-        let [time, theta, force, speed, torque] = columns;
-        let known = |column: Vec<f64>| (!column.is_empty()).then_some(column);
+        let mut turns = 0.0;
+        if let Some(theta) = &mut theta {
+            for row in 1..rows {
+                // An encoder may begin anew after each turn.
+                turns += if theta[row] + turns < theta[row - 1] - PI {
+                    TAU
+                } else {
+                    0.0
+                };
+                theta[row] += turns;
+            }
+        }
+        let in_order = |column: &Option<Vec<f64>>, name: &str, is_strict: bool| {
+            let values = column.as_deref().unwrap_or_default();
+            let falls = |w: &[f64]| w[1] < w[0] || (is_strict && w[1] == w[0]);
+            let row = values.windows(2).position(falls)? + 1;
+            let (column, value, before) = (name.to_string(), values[row], values[row - 1]);
+            let fault = LogError::Order {
+                column,
+                value,
+                before,
+            };
+            Some((row, fault))
+        };
+        let faults = [
+            in_order(&time, NAMES[0], true),
+            in_order(&theta, NAMES[1], time.is_none()),
+        ];
+        if let Some((row, fault)) = faults.into_iter().flatten().min_by_key(|f| f.0) {
+            return Err(at(row, fault));
+        }
         let log = Log {
-            time: known(time),
-            theta: known(theta),
+            time,
+            theta,
             force,
-            speed: known(speed),
-            torque: known(torque),
+            speed,
+            torque,
             path: path.to_path_buf(),
         };
-        let rows = log.force.len();
         if rows < LEAST_ROWS {
             let least = LEAST_ROWS;
             return Err(log.refused(LogError::FewRows { rows, least }));
         }
+        if let Some([first, .., last]) = log.theta.as_deref()
+            && first == last
+        {
+            return Err(log.refused(LogError::NoMotion { angle: *first }));
+        }
         log.check_clipping()?;
         Ok(log)
+    }
+
+    /// Name of the log in messages: its file without folders.
+    pub fn name(&self) -> String {
+        let name = self.path.file_name().unwrap_or(self.path.as_os_str());
+        name.to_string_lossy().into_owned()
+    }
+
+    /// Time of the samples, s.
+    pub fn time(&self) -> Option<&[f64]> {
+        self.time.as_deref()
+    }
+
+    /// Cam angle, rad; not wrapped.
+    pub fn theta(&self) -> Option<&[f64]> {
+        self.theta.as_deref()
+    }
+
+    /// Force of the load cell, N.
+    pub fn force(&self) -> &[f64] {
+        &self.force
     }
 
     /// A fault of the log as a whole.

@@ -1,4 +1,4 @@
-//! Identification of the parameters of a running machine from its log, and design of the next cam.
+//! Identification of the parameters of a running machine from its logs, and design of the next cam.
 //!
 //! The law s(θ) is known, so that of a steady cycle everything but a shift of the phase is linear:
 //!
@@ -8,7 +8,7 @@
 //!
 //! The mean cycle is fitted in harmonics, with parameters that cannot be negative. An interval has two sources: the noise of the mean cycle, from the
 //! scatter over the cycles, and the repeatable residual r. r is treated as random in its few harmonics, so a residual that resembles a delay or a
-//! damping widens their intervals. A parameter whose interval contains 0, or is wider than half its value, is not identified (theory §10).
+//! damping widens their intervals. Several logs share the parameters and a delay; a second speed separates mass and stiffness. A parameter whose interval contains 0, or is wider than half its value, is not identified (theory §10).
 //!
 //! The next cam corrects every repeatable force error, identified or not: [`recut`] adds the repeatable difference from the design to the machine
 //! (`machine.learned_force`) and designs again within all limits.
@@ -16,17 +16,21 @@
 mod cycles;
 mod fit;
 mod fitted;
+mod least_squares;
 mod log;
+mod log_text;
 mod model;
 mod motor;
 mod next_run;
 mod parameter;
 mod period;
 mod recut;
+mod run;
+mod same_machine;
 
-pub use log::Log;
-pub use next_run::Change;
-pub(crate) use next_run::NextRun;
+pub use log::{Log, LogColumns};
+pub use log_text::LogOptions;
+pub use next_run::NextRun;
 pub use parameter::Parameter;
 pub use recut::{Recut, recut};
 
@@ -35,7 +39,6 @@ use serde::Serialize;
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::synth::Design;
-use fit::Estimate;
 use fitted::Fitted;
 use model::Effect;
 
@@ -43,20 +46,21 @@ use model::Effect;
 ///
 /// ```
 /// use gaitcam::scene;
-/// use gaitcam::identify::{Log, identify};
+/// use gaitcam::identify::{Log, LogColumns, identify};
 /// use gaitcam::synth::synthesise;
 ///
 /// // The footbridge shaker of 73 kg instead of 71.4 kg, with a cell that reads 5 N too much and scatters by 2 N.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
-/// let mut text = String::from("theta_rad,time_s,force_n\n");
-/// for i in 0..4000 {
-///     let (time, scatter) = (0.002 * f64::from(i), f64::from(i * 7919 % 101) / 25.0 - 2.0);
-///     let theta = design.problem.drive.speed * time;
-///     let a = design.cam.law.svaj(theta).a * design.problem.drive.speed.powi(2);
-///     text += &format!("{theta},{time},{}\n", 73.0 * (9.81 + a) + 5.0 + scatter);
-/// }
-/// let found = identify(&design, &scene, &Log::read("log.csv".as_ref(), text.as_bytes())?)?;
+/// let speed = design.problem.drive.speed;
+/// let time: Vec<f64> = (0..4000).map(|i| 0.002 * f64::from(i)).collect();
+/// let theta: Vec<f64> = time.iter().map(|t| speed * t).collect();
+/// let force = (0..).zip(&theta).map(|(i, x)| {
+///     let a = design.cam.law.svaj(*x).a * speed.powi(2);
+///     73.0 * (9.81 + a) + 5.0 + f64::from(i * 7919 % 101) / 25.0 - 2.0
+/// });
+/// let columns = LogColumns { force: force.collect(), time: Some(time), theta: Some(theta), ..LogColumns::default() };
+/// let found = identify(&design, &scene, &[Log::new("log 1".as_ref(), columns)?])?;
 /// let mass = found.parameters.iter().find(|p| p.key == "drive.mass").unwrap();
 /// assert!(mass.identifiable && (mass.value - 73.0).abs() < 0.2);
 /// // A cell that reads 2 % too much and a machine that is 2 % heavier look alike.
@@ -67,19 +71,43 @@ use model::Effect;
 pub struct Identified {
     /// Parameters of the machine with their intervals.
     pub parameters: Vec<Parameter>,
+    /// Root mean square of the samples about the mean cycles, N.
+    pub noise_rms_n: f64,
+    /// Root mean square of the repeatable residual, N.
+    pub repeatable_rms_n: f64,
+    /// Mean speed of the cam in the first log, rad/s.
+    pub speed_rad_per_s: f64,
+    /// Number of whole cycles of all logs.
+    pub cycles: usize,
+    /// Whether all logs have the cam angle; the phase of one without is that of the best fit.
+    pub has_angle: bool,
+    /// Each log.
+    pub logs: Vec<LogFit>,
+    /// A run that would identify the remaining parameters.
+    pub next_run: Option<NextRun>,
+}
+
+/// One log of an identification.
+///
+/// ```
+/// use gaitcam::identify::LogFit;
+///
+/// let fit = LogFit { name: "fast.csv".into(), speed_rad_per_s: 16.3, cycles: 40, noise_rms_n: 2.0, repeatable_rms_n: 1.0, ..LogFit::default() };
+/// assert_eq!(serde_json::to_value(&fit).unwrap()["cycles"], 40);
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct LogFit {
+    /// Name of the log.
+    pub name: String,
+    /// Mean speed of the cam, rad/s.
+    pub speed_rad_per_s: f64,
+    /// Number of whole cycles.
+    pub cycles: usize,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms_n: f64,
     /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
-    /// Mean speed of the cam, rad/s.
-    pub speed_rad_per_s: f64,
-    /// Number of whole cycles of the log.
-    pub cycles: usize,
-    /// Whether the log has the cam angle; otherwise the phase gives the best fit.
-    pub has_angle: bool,
-    /// A run that would identify the remaining parameters.
-    pub next_run: Option<NextRun>,
-    /// Measured mean cycle and model at equal cam angles, N.
+    /// Measured mean cycle at equal cam angles, N.
     #[serde(skip)]
     pub measured_n: Vec<f64>,
     /// Modelled mean cycle at equal cam angles, N.
@@ -105,53 +133,64 @@ impl Identified {
     }
 }
 
-/// The parameters of the machine of a design, `scene` as it is written, from a log.
+/// The parameters of the machine of a design, `scene` as it is written, from one or several logs.
 ///
 /// # Errors
-/// A log without a steady run of this machine, with the reason.
-pub fn identify(design: &Design, scene: &Scene, log: &Log) -> Result<Identified> {
-    Ok(identified(design, scene, &Fitted::of(design, scene, log)?))
+/// A log without a steady run of this machine, with the reason; a log given twice; logs that no common parameters explain.
+pub fn identify(design: &Design, scene: &Scene, logs: &[Log]) -> Result<Identified> {
+    Ok(identified(design, scene, &Fitted::of(design, scene, logs)?))
 }
 
 fn identified(design: &Design, scene: &Scene, fitted: &Fitted) -> Identified {
     let Fitted {
-        cycles, terms, fit, ..
+        runs, terms, fit, ..
     } = fitted;
-    let lever = design.problem.drive.lever;
     let mut parameters: Vec<Parameter> = (terms.iter().zip(&fit.each))
         .map(|(t, found)| match t.effect {
             Effect::Compliance => Parameter::inverse(t.key, *found),
             _ => Parameter::of(t.key, *found, t.is_positive),
         })
         .collect();
-    let delay = Estimate {
-        value: fit.shift.value / cycles.speed,
-        ends: fit.shift.ends.map(|x| x / cycles.speed),
-    };
-    parameters.push(match cycles.by_angle {
-        true => Parameter::of("log.delay", delay, true),
-        false => Parameter::unknown("log.delay", delay.value),
+    parameters.push(match fitted.has_delay() {
+        true => Parameter::of("log.delay", fit.shifts[0], true),
+        false => Parameter::unknown("log.delay", fit.shifts[0].value / runs[0].cycles.speed),
     });
     parameters.push(Parameter::unknown("log.scale", 1.0));
     parameters.extend(motor::parameters(design, fitted));
-    let energy: f64 = fit.repeats.iter().sum();
-    let modelled = fitted.modelled();
-    let in_newtons = |harmonics: &[f64]| -> Vec<f64> {
-        let values = fitted.clock.at_angles(harmonics);
-        values
-            .into_iter()
-            .map(|f| design.problem.drive.newtons(f))
-            .collect()
+    let logs: Vec<LogFit> = (0..runs.len())
+        .map(|i| log_fit(design, fitted, i))
+        .collect();
+    let rms = |of: fn(&LogFit) -> f64| {
+        let squares = logs.iter().map(|log| of(log).powi(2));
+        (squares.sum::<f64>() / logs.len() as f64).sqrt()
     };
     Identified {
-        noise_rms_n: cycles.noise_rms / lever,
-        repeatable_rms_n: (0.5 * energy).sqrt() / lever,
-        speed_rad_per_s: cycles.speed,
-        cycles: cycles.force.each.len(),
-        has_angle: cycles.by_angle,
+        noise_rms_n: rms(|log| log.noise_rms_n),
+        repeatable_rms_n: rms(|log| log.repeatable_rms_n),
+        speed_rad_per_s: runs[0].cycles.speed,
+        cycles: logs.iter().map(|log| log.cycles).sum(),
+        has_angle: runs.iter().all(|run| run.cycles.by_angle),
         next_run: next_run::next_run(design, scene, fitted, &parameters),
-        measured_n: in_newtons(&fit.measured.mean),
-        modelled_n: in_newtons(&modelled),
+        logs,
         parameters,
+    }
+}
+
+fn log_fit(design: &Design, fitted: &Fitted, place: usize) -> LogFit {
+    let run = &fitted.runs[place];
+    let lever = design.problem.drive.lever;
+    let in_newtons = |harmonics: &[f64]| -> Vec<f64> {
+        let values = run.clock.at_angles(harmonics);
+        let newtons = |f| design.problem.drive.newtons(f);
+        values.into_iter().map(newtons).collect()
+    };
+    LogFit {
+        name: run.name.clone(),
+        speed_rad_per_s: run.cycles.speed,
+        cycles: run.cycles.force.each.len(),
+        noise_rms_n: run.cycles.noise_rms / lever,
+        repeatable_rms_n: (0.5 * fitted.fit.repeats[place]).sqrt() / lever,
+        measured_n: in_newtons(&fitted.fit.measured[place].mean),
+        modelled_n: in_newtons(&fitted.modelled(place)),
     }
 }

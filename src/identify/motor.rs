@@ -4,28 +4,38 @@
 //! motor replaces it, −F v = J α + d (ω − ω̄) − T̄.
 
 use super::cycles::derivative;
-use super::fit::{Column, fit};
+use super::fit::fit;
 use super::fitted::Fitted;
+use super::least_squares::Column;
 use super::model::{ANGLES, angle};
 use super::parameter::Parameter;
 use crate::synth::Design;
 
-/// Inertia, and slope or friction, as far as the log determines them.
+/// Inertia, and slope or friction, as far as the logs determine them; of several logs the narrowest interval of each.
 pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
-    let Some(shaft) = fitted
-        .cycles
-        .shaft
-        .as_ref()
-        .filter(|_| fitted.cycles.by_angle)
-    else {
+    let mut narrowest: Vec<Parameter> = Vec::new();
+    for next in (0..fitted.runs.len()).flat_map(|run| of_run(design, fitted, run)) {
+        let width = |p: &Parameter| p.high.zip(p.low).map_or(f64::INFINITY, |(h, l)| h - l);
+        match narrowest.iter_mut().find(|p| p.key == next.key) {
+            Some(known) if width(&next) < width(known) => *known = next,
+            Some(_) => {}
+            None => narrowest.push(next),
+        }
+    }
+    narrowest
+}
+
+fn of_run(design: &Design, fitted: &Fitted, place: usize) -> Vec<Parameter> {
+    let run = &fitted.runs[place];
+    let Some(shaft) = run.cycles.shaft.as_ref().filter(|_| run.cycles.by_angle) else {
         return Vec::new();
     };
-    let torque = fitted.cycles.torque.as_ref();
+    let torque = run.cycles.torque.as_ref();
     if torque.is_none() && !design.problem.machine.motor.is_given() {
         return Vec::new();
     }
     let count = shaft.mean.len();
-    let clock = &fitted.clock;
+    let clock = &run.clock;
     let law = design.pressing();
     let speed = |i: usize| clock.speed[i];
     let columns = |effect: &dyn Fn(usize) -> f64, is_positive| Column {
@@ -35,7 +45,7 @@ pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let slope = clock.at_angles(&derivative(&shaft.mean));
     let inertia = columns(&|i| speed(i) * slope[i], true);
     let constant = columns(&|_| 1.0, torque.is_some());
-    let line = columns(&|i| speed(i) - fitted.cycles.speed, true);
+    let line = columns(&|i| speed(i) - run.cycles.speed, true);
     // Zero of the load cell, which the other columns would take up.
     let bias = columns(&|i| law.svaj(angle(i)).v, false);
     // The load of every cycle: what its force does along the law.
@@ -46,7 +56,7 @@ pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
             .collect();
         clock.harmonics(&power, count)
     };
-    let mut left = fitted.fit.measured.map(load);
+    let mut left = fitted.fit.measured[place].map(load);
     for (i, cycle) in left.each.iter_mut().enumerate() {
         for (j, x) in cycle.iter_mut().enumerate() {
             *x = torque.map_or(0.0, |t| t.each[i][j]) - *x;
@@ -63,7 +73,7 @@ pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
             ["machine.inertia", "machine.motor.slope"],
         ),
     };
-    let found = fit(&columns, &left, [0.0, 0.0]);
+    let found = fit(&columns, &[left], &[], &[]);
     let each = keys.into_iter().zip(found.each);
     each.map(|(key, found)| Parameter::of(key, found, true))
         .collect()

@@ -1,7 +1,7 @@
 //! Suggestion of a further run that identifies the remaining parameters, by Fisher information.
 //!
-//! Of two runs with the columns J₁, J₂ and components of variance σ² the covariance of the parameters is
-//! σ² (J₁ᵀJ₁ + J₂ᵀJ₂)⁻¹. The scale of the load cell is one parameter more: its column is the whole force.
+//! Of runs with the columns J₁, J₂ … the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹, with σ² the variance of a component of the noise
+//! and of the repeatable residual.
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -9,47 +9,35 @@ use serde::Serialize;
 use super::cycles::derivative;
 use super::fit::t95;
 use super::fitted::Fitted;
-use super::model::{Clock, Effect, Machine};
+use super::model::{Clock, Machine};
 use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Candidate speeds relative to that of the log, and added masses relative to the moved one.
-const SPEEDS: [f64; 2] = [0.8, 1.25];
-const MASS: f64 = 0.2;
+/// Candidate speeds relative to that of the first log; of equally useful ones the first.
+const SPEEDS: [f64; 8] = [0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 0.6, 1.7];
+/// Part of the admitted width of an interval that the predicted one may have, since the residual of the further run is unknown.
+const SAFE: f64 = 0.7;
 
-/// Change of the further run.
+/// A further run of the same cam at another speed.
 ///
 /// ```
-/// use gaitcam::identify::Change;
+/// use gaitcam::identify::NextRun;
 ///
-/// assert_eq!(serde_json::to_value(Change::AddedMass { kg: 7.0 }).unwrap()["added-mass"]["kg"], 7.0);
+/// let run = NextRun { speed_rad_per_s: 16.3, relative_speed: 1.4, identifies: vec!["drive.mass", "drive.spring_rate"] };
+/// assert_eq!(serde_json::to_value(&run).unwrap()["relative_speed"], 1.4);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Change {
-    /// A run at another speed.
-    Speed {
-        /// The other speed, rad/s.
-        rad_per_s: f64,
-    },
-    /// A run with a weighed mass added to the moved one.
-    AddedMass {
-        /// The added mass, kg.
-        kg: f64,
-    },
-}
-
-/// A further run of the same cam.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NextRun {
-    /// Difference from the run of the log.
-    pub change: Change,
-    /// Parameters that both runs together identify.
+    /// Speed of the cam, rad/s.
+    pub speed_rad_per_s: f64,
+    /// The same relative to the speed of the first log.
+    pub relative_speed: f64,
+    /// Parameters that all runs together identify, beyond those of the logs.
     pub identifies: Vec<&'static str>,
 }
 
-/// The candidate run that identifies most parameters, or `None` if none identifies more than the log.
+/// The candidate run that identifies most parameters, or `None` if none identifies more than the logs.
 pub(super) fn next_run(
     design: &Design,
     scene: &Scene,
@@ -57,78 +45,76 @@ pub(super) fn next_run(
     parameters: &[Parameter],
 ) -> Option<NextRun> {
     let open: Vec<&Parameter> = parameters.iter().filter(|p| !p.identifiable).collect();
-    let own = jacobian(design, scene, fitted, &fitted.clock, 0.0);
-    let noise = fitted
-        .fit
-        .measured
-        .variance()
-        .iter()
-        .fold(0.0_f64, |m, v| m.max(*v));
-    let variance = noise + fitted.fit.component;
-    let mass = design.problem.drive.mass;
-    let faster = SPEEDS.map(|by| {
-        (
-            Change::Speed {
-                rad_per_s: by * fitted.cycles.speed,
-            },
-            by,
-            0.0,
-        )
-    });
-    let heavier = (Change::AddedMass { kg: MASS * mass }, 1.0, MASS * mass);
-    let is_carried = mass > 0.0 && !design.cam.follower.is_oscillating();
-    let candidates = faster.into_iter().chain(is_carried.then_some(heavier));
-    let runs = candidates.map(|(change, by, added)| {
-        let clock = fitted.clock.faster(by);
-        let other = jacobian(design, scene, fitted, &clock, added);
-        let information = own.tr_mul(&own) + other.tr_mul(&other);
-        let identifies = narrowed(fitted, &information, variance, &open);
-        NextRun { change, identifies }
-    });
-    runs.max_by_key(|run| run.identifies.len())
-        .filter(|run| !run.identifies.is_empty())
+    let groups = fitted.shifts.len();
+    // A further log without angle has a phase of its own.
+    let count = groups + usize::from(!fitted.runs[0].cycles.by_angle);
+    let of_run = |place: usize, clock: &Clock| {
+        let rates = |g: usize| fitted.shifts.get(g).map_or(0.0, |s| s.rates[place]);
+        jacobian(design, scene, fitted, clock, (place, count, &rates))
+    };
+    let own = (0..fitted.runs.len()).map(|i| of_run(i, &fitted.runs[i].clock).0);
+    let own = own.fold(None, |sum: Option<DMatrix<f64>>, j| {
+        let square = j.tr_mul(&j);
+        Some(sum.map_or(square.clone(), |s| s + square))
+    })?;
+    let first = &fitted.runs[0];
+    let pressed = of_run(0, &first.clock).1 > 0.0;
+    let mut best: Option<NextRun> = None;
+    for by in SPEEDS {
+        let clock = first.clock.faster(by);
+        let rate = |g: usize| match first.cycles.by_angle {
+            true => by * fitted.shifts[g].rates[0],
+            false => f64::from(u8::from(g == groups)),
+        };
+        let (other, least) = jacobian(design, scene, fitted, &clock, (0, count, &rate));
+        // The follower of a force-closed cam would lift off.
+        if pressed && least <= 0.0 {
+            continue;
+        }
+        let information = &own + other.tr_mul(&other);
+        let identifies = narrowed(fitted, &information, &open);
+        if identifies.len() > best.as_ref().map_or(0, |b| b.identifies.len()) {
+            best = Some(NextRun {
+                speed_rad_per_s: by * first.cycles.speed,
+                relative_speed: by,
+                identifies,
+            });
+        }
+    }
+    best
 }
 
-/// Columns of the terms, the delay and the scale in a run.
+/// Columns of the terms and of the unknowns of the phases in a run, and the minimum of its force. The run has the harmonics of the log `place`, and
+/// `count` unknowns with the rates `rate`.
 fn jacobian(
     design: &Design,
     scene: &Scene,
     fitted: &Fitted,
     clock: &Clock,
-    added: f64,
-) -> DMatrix<f64> {
+    (place, count, rate): (usize, usize, &dyn Fn(usize) -> f64),
+) -> (DMatrix<f64>, f64) {
     let machine = Machine::new(design, scene, clock);
-    let count = fitted.cycles.force.mean.len();
-    let column = |effect| clock.harmonics(&machine.effect(effect), count);
-    let mut columns: Vec<Vec<f64>> = fitted.terms.iter().map(|t| column(t.effect)).collect();
-    let mut force = vec![0.0; count];
-    let mut add = |factor: f64, column: &[f64]| {
-        force
-            .iter_mut()
-            .zip(column)
-            .for_each(|(f, c)| *f += factor * c);
-    };
-    for ((term, values), found) in fitted.terms.iter().zip(&columns).zip(&fitted.fit.each) {
+    let length = fitted.runs[place].cycles.force.mean.len();
+    let effects = fitted.terms.iter().map(|t| machine.effect(t.effect));
+    let effects: Vec<Vec<f64>> = effects.collect();
+    let mut force = vec![0.0; effects[0].len()];
+    for ((term, values), found) in fitted.terms.iter().zip(&effects).zip(&fitted.fit.each) {
         if term.key != "log.bias" {
-            add(found.value, values);
+            let sum = force.iter_mut().zip(values);
+            sum.for_each(|(f, x)| *f += found.value * x);
         }
     }
-    if added > 0.0 {
-        add(added, &column(Effect::Weight));
-    }
-    let mean = clock.speed.iter().sum::<f64>() / clock.speed.len() as f64;
-    columns.push(derivative(&force).iter().map(|x| -mean * x).collect());
-    columns.push(force);
-    DMatrix::from_fn(count, columns.len(), |i, j| columns[j][i])
+    let least = force.iter().fold(f64::INFINITY, |m, f| m.min(*f));
+    let slope = derivative(&clock.harmonics(&force, length));
+    let phases = (0..count).map(|g| slope.iter().map(|x| -rate(g) * x).collect());
+    let terms = effects.iter().map(|e| clock.harmonics(e, length));
+    let columns: Vec<Vec<f64>> = terms.chain(phases).collect();
+    let matrix = DMatrix::from_fn(length, columns.len(), |i, j| columns[j][i]);
+    (matrix, least)
 }
 
 /// Open parameters whose intervals become sufficiently narrow.
-fn narrowed(
-    fitted: &Fitted,
-    information: &DMatrix<f64>,
-    variance: f64,
-    open: &[&Parameter],
-) -> Vec<&'static str> {
+fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) -> Vec<&'static str> {
     let scale = DVector::from_iterator(
         information.ncols(),
         information
@@ -140,17 +126,16 @@ fn narrowed(
     let Some(inverse) = scaled.cholesky().map(|c| c.inverse()) else {
         return Vec::new();
     };
-    let names = fitted
-        .terms
-        .iter()
-        .map(|t| t.key)
-        .chain(["log.delay", "log.scale"]);
+    let cycles = fitted.fit.measured.iter().map(|m| m.each.len() - 1).sum();
+    let variances = fitted.fit.measured.iter().flat_map(|m| m.variance());
+    let noise = t95(cycles) * variances.fold(0.0_f64, f64::max).sqrt();
+    let doubt = t95(fitted.fit.harmonics) * fitted.fit.component.sqrt();
+    let delay = fitted.has_delay().then_some("log.delay");
+    let names = fitted.terms.iter().map(|t| t.key).chain(delay);
     let narrow = names.enumerate().filter_map(|(j, key)| {
         let parameter = open.iter().find(|p| p.key == key)?;
-        let half = t95(fitted.cycles.force.each.len() - 1)
-            * (variance * inverse[(j, j)]).sqrt()
-            * scale[j];
-        let is_narrow = 2.0 * half <= WIDEST * parameter.value.abs();
+        let half = noise.hypot(doubt) * inverse[(j, j)].sqrt() * scale[j];
+        let is_narrow = 2.0 * half <= SAFE * WIDEST * parameter.value.abs();
         (is_narrow && half.is_finite()).then_some(parameter.key)
     });
     narrow.collect()

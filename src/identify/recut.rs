@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-use super::fit::{difference, dot};
-use super::fitted::{Fitted, held};
+use super::fitted::Fitted;
+use super::least_squares::{difference, dot};
 use super::log::Log;
 use super::model::{ANGLES, Effect, Machine, Term, angle};
+use super::run::held;
 use super::{Identified, identified};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{LogError, NoNewCamError, Result};
@@ -14,7 +15,7 @@ use crate::poly::amplitudes;
 use crate::problem::Problem;
 use crate::scene::{Harmonic, Scene};
 use crate::synth::{self, Design, Search};
-use crate::units::Quantity;
+use crate::units::{Dimension, Quantity};
 
 /// Ratio of amplitude and noise above which a harmonic is learned.
 const ABOVE_NOISE: f64 = 2.0;
@@ -45,25 +46,39 @@ pub struct Recut {
     pub predicted_rms_n: f64,
 }
 
+/// Difference of the speed of the log from that of the design above which its error is another one.
+const OTHER_SPEED: f64 = 0.1;
+
 /// The scene of the next cam, with the learned force as `machine.learned_force`, and the expected error. `force` is the target of the scene. The
 /// scene keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
 ///
+/// The corrected error is the mean over the cycles of all logs whose speed is within 1 % of the speed nearest to the design; logs at other speeds
+/// serve the identification only.
+///
 /// # Errors
-/// As [`super::identify`]; a design without target; a residual that is noise; faults of the new design.
+/// As [`super::identify`]; a design without target; no log within 10 % of the speed of the design; a residual that is noise; faults of the new design.
 pub fn recut(
     design: &Design,
     scene: &Scene,
     force: Option<&ForceCurve>,
-    log: &Log,
+    logs: &[Log],
     search: &Search,
 ) -> Result<(Scene, Recut, Identified)> {
+    let fitted = Fitted::of(design, scene, logs)?;
+    let place = fitted.nearest(design);
+    let (log, run) = (&logs[place], &fitted.runs[place]);
     let Some(target) = design.target() else {
         return Err(log.refused(LogError::NoTarget));
     };
-    let fitted = Fitted::of(design, scene, log)?;
+    let (clock, speed) = (&run.clock, run.cycles.speed);
+    if (speed / design.problem.drive.speed - 1.0).abs() > OTHER_SPEED {
+        let [speed, design] =
+            [speed, design.problem.drive.speed].map(|w| Quantity::new(w, Dimension::AngularSpeed));
+        return Err(log.refused(LogError::OtherSpeed { speed, design }));
+    }
     let found = identified(design, scene, &fitted);
-    let clock = &fitted.clock;
-    let (measured, count) = (&fitted.fit.measured, fitted.cycles.force.mean.len());
+    let measured = &fitted.measured_at(place);
+    let count = measured.mean.len();
     let noise = measured.variance();
     let from = usize::from(design.problem.drive.kind == DriveKind::MovingAxis);
     // The wanted force is one over time: by the cam angle it is another where the speed varies than the design took it for.
@@ -81,7 +96,6 @@ pub fn recut(
         true => 1.0,
         false => AGAIN,
     };
-    let speed = fitted.cycles.speed;
     let part = |n: usize| whole * convergent(&design.problem.drive, n as f64 * speed);
     let (learned, left) = shrunk(&news, &noise, from, band, part);
     if learned.iter().all(|x| *x == 0.0) {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use gaitcam::error::Error;
-use gaitcam::identify::{Log, Parameter, identify, recut};
+use gaitcam::identify::{Log, LogOptions, Parameter, identify, recut};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Search, synthesise};
 
@@ -80,8 +80,8 @@ fn text(design: &Design, made: Made) -> String {
 }
 
 fn found(made: &str, (scene, design): &(Scene, Design)) -> Result<Vec<Parameter>, Error> {
-    let log = Log::read("log.csv".as_ref(), made.as_bytes())?;
-    Ok(identify(design, scene, &log)?.parameters)
+    let log = Log::read("log.csv".as_ref(), made.as_bytes(), &LogOptions::default())?;
+    Ok(identify(design, scene, &[log])?.parameters)
 }
 
 fn parameter(list: &[Parameter], key: &str) -> Parameter {
@@ -246,8 +246,10 @@ fn every_kind_of_bad_log_is_refused_with_what_it_shows() {
         ),
         ("log-order", swapped),
         ("log-order", repeated),
-        ("log-no-column", whole.replacen("force_n", "force", 1)),
-        ("log-no-column", whole.replacen("time_s", "t", 1)),
+        ("log-no-column", whole.replacen("force_n", "weight", 1)),
+        ("log-no-unit", whole.replacen("force_n", "force", 1)),
+        ("log-no-unit", whole.replacen("time_s", "t", 1)),
+        ("log-no-column", whole.replacen("time_s", "row", 1)),
         ("log-few-rows", rows[..4].join("\n")),
         ("log-value", whole.replacen(rows[40], "0.04,NaN", 1)),
         ("log-value", whole.replacen(rows[40], "0.04,", 1)),
@@ -418,9 +420,14 @@ fn next_cam_cancels_what_repeats_and_noise_is_no_reason_for_one() {
             has_angle,
             ..FAITHFUL
         };
-        let log = Log::read("log.csv".as_ref(), text(&design, made).as_bytes()).unwrap();
+        let log = Log::read(
+            "log.csv".as_ref(),
+            text(&design, made).as_bytes(),
+            &LogOptions::default(),
+        )
+        .unwrap();
         let (next, figures, _) =
-            recut(&design, &scene, force.as_ref(), &log, &Search::default()).unwrap();
+            recut(&design, &scene, force.as_ref(), &[log], &Search::default()).unwrap();
         let cut = synthesise(&next, force.as_ref()).unwrap();
         // The true force of the new cam, by the law and the force that was hidden.
         let error = |of: &Design, shift: f64| {
@@ -447,8 +454,13 @@ fn next_cam_cancels_what_repeats_and_noise_is_no_reason_for_one() {
         );
         assert!(after < 1.3 * figures.predicted_rms_n, "{after} {figures:?}");
     }
-    let log = Log::read("log.csv".as_ref(), text(&design, FAITHFUL).as_bytes()).unwrap();
-    let refused = recut(&design, &scene, force.as_ref(), &log, &Search::default());
+    let log = Log::read(
+        "log.csv".as_ref(),
+        text(&design, FAITHFUL).as_bytes(),
+        &LogOptions::default(),
+    )
+    .unwrap();
+    let refused = recut(&design, &scene, force.as_ref(), &[log], &Search::default());
     assert_eq!(refused.unwrap_err().code(), "log-noise");
 }
 
@@ -599,9 +611,10 @@ fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
                 )
                 .unwrap();
             }
-            let log = Log::read("log.csv".as_ref(), log.as_bytes()).unwrap();
+            let log =
+                Log::read("log.csv".as_ref(), log.as_bytes(), &LogOptions::default()).unwrap();
             let Ok((next, cut, _)) =
-                recut(&design, &scene, force.as_ref(), &log, &Search::default())
+                recut(&design, &scene, force.as_ref(), &[log], &Search::default())
             else {
                 break;
             };

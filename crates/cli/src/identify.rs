@@ -1,4 +1,4 @@
-//! `gaitcam identify` and `gaitcam recut`: the log of a running machine → its parameters, and the next cam.
+//! `gaitcam identify` and `gaitcam recut`: logs of a running machine → its parameters, and the next cam.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -16,7 +16,7 @@ use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::{self, SynthArgs, files_in};
 use gaitcam::error::Result;
-use gaitcam::identify::{Identified, Log};
+use gaitcam::identify::{Identified, Log, LogOptions};
 use gaitcam::scene::set_value;
 use gaitcam::synth::Design;
 use gaitcam_app::design::{OF_IDENTIFICATION, of_design};
@@ -26,10 +26,12 @@ use gaitcam_output::{identification, identified};
 
 const IDENTIFY: &str = "Examples:
   gaitcam identify out/footbridge log.csv
-  gaitcam identify scenes/footbridge.toml log.csv --out out/identified";
+  gaitcam identify spring-bench slow.csv fast.csv
+  gaitcam identify out/footbridge plc.csv --angle Encoder --counts-per-turn 4096";
 const RECUT: &str = "Examples:
   gaitcam recut out/footbridge log.csv
-  gaitcam recut out/footbridge log.csv --out out/second";
+  gaitcam recut out/footbridge log.csv --out out/second
+  gaitcam recut out/footbridge first.csv second.csv";
 
 /// Which machine, and what was logged.
 #[derive(Args, Debug)]
@@ -64,23 +66,48 @@ pub struct RecutArgs {
     no_png: bool,
 }
 
-/// A machine and its log.
+/// A machine and its logs.
 #[derive(Args, Debug)]
 struct LoggedArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// Log of the running machine: a csv with the columns time_s or theta_rad (or both), force_n, and where there are such
-    /// speed_rad_per_s, torque_n_m
-    #[arg(value_name = "FILE")]
-    log: PathBuf,
+    /// Logs of the running machine (csv, at any speed): force and time or cam angle, where there are such also speed and torque,
+    /// recognised by their names and units
+    #[arg(value_name = "FILE", required = true)]
+    logs: Vec<PathBuf>,
+    #[command(flatten)]
+    columns: ColumnArgs,
 }
 
-/// A design that runs, and its log.
+/// Columns of the logs.
+#[derive(Args, Debug)]
+struct ColumnArgs {
+    /// Name or number of the time column
+    #[arg(long, value_name = "COLUMN")]
+    time: Option<String>,
+    /// Name or number of the column of the cam angle
+    #[arg(long, value_name = "COLUMN")]
+    angle: Option<String>,
+    /// Name or number of the column of the load cell's force
+    #[arg(long, value_name = "COLUMN")]
+    force: Option<String>,
+    /// Name or number of the column of the cam's speed
+    #[arg(long, value_name = "COLUMN")]
+    speed: Option<String>,
+    /// Name or number of the column of the torque at the camshaft
+    #[arg(long, value_name = "COLUMN")]
+    torque: Option<String>,
+    /// The cam angle is in counts of an encoder: so many per turn of the cam
+    #[arg(long, value_name = "N")]
+    counts_per_turn: Option<f64>,
+}
+
+/// A design that runs, and its logs.
 struct Run {
     input: Input,
     design: Design,
-    log: Log,
+    logs: Vec<Log>,
     /// Folder for files, where there is one.
     folder: Option<PathBuf>,
 }
@@ -92,7 +119,17 @@ impl LoggedArgs {
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
         names: impl IntoIterator<Item = &'a str>,
     ) -> Result<Option<Run>> {
-        let log = Log::read(&self.log, &read_bytes(&self.log)?)?;
+        let columns = &self.columns;
+        let options = LogOptions {
+            time: columns.time.clone(),
+            angle: columns.angle.clone(),
+            force: columns.force.clone(),
+            speed: columns.speed.clone(),
+            torque: columns.torque.clone(),
+            counts_per_turn: columns.counts_per_turn,
+        };
+        let read = |path: &PathBuf| Log::read(path, &read_bytes(path)?, &options);
+        let logs = self.logs.iter().map(read).collect::<Result<Vec<Log>>>()?;
         let made = Made::read(&SceneArgs::of(self.design.clone()), &[])?;
         let folder = place(&made.input)?;
         if let Some(folder) = &folder {
@@ -106,7 +143,7 @@ impl LoggedArgs {
         Ok(Some(Run {
             input: made.input,
             design,
-            log,
+            logs,
             folder,
         }))
     }
@@ -121,10 +158,10 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     let Run {
         input,
         design,
-        log,
+        logs,
         folder,
     } = run;
-    let found = gaitcam::identify::identify(&design, &input.scene, &log)?;
+    let found = gaitcam::identify::identify(&design, &input.scene, &logs)?;
     let write = |path: PathBuf| write(&path, &input, &design, &found);
     let folder = folder.map(write).transpose()?;
     if args.json {
@@ -188,13 +225,13 @@ pub fn recut(args: &RecutArgs) -> Result<u8> {
     let Run {
         input,
         design,
-        log,
+        logs,
         folder: out,
     } = run;
     let target = input.target()?;
     let search = gaitcam::synth::Search::until(args.time.of_design());
     let (scene, figures, found) =
-        gaitcam::identify::recut(&design, &input.scene, target.as_ref(), &log, &search)?;
+        gaitcam::identify::recut(&design, &input.scene, target.as_ref(), &logs, &search)?;
     let key = "machine.learned_force";
     let table = carried(&scene.to_table(), &input, std::iter::once(key))?;
     let next = Input::new(table, input.files.clone(), None)?;

@@ -1,6 +1,6 @@
 //! The machine parameters identified from a log, in words.
 
-use gaitcam::identify::{Change, Identified, Parameter};
+use gaitcam::identify::{Identified, Parameter};
 use gaitcam::scene::{Scene, keys};
 use gaitcam::units::Dimension;
 use gaitcam::wording::{Language, number, quantity};
@@ -38,6 +38,19 @@ pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<Strin
         ("repeats", &number(found.repeatable_rms_n)),
     ];
     let mut lines = vec![words.fill("identify-head", &head)];
+    if found.logs.len() > 1 {
+        lines.extend(found.logs.iter().map(|log| {
+            let data = [
+                ("name", &*log.name),
+                ("cycles", &log.cycles.to_string()),
+                ("speed", &speed(log.speed_rad_per_s)),
+                ("noise", &number(log.noise_rms_n)),
+                ("repeats", &number(log.repeatable_rms_n)),
+            ];
+            words.fill("identify-head", &data)
+        }));
+        lines[0] = words.fill("identify-logs", &head);
+    }
     for p in &found.parameters {
         let shown = |x: f64| shown(scene, p, x, language);
         let end = |x: Option<f64>, open: &str| x.map_or(open.to_string(), shown);
@@ -57,15 +70,12 @@ pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<Strin
     lines.push(words.text("identify-scale"));
     lines.extend(no_angle(found, language));
     if let Some(run) = &found.next_run {
-        let (key, value) = match run.change {
-            Change::Speed { rad_per_s } => ("identify-next-speed", speed(rad_per_s)),
-            Change::AddedMass { kg } => (
-                "identify-next-mass",
-                quantity(language, kg, Dimension::Mass.si()),
-            ),
-        };
-        let data = [("value", &*value), ("keys", &run.identifies.join(", "))];
-        lines.push(words.fill(key, &data));
+        let data = [
+            ("value", &*speed(run.speed_rad_per_s)),
+            ("times", &number(run.relative_speed)),
+            ("keys", &run.identifies.join(", ")),
+        ];
+        lines.push(words.fill("identify-next", &data));
     }
     lines
 }

@@ -12,7 +12,7 @@ pub use machine::{Dice, PARTS, RunOfTwin, Sensors, Twin};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
-use gaitcam::identify::{Log, Parameter, Recut, identify, recut};
+use gaitcam::identify::{Log, LogOptions, Parameter, Recut, identify, recut};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Search, synthesise};
 
@@ -76,7 +76,11 @@ impl Case {
     /// A log that is refused.
     pub fn log(&mut self, design: &Design) -> Result<(Log, f64)> {
         let run = self.twin.run(&design.cam.law, &mut self.dice);
-        let log = Log::read(Path::new("twin.csv"), run.log.as_bytes())?;
+        let log = Log::read(
+            Path::new("twin.csv"),
+            run.log.as_bytes(),
+            &LogOptions::default(),
+        )?;
         Ok((log, self.error(&run.force)))
     }
 
@@ -120,7 +124,7 @@ impl Case {
                 break;
             }
             let search = Search::default();
-            match recut(&design, &scene, Some(&self.target), &log, &search) {
+            match recut(&design, &scene, Some(&self.target), &[log], &search) {
                 Ok((next, figures, _)) => {
                     design = synthesise(&next, Some(&self.target))?;
                     (scene, predicted) = (next, [predicted, vec![figures]].concat());
@@ -139,7 +143,7 @@ impl Case {
     pub fn parameters(&mut self) -> Result<Vec<(Parameter, f64)>> {
         let design = self.design.clone();
         let (log, _) = self.log(&design)?;
-        let found = identify(&design, &self.scene, &log)?;
+        let found = identify(&design, &self.scene, &[log])?;
         let twin = &self.twin;
         let truth = |key: &str| match key {
             "drive.mass" => Some(twin.drive.mass),

@@ -8,16 +8,17 @@ use super::overlay::{Strip, diagrams_over};
 use crate::plot::picture::Picture;
 use crate::words;
 
-/// Measured mean cycle, model, and their difference.
+/// Measured mean cycle of the first log, model, and their difference.
 pub fn identification(design: &Design, found: &Identified, language: Language) -> Picture {
     let words = words::words(language);
-    let count = found.measured_n.len();
+    let log = &found.logs[0];
+    let count = log.measured_n.len();
     let curve = |of: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
         (0..=count)
             .map(|i| (360.0 * i as f64 / count as f64, of(i % count)))
             .collect()
     };
-    let (measured, modelled) = (&found.measured_n, &found.modelled_n);
+    let (measured, modelled) = (&log.measured_n, &log.modelled_n);
     let unit = |key: &str| format!("{}, N", words.text(key));
     let rows = [
         Strip {

@@ -394,9 +394,9 @@ simulation-note = note
 
 # What a log shows of a machine.
 identify-head = { $name }: { $cycles } cycles at { $speed }; noise { $noise } N RMS, repeatable force that no parameter explains { $repeats } N RMS
+identify-logs = { $name }: { $cycles } cycles of several logs; noise { $noise } N RMS, repeatable force that no parameter explains { $repeats } N RMS
 identify-known = { $key } { $value } (95 %: { $low } … { $high })
 identify-unknown = { $key } not identified: { $value } (95 %: { $low } … { $high })
-identify-scale = scale of the load cell and moved mass cannot be separated by one log: the values hold for a calibrated load cell
-identify-no-angle = the log has no theta_rad: its phase is the one at which the model fits best, a delay cannot be separated from it
-identify-next-speed = a run at { $value } beside this one would identify { $keys }
-identify-next-mass = a run with { $value } added to the moved mass would identify { $keys }
+identify-scale = no log shows the scale of its load cell: the values hold for a calibrated one
+identify-no-angle = without a cam angle the phase of a log is the one at which the model fits best; a delay cannot be separated from it
+identify-next = a further log at { $value } ({ $times } times the speed of the first) would identify { $keys }

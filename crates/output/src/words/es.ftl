@@ -399,9 +399,9 @@ simulation-note = nota
 
 # Lo que un registro muestra de una máquina.
 identify-head = { $name }: { $cycles } ciclos a { $speed }; ruido { $noise } N RMS, fuerza repetible que ningún parámetro explica { $repeats } N RMS
+identify-logs = { $name }: { $cycles } ciclos de varios registros; ruido { $noise } N RMS, fuerza repetible que ningún parámetro explica { $repeats } N RMS
 identify-known = { $key } { $value } (95 %: { $low } … { $high })
 identify-unknown = { $key } no identificado: { $value } (95 %: { $low } … { $high })
-identify-scale = la escala de la célula de carga y la masa móvil no se pueden separar con un solo registro: los valores valen para una célula calibrada
-identify-no-angle = el registro no tiene theta_rad: su fase es la que mejor ajusta el modelo, y no se distingue de un retardo
-identify-next-speed = una marcha a { $value } además de esta identificaría { $keys }
-identify-next-mass = una marcha con { $value } añadidos a la masa móvil identificaría { $keys }
+identify-scale = ningún registro muestra la escala de su célula de carga: los valores valen para una célula calibrada
+identify-no-angle = sin ángulo de la leva, la fase de un registro es la que mejor ajusta el modelo; no se distingue de un retardo
+identify-next = otro registro a { $value } ({ $times } veces la velocidad del primero) identificaría { $keys }

@@ -15,7 +15,7 @@ use crate::page::{table, words};
 use crate::{SweepQuestion, Varied};
 use gaitcam::dynamics::{self, Model};
 use gaitcam::error::Result;
-use gaitcam::identify::{self, Log};
+use gaitcam::identify::{self, Log, LogOptions};
 use gaitcam::scene::set_value;
 use gaitcam::sweep::NamedScene;
 use gaitcam::synth::Search;
@@ -65,14 +65,16 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     let log = Log::read(
         Path::new(&asked.log),
         &files.engine.kept(&asked.hash).unwrap_or_default(),
+        &LogOptions::default(),
     )?;
+    let logs = [log];
     let made = made(files, table(&asked.scene)?)?;
     let (design, language) = (&made.design, words::current());
     if let Some(why) = design.no_cam(language) {
         return Ok(json!({"why": why}));
     }
-    let found = identify::identify(design, &made.scene, &log)?;
-    let next = next(files, &made, &log);
+    let found = identify::identify(design, &made.scene, &logs)?;
+    let next = next(files, &made, &logs);
     Ok(json!({
         "lines": identified::lines(&made.scene, &found, language),
         "picture": identification(design, &found, language).svg(),
@@ -81,11 +83,11 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
 }
 
 /// The scene of the next cam with the force error measured and that predicted.
-fn next(files: &Files, made: &Made, log: &Log) -> Result<Value> {
+fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
     let search = Search::until(files.host.halt());
     let (scene, figures, _) =
-        identify::recut(&made.design, &made.scene, force.as_ref(), log, &search)?;
+        identify::recut(&made.design, &made.scene, force.as_ref(), logs, &search)?;
     let mut table = made.table.clone();
     let learned = scene.to_table()["machine"]["learned_force"].clone();
     set_value(&mut table, "machine.learned_force", learned)?;

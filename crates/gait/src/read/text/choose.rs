@@ -1,5 +1,7 @@
 //! Choice of the time and force columns of a table: by the user's word, their names, or their numbers.
 
+use std::path::Path;
+
 use super::by_numbers;
 use super::delimited::TextFile;
 use super::header::Table;
@@ -45,7 +47,7 @@ pub(in crate::read) struct ForceColumn {
 /// Chooses the columns to read; `None` without a force.
 pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<Columns>> {
     let options = file.options;
-    let time = (options.time.as_ref()).map(|name| column(file, table, name));
+    let time = (options.time.as_ref()).map(|name| column(file.path, table, name));
     let time = time.transpose()?;
     let mut columns = if table.names.is_empty() {
         nameless(file, table, time)?
@@ -98,7 +100,7 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
 /// The force columns named by the user.
 fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
     let places = file.options.force.iter();
-    let places = places.map(|name| column(file, table, name));
+    let places = places.map(|name| column(file.path, table, name));
     let mut places: Vec<usize> = places.collect::<Result<_>>()?;
     places.sort_unstable();
     places.dedup();
@@ -240,7 +242,7 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
 }
 
 /// A column by name (case does not matter) or by number from 1; without a header by number.
-pub(super) fn column(file: &TextFile, table: &Table, stated: &str) -> Result<usize> {
+pub(super) fn column(path: &Path, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
     let count = match names.len() {
@@ -255,9 +257,9 @@ pub(super) fn column(file: &TextFile, table: &Table, stated: &str) -> Result<usi
         if names.is_empty() {
             let column = stated.to_string();
             let fault = ReadError::NoColumnNumber { column, count };
-            return fault.at_line(file.path, table.start.line);
+            return fault.at_line(path, table.start.line);
         }
-        no_column(stated, names).at_line(file.path, table.header_line())
+        no_column(stated, names).at_line(path, table.header_line())
     })
 }
 

@@ -129,7 +129,7 @@ impl<'a> LongTable<'a> {
     /// Columns of phase and force: those named by the user, or the first phase and the one vertical force of its side.
     fn columns(&self) -> Result<[usize; 2]> {
         let (names, options) = (&self.table.names, self.file.options);
-        let asked = |name: &String| column(&self.file, &self.table, name);
+        let asked = |name: &String| column(self.file.path, &self.table, name);
         let is_phase = |name: &&String| {
             let words = words(name);
             words.iter().any(|w| w == "phase") && !words.iter().any(|w| RATES.contains(&w.as_str()))

@@ -3,11 +3,13 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use super::choose::column;
 use super::delimited::{Delimiters, Fields, Lines, Position, detect, plain, text};
 use super::header::Table;
 use super::no_table;
 use super::table::next_table;
 use crate::error::{Placed, ReadError, Result};
+use crate::read::columns::{Role, role, words};
 use crate::read::foreign;
 use crate::read::number::{trim, value};
 
@@ -18,6 +20,7 @@ use crate::read::number::{trim, value};
 ///
 /// let table = NumberTable::find("lift.csv".as_ref(), b"angle_deg;lift_mm\n0;0\n90;2,5\n")?;
 /// assert_eq!(table.name_and_unit(1), ("lift".to_string(), Some("mm".to_string())));
+/// assert_eq!(table.place("lift.csv".as_ref(), "2")?, 1);
 /// let lifts: Vec<Option<f64>> = table.rows().map(|(_, cells)| cells[1].number).collect();
 /// assert_eq!(lifts, [Some(0.0), Some(2.5)]);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
@@ -75,6 +78,29 @@ impl<'a> NumberTable<'a> {
             true => self.table.start.line,
             false => self.table.header_line(),
         }
+    }
+
+    /// Index of a column given by its name (case does not matter) or by its number from 1.
+    ///
+    /// # Errors
+    /// No such column; the message lists the columns of the table.
+    pub fn place(&self, path: &Path, stated: &str) -> Result<usize> {
+        column(path, &self.table, stated)
+    }
+
+    /// Whether the name of a column means a time, in several languages.
+    pub fn means_time(&self, column: usize) -> bool {
+        role(&self.table.names[column]) == Role::Time
+    }
+
+    /// Whether the name of a column means a force, in several languages.
+    pub fn means_force(&self, column: usize) -> bool {
+        matches!(role(&self.table.names[column]), Role::Force { .. })
+    }
+
+    /// Words of the name of a column, lower case, without its unit in brackets: `cam` and `angle` of `CamAngle [deg]`.
+    pub fn words(&self, column: usize) -> Vec<String> {
+        words(&self.table.names[column])
     }
 
     /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.

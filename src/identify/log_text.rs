@@ -1,0 +1,389 @@
+//! Logs in delimited texts: the columns of a table by their names and units, converted to SI.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use super::log::{LARGEST, Log, LogColumns, NAMES};
+use crate::error::{LogError, Placed, Result};
+use crate::force::NumberTable;
+use crate::units::{Dimension, parse};
+
+/// Quantity of each column, in the order of [`NAMES`].
+const DIMENSIONS: [Dimension; 5] = [
+    Dimension::Time,
+    Dimension::Angle,
+    Dimension::Force,
+    Dimension::AngularSpeed,
+    Dimension::Torque,
+];
+/// Option that names each column.
+const OPTIONS: [&str; 5] = ["time", "angle", "force", "speed", "torque"];
+/// Units of each column; case, blanks, dots and the word `per` do not matter.
+const UNITS: [&[&str]; 5] = [
+    &["s", "ms", "us", "min"],
+    &["rad", "deg", "°", "rev", "revs", "turn", "turns"],
+    &["N", "kN", "lbf", "lb", "lbs", "kgf"],
+    &[
+        "rad/s", "deg/s", "°/s", "rpm", "rev/s", "rps", "1/min", "min^-1", "min⁻¹",
+    ],
+    &[
+        "N m", "N mm", "kN m", "lbf in", "in lbf", "lb in", "in lb", "lbf ft", "ft lbf", "lb ft",
+        "ft lb",
+    ],
+];
+/// Other names of units.
+const ALIASES: [(&str, &str); 11] = [
+    ("sec", "s"),
+    ("secs", "s"),
+    ("seconds", "s"),
+    ("degrees", "deg"),
+    ("grados", "deg"),
+    ("radians", "rad"),
+    ("radianes", "rad"),
+    ("revolutions", "rev"),
+    ("vueltas", "rev"),
+    ("newton", "N"),
+    ("newtons", "N"),
+];
+/// Quantities that no column of a log holds.
+const OTHERS: [Dimension; 8] = [
+    Dimension::Length,
+    Dimension::Speed,
+    Dimension::Acceleration,
+    Dimension::AngularAcceleration,
+    Dimension::Mass,
+    Dimension::Pressure,
+    Dimension::Power,
+    Dimension::Frequency,
+];
+/// Words that a name of angle, speed or torque contains; time and force are those of recordings.
+const WORDS: [&[&str]; 5] = [
+    &[],
+    &[
+        "theta",
+        "angle",
+        "phi",
+        "master",
+        "position",
+        "winkel",
+        "angulo",
+        "ángulo",
+        "posicion",
+        "posición",
+    ],
+    &[],
+    &[
+        "speed",
+        "omega",
+        "velocity",
+        "velocidad",
+        "rpm",
+        "drehzahl",
+        "vitesse",
+    ],
+    &["torque", "moment", "momento", "par", "drehmoment", "couple"],
+];
+/// Words for an angle in counts of an encoder.
+const COUNTS: [&str; 6] = ["counts", "ticks", "pulses", "encoder", "cuentas", "pulsos"];
+const ANGLE: usize = 1;
+const FORCE: usize = 2;
+
+/// Columns of a log, each by name or by number from 1; the others are recognised by names and units.
+///
+/// ```
+/// use gaitcam::identify::{Log, LogOptions};
+///
+/// let rows: String = (0..99).map(|i| format!("{};{};{},5\n", 4 * i, 20 * i, i % 7)).collect();
+/// let text = format!("t_ms;Encoder;Cell [kN]\n{rows}");
+/// let options = LogOptions { counts_per_turn: Some(1000.0), ..LogOptions::default() };
+/// let log = Log::read("plc.csv".as_ref(), text.as_bytes(), &options)?;
+/// assert_eq!(log.force()[1], 1500.0);
+/// assert!((log.theta().unwrap()[50] - std::f64::consts::TAU).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LogOptions {
+    /// Column of the time.
+    pub time: Option<String>,
+    /// Column of the cam angle.
+    pub angle: Option<String>,
+    /// Column of the force of the load cell.
+    pub force: Option<String>,
+    /// Column of the speed of the cam.
+    pub speed: Option<String>,
+    /// Column of the torque at the camshaft.
+    pub torque: Option<String>,
+    /// Counts of the encoder per turn of the cam: the column of the angle holds counts.
+    pub counts_per_turn: Option<f64>,
+}
+
+impl Log {
+    /// Reads a delimited text with a column of force and one of time or cam angle (or both), and optionally of speed and torque; others are ignored.
+    ///
+    /// A column is recognised by its name or its unit (`t_ms`, `Angle [deg]`, `Force (kN)`, or a row of units); one that is named in the options and
+    /// has no unit is in SI. An angle may begin anew after each turn. `path` is used in messages.
+    ///
+    /// # Errors
+    /// A column that is missing, ambiguous, without unit or of an unknown unit; a cell that is not a number; and as [`Log::new`].
+    pub fn read(path: &Path, bytes: &[u8], options: &LogOptions) -> Result<Log> {
+        let table = NumberTable::find(path, bytes)?;
+        let names = Names {
+            path,
+            table: &table,
+            options,
+        };
+        let mut places = [None; 5];
+        for (which, place) in places.iter_mut().enumerate() {
+            *place = names.column(which)?;
+        }
+        if places[FORCE].is_none() || (places[0].is_none() && places[ANGLE].is_none()) {
+            let columns = names.listed();
+            return Err(names.refused(LogError::NoColumn { columns }));
+        }
+        if options.counts_per_turn.is_some() && places[ANGLE].is_none() {
+            let columns = names.listed();
+            return Err(names.refused(LogError::NoCounts { columns }));
+        }
+        let mut columns: [Vec<f64>; 5] = Default::default();
+        let mut lines = Vec::new();
+        for (line, row) in table.rows() {
+            for (which, place) in places.iter().enumerate() {
+                let Some((place, factor)) = place else {
+                    continue;
+                };
+                let cell = row.get(*place);
+                let number = cell.and_then(|c| c.number);
+                let Some(x) = number.filter(|x| x.abs() * factor <= LARGEST) else {
+                    let typed = cell.map_or(String::new(), |c| c.text.clone());
+                    let column = names.name(*place);
+                    return Err(LogError::Value { column, typed }.at_line(path, line));
+                };
+                columns[which].push(x * factor);
+            }
+            lines.push(line);
+        }
+        let [time, theta, force, speed, torque] = columns;
+        let known = |column: Vec<f64>| (!column.is_empty()).then_some(column);
+        let columns = LogColumns {
+            time: known(time),
+            theta: known(theta),
+            force,
+            speed: known(speed),
+            torque: known(torque),
+        };
+        Log::checked(path, columns, &lines)
+    }
+}
+
+/// Unit of a column.
+enum Unit {
+    /// The quantity, as index in [`NAMES`], and its SI value.
+    Known(usize, f64),
+    Counts,
+    /// Of another quantity than those of a log.
+    Other(String),
+    Unknown(String),
+    None,
+}
+
+/// The named columns of a table.
+struct Names<'a> {
+    path: &'a Path,
+    table: &'a NumberTable<'a>,
+    options: &'a LogOptions,
+}
+
+impl Names<'_> {
+    fn refused(&self, fault: LogError) -> crate::error::Error {
+        fault.at_line(self.path, self.table.header_line())
+    }
+
+    fn name(&self, place: usize) -> String {
+        let named = self.table.names().get(place);
+        named.map_or_else(|| (place + 1).to_string(), |n| n.trim().to_string())
+    }
+
+    /// The columns as a message lists them; without a header their numbers.
+    fn listed(&self) -> String {
+        let width = match self.table.names().len() {
+            0 => self.table.rows().next().map_or(0, |(_, row)| row.len()),
+            count => count,
+        };
+        let all = (0..width.min(40)).map(|i| self.name(i));
+        all.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The column of a quantity with the factor to SI.
+    fn column(&self, which: usize) -> Result<Option<(usize, f64)>> {
+        let o = self.options;
+        let stated = [&o.time, &o.angle, &o.force, &o.speed, &o.torque][which];
+        if let Some(stated) = stated {
+            let place = self.table.place(self.path, stated)?;
+            return Ok(Some((place, self.factor(which, place, 1.0)?)));
+        }
+        let names = self.table.names();
+        let is_si = |n: &String| n.trim().eq_ignore_ascii_case(NAMES[which]);
+        if let Some(place) = names.iter().position(is_si) {
+            return Ok(Some((place, 1.0)));
+        }
+        let of_unit = |i: &usize| matches!(self.unit(*i), Unit::Known(q, _) if q == which);
+        let of_name = |i: &usize| {
+            let fits = match self.unit(*i) {
+                Unit::Known(quantity, _) => quantity == which,
+                // A position in millimetres is not an angle.
+                Unit::Other(_) => [0, FORCE].contains(&which),
+                Unit::Counts => which == ANGLE,
+                Unit::Unknown(_) | Unit::None => true,
+            };
+            fits && self.means(which, *i)
+        };
+        let both = |i: &usize| of_unit(i) && of_name(i);
+        let counts = |i: &usize| which == ANGLE && matches!(self.unit(*i), Unit::Counts);
+        let all = 0..names.len();
+        let kinds: [&dyn Fn(&usize) -> bool; 4] = match o.counts_per_turn {
+            Some(_) => [&counts, &both, &of_name, &of_unit],
+            None => [&both, &of_name, &of_unit, &counts],
+        };
+        let found = kinds.into_iter().map(|kind| all.clone().filter(kind));
+        let found = found.map(Iterator::collect::<Vec<usize>>);
+        match found.into_iter().find(|f| !f.is_empty()).as_deref() {
+            None => Ok(None),
+            Some([place]) => Ok(Some((*place, self.factor(which, *place, f64::NAN)?))),
+            Some(several) => {
+                let columns: Vec<String> = several.iter().map(|i| self.name(*i)).collect();
+                let (option, columns) = (OPTIONS[which].to_string(), columns.join(", "));
+                Err(self.refused(LogError::ManyColumns { option, columns }))
+            }
+        }
+    }
+
+    /// Whether the name of a column means a quantity.
+    fn means(&self, which: usize, place: usize) -> bool {
+        match OPTIONS[which] {
+            "time" => self.table.means_time(place),
+            "force" => self.table.means_force(place),
+            _ => {
+                let words = self.table.words(place);
+                words.iter().any(|w| WORDS[which].contains(&w.as_str()))
+            }
+        }
+    }
+
+    /// Factor of a column to SI; `default` for a column without unit, which is refused where it is NaN.
+    fn factor(&self, which: usize, place: usize, default: f64) -> Result<f64> {
+        let column = self.name(place);
+        let units = || UNITS[which].join(", ");
+        let counts = self.options.counts_per_turn.filter(|_| which == ANGLE);
+        let refused = match (self.unit(place), counts) {
+            (Unit::Known(quantity, factor), None) if quantity == which => return Ok(factor),
+            (Unit::Counts | Unit::None, Some(counts)) if counts.is_finite() && counts > 0.0 => {
+                return Ok(TAU / counts);
+            }
+            (Unit::None, None) if default.is_finite() => return Ok(default),
+            (Unit::Counts, None) if which == ANGLE => LogError::Counts { column },
+            (Unit::Counts | Unit::None, Some(counts)) => LogError::BadCounts { counts },
+            (Unit::Known(ANGLE, _), Some(_)) => LogError::NoCounts {
+                columns: self.listed(),
+            },
+            (Unit::None, None) => LogError::NoUnit {
+                unit: DIMENSIONS[which].si().to_string(),
+                option: OPTIONS[which].to_string(),
+                column,
+            },
+            (Unit::Unknown(unit) | Unit::Other(unit), _) => LogError::UnknownUnit {
+                units: units(),
+                column,
+                unit,
+            },
+            (Unit::Known(other, _), _) => LogError::UnknownUnit {
+                units: units(),
+                column,
+                unit: DIMENSIONS[other].si().to_string(),
+            },
+            (Unit::Counts, _) => LogError::UnknownUnit {
+                units: units(),
+                column,
+                unit: "counts".to_string(),
+            },
+        };
+        Err(self.refused(refused))
+    }
+
+    /// The unit of a column, from the row of units, the brackets of its name or its last words.
+    fn unit(&self, place: usize) -> Unit {
+        let Some(whole) = self.table.names().get(place).map(|n| n.trim()) else {
+            return Unit::None;
+        };
+        let (name, stated) = self.table.name_and_unit(place);
+        let is_apart = whole.contains(['[', '(']) || name == whole.to_lowercase();
+        let stated = stated.filter(|_| is_apart);
+        let words: Vec<&str> = whole.split(['_', ' ']).collect();
+        let last = (1..=words.len().min(3)).rev();
+        let last = last.map(|n| words[words.len() - n..].join(" "));
+        if let Some((which, factor)) = stated.iter().cloned().chain(last).find_map(|u| known(&u)) {
+            return Unit::Known(which, factor);
+        }
+        let mut all = self.table.words(place);
+        all.extend(stated.as_ref().map(|u| u.to_lowercase()));
+        if all.iter().any(|w| COUNTS.contains(&w.as_str())) {
+            return Unit::Counts;
+        }
+        let is_other = |unit: &&str| {
+            let text = format!("1 {unit}");
+            OTHERS.iter().any(|d| parse(&text, *d).is_ok())
+        };
+        let last = words.last().copied().filter(|_| words.len() > 1);
+        let other = stated.as_deref().or(last).filter(is_other);
+        match (other.map(str::to_string), stated) {
+            (Some(unit), _) => Unit::Other(unit),
+            (None, Some(unit)) => Unit::Unknown(unit),
+            (None, None) => Unit::None,
+        }
+    }
+}
+
+/// The quantity of a unit and its SI value.
+fn known(typed: &str) -> Option<(usize, f64)> {
+    let plain = |unit: &str| -> String {
+        let lower = unit
+            .to_lowercase()
+            .replace("per", "/")
+            .replace(['µ', 'μ'], "u");
+        let kept = |c: &char| c.is_alphanumeric() || "°/".contains(*c);
+        lower.chars().filter(kept).collect()
+    };
+    let typed = plain(typed);
+    let alias = ALIASES.iter().find(|a| a.0 == typed);
+    let typed = alias.map_or(typed, |a| plain(a.1));
+    let find = |which: usize| {
+        let unit = UNITS[which].iter().find(|u| plain(u) == typed)?;
+        let factor = parse(&format!("1 {unit}"), DIMENSIONS[which]).ok()?;
+        Some((which, factor))
+    };
+    (0..UNITS.len()).find_map(find)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_unit_is_one_of_the_units_of_scenes_and_of_one_quantity() {
+        for (which, units) in UNITS.iter().enumerate() {
+            for unit in *units {
+                let factor = parse(&format!("1 {unit}"), DIMENSIONS[which]).unwrap();
+                assert_eq!(known(unit), Some((which, factor)), "{unit}");
+            }
+        }
+        for (typed, unit) in [
+            ("n_m", "N m"),
+            ("N.mm", "N mm"),
+            ("in·lb", "in lb"),
+            ("RPM", "rpm"),
+            ("rad per s", "rad/s"),
+        ] {
+            assert_eq!(known(typed), known(unit), "{typed}");
+        }
+        assert_eq!(known("V"), None);
+    }
+}
