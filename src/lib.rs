@@ -48,8 +48,8 @@
 //!
 //! # The modules
 //!
-//! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
-//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
+//! A force is given ([`force`]) → a law of motion produces it ([`drive`], [`law`], computed by [`synth`]) → a cam produces
+//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and written to files (crate `gaitcam-output`). Modules import
 //! downwards only.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -3,7 +3,7 @@
 //! `letters.bin`, little-endian: number of letters and units per em (u16 each); per letter, in order, its code and
 //! advance (u16 each) and where its outline begins among the bytes after the table (u32); then the outlines. A contour is
 //! the number of its corners (u8) and of each whether it is on the curve (u8), x and y (i16), y upwards; a corner off the
-//! curve is the control point between its neighbours. The first letter, of code 0, stands for those that are missing.
+//! curve is the control point between its neighbours. The first letter, of code 0, replaces missing ones.
 
 use std::path::Path;
 use std::{env, fs};

@@ -1,6 +1,6 @@
 //! Barrel cams: a groove around a cylinder with both walls in space, at any depth.
 //!
-//! The barrel's axis is z; a roller with a radial axis stands at z = s(θ). Seen from the barrel, which
+//! The barrel's axis is z; a roller with a radial axis is at z = s(θ). Seen from the barrel, which
 //! turns counter-clockwise, the roller goes round by −θ. On its axis at radius R the roller slides along
 //! the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq. 30), and touches the walls at ±R_f along
 //! the groove's normal.
@@ -75,9 +75,9 @@ impl Rollers {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wall {
-    /// Towards +z: index 1 in Bautista Morelos (2018).
+    /// The wall on the side of +z, index 1 in Bautista Morelos (2018).
     Upper,
-    /// Towards −z: index 2 in Bautista Morelos (2018).
+    /// The wall on the side of −z, index 2 in Bautista Morelos (2018).
     Lower,
 }
 

@@ -116,7 +116,7 @@ pub enum SceneError {
     NotHarmonic { typed: String },
     /// A text of `machine.learned_force` that is not a force with its phase.
     NotLearnedForce { typed: String },
-    /// More harmonics of it than are supported.
+    /// More harmonics of `machine.learned_force` than are supported.
     LearnedForces { given: usize, most: usize },
     /// Load factors that are all zero, or too many of them.
     Harmonics { given: usize, most: usize },

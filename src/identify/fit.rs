@@ -73,7 +73,7 @@ impl Stack<'_> {
         (0..self.runs.len()).map(move |i| self.part(i))
     }
 
-    /// Change of the shifted means per unknown of the phases.
+    /// Derivatives of the shifted means by the unknown phases.
     fn slopes(self, model: &[f64]) -> Vec<Vec<f64>> {
         let of_run = |shift: &Shift, run: usize| -> Vec<f64> {
             let slope = derivative(&model[self.part(run)]);

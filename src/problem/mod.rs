@@ -75,7 +75,7 @@ pub struct Problem {
     pub cam: CamSpec,
     /// Limits that the law and the cam must satisfy, SI.
     pub limits: Limits,
-    /// RMS force error asked for, part of the mean force.
+    /// Allowed RMS force error, part of the mean force.
     pub accuracy: Option<f64>,
     /// Degree of spline laws.
     pub spline_degree: usize,

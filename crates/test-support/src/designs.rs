@@ -49,7 +49,7 @@ fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
     }
 }
 
-/// A design of this cam without anything beside it: no pair, bore or note, and no limit asked for.
+/// A design of this cam without anything beside it: no pair, bore or note, and no limit.
 fn plain(problem: Problem, cam: Cam, force: ForceReport) -> Design {
     let mut out = crate::design::<&str>(gaitcam::scene::DEFAULT, &[]).unwrap();
     out.problem = Arc::new(problem);
@@ -272,7 +272,7 @@ pub fn odd_ones() -> Vec<Design> {
     vec![still, knife, open]
 }
 
-/// A design whose cam is asked for with other numbers, without another synthesis.
+/// The design with other numbers of its cam, without another synthesis.
 #[must_use]
 pub fn with_cam(mut design: Design, change: impl FnOnce(&mut CamSpec)) -> Design {
     let mut cam = design.problem.cam.clone();

@@ -41,7 +41,7 @@ pub fn scene_file(name: &str) -> String {
 /// Keys and values that are wrong.
 ///
 /// # Panics
-/// On a text that is no TOML.
+/// On a text that is not TOML.
 pub fn scene<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Scene> {
     let mut table: toml::Table = text.parse().unwrap_or_else(|e| panic!("{e}"));
     for change in changes {

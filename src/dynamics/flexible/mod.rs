@@ -1,6 +1,6 @@
 //! A compliant follower: the moved mass on the cam through a spring and a damper, or a column of fluid.
 //!
-//! Written relative to the rigid motion: the mass stands at s + x, and x is driven by minus the rigid force. For a mass m on a train of stiffness k₁
+//! Written relative to the rigid motion: the mass is at s + x, and x is driven by minus the rigid force. For a mass m on a train of stiffness k₁
 //! and damping c₁, with the machine's own k and c, m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the contact force is N = −(k₁ x + c₁ ẋ). The forcing is
 //! the law's own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in the law cause steps of the state.
 

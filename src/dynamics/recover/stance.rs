@@ -79,7 +79,7 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
 }
 
 /// A face on an arm through `p`: (P − pivot)·n = f with n = (σ sin ξ, cos ξ), the contact on the arm's side
-/// of the pivot. Along the face the contact stands at −σ c cos ξ·v/(1 + v), v = σξ′.
+/// of the pivot. Along the face the contact is at −σ c cos ξ·v/(1 + v), v = σξ′.
 fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
     let (c, side) = (pivot.abs(), pivot.signum());
     let away = [side * p[0] - c, p[1]];

@@ -118,7 +118,7 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// `cam.material`: an empty text is no material.
+/// `cam.material`: an empty text is not a material.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {

@@ -214,7 +214,7 @@ fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     ));
 }
 
-/// Torque, power and pressure hold or fail by the figures of the closed form; a stance of one foot is no finite sum.
+/// Torque, power and pressure hold or fail by the figures of the closed form; a stance of one foot is not a finite sum.
 #[test]
 fn closed_rows_equal_single_syntheses_under_loads_and_of_single_feet() {
     let loads = compared(

@@ -69,7 +69,7 @@ pub struct Behaviour {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeCam {
-    /// Law of motion of the made cam.
+    /// Law of motion of the cam as manufactured.
     pub law: Law,
     /// Number of waves per turn by which its law differs from the design's.
     pub waves: usize,

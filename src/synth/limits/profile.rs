@@ -308,7 +308,7 @@ mod tests {
         }
     }
 
-    /// h is zero exactly where the finished cam has the radius or the pressure angle asked for.
+    /// h is zero exactly where the finished cam has the allowed radius or pressure angle.
     #[test]
     fn limits_of_arms_are_those_of_the_cam() {
         let law = law(0.3);

@@ -199,8 +199,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// The law as the sequence counts its lift: on its base circle, where neither drive nor demand says how high it stands and the
-/// limits see that.
+/// The law at the level from which the sequence counts its lift: on its base circle, if neither drive nor conditions fix the
+/// level and limits depend on it.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,

@@ -73,7 +73,7 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     parts.reduce(f64::min)
 }
 
-/// The walkers one of whom is the worst in every checked quantity. Force, torque and its rate are linear in the force at rest R and in β, power in ωR
+/// Walkers that contain the worst one for every checked quantity. Force, torque and its rate are linear in the force at rest R and in β, power in ωR
 /// and ωβ; pressure grows with the force, motion with ω. Each is linear in a pair of numbers, so its maximum over all walkers is at a corner of the
 /// convex hull of their pairs. For vibration in a dwell all walkers are checked.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {

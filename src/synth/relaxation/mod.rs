@@ -29,7 +29,7 @@ use relaxable::{Relaxable, relaxables};
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
 /// Relative enlargements of a value that suffices for one motion of the machine, which changes with the cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
-/// Factor, and fraction, above which a change is no longer suggested.
+/// Factor, and fraction, above which a change is not suggested.
 const FAR: f64 = 10.0;
 /// Fraction that is tried first.
 const SMALL: f64 = 0.01;
@@ -167,7 +167,7 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// A whole design that passes: if the accuracy is a limit, the law of minimum force error decides soonest.
+/// A complete design that passes. If the accuracy is a limit, the law of minimum force error is tried, because it is found fastest.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));

@@ -1,5 +1,5 @@
 //! Help texts in the language of the run. The English ones are the doc comments of the arguments; the Spanish ones
-//! stand in `words/es/help.ftl`, under `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
+//! are in `words/es/help.ftl`, under `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
 
 use clap::{Arg, Command, CommandFactory};
 use gaitcam::wording::{Catalogue, Language, Messages, Sentences};

@@ -22,7 +22,7 @@ use gaitcam_app::read::read_text;
 /// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
 ///
 /// # Errors
-/// A folder that is no cover; a walker for whom the machine cannot be adjusted.
+/// A folder that is not a cover; a walker for whom the machine cannot be adjusted.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
     let covers = read_text(&path)?;

@@ -46,7 +46,7 @@ pub enum WalkerFault {
     OtherFeet,
     /// One step among strides, or the reverse.
     OtherCycle,
-    /// A movement other than most.
+    /// A movement that differs from most others.
     OtherKind,
 }
 

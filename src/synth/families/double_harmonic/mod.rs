@@ -31,7 +31,7 @@ use projection::Projection;
 const SHORTEST: f64 = 0.2;
 /// Number of grid points from which the angles are searched.
 const STARTS: usize = 6;
-/// Iterations of the search from each of them, which tells the best places apart.
+/// Iterations of the search from each of them, enough to compare the best places.
 const ROUGH: u64 = 25;
 /// Number of places whose search is continued: without a rest rise and fall can change places.
 const FINALISTS: usize = 2;

@@ -29,7 +29,7 @@ pub fn current() -> Language {
     LANGUAGE.get()
 }
 
-/// Every text of the page by its key, the names of figures as `figure-COLUMN`; `{name}` stands where the page puts a value.
+/// Every text of the page by its key, the names of figures as `figure-COLUMN`; the page replaces `{name}` by a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
     let arguments = include_str!("en.ftl").split("{ $").skip(1);
