@@ -112,6 +112,15 @@ pub enum ReadError {
     /// A critical point beyond the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
+    /// A MAT file without an array of numbers that can be a force.
+    MatWithoutForce { arrays: Vec<String> },
+    /// The only time column of a cycle is its phase, and the duration of the cycle is not given.
+    PhaseWithoutPeriod { column: String },
+    /// The phase of a cycle is that of a stance, and the part of the turn that it covers is not given.
+    PhaseOfStance { column: String },
+    /// Several forces in a file of one cycle.
+    CycleForces { columns: Vec<String> },
+
     /// Invalid processor type of a C3D file.
     Processor { code: u8 },
     /// A C3D file without analog samples.

@@ -2,8 +2,8 @@
 //! total force[N]` all give force, component and owner in some order.
 
 use super::vocabulary::{
-    FRAME, LEFT, OTHER, RIGHT, SIDE, STRONG_FORCE, TIME, VERTICAL, VERTICAL_FORCE, WEAK_FORCE,
-    WEAK_TIME, WHOLE, is,
+    CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,
+    VERTICAL_FORCE, WEAK_FORCE, WEAK_TIME, WHOLE, is,
 };
 use crate::recording::{Axis, Foot};
 
@@ -11,6 +11,10 @@ use crate::recording::{Axis, Foot};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Role {
     Time,
+    /// Phase of a cycle, or of a stance.
+    Phase {
+        of_stance: bool,
+    },
     /// Running number of sample or frame.
     Frame,
     Force {
@@ -75,6 +79,15 @@ pub(super) fn role(name: &str) -> Role {
     let first_is = |list: &str| words.first().is_some_and(|w| is(w, list));
     if first_is(WEAK_TIME) || has(TIME) {
         return Role::Time;
+    }
+    // A leading `%` of a header line is taken for a comment mark: `% of gait cycle` may arrive without it.
+    let is_bare = words
+        .iter()
+        .all(|w| is(w, "of") || is(w, CYCLE) || is(w, STANCE));
+    let is_percent = name.contains('%') || has(PERCENT) || is_bare;
+    if has(PHASE) || is_percent && (has(CYCLE) || has(STANCE)) {
+        let of_stance = has(STANCE);
+        return Role::Phase { of_stance };
     }
     if first_is(FRAME) || name.trim() == "#" {
         return Role::Frame;
@@ -240,6 +253,18 @@ mod tests {
     fn time_and_frame_columns_are_recognised() {
         for name in ["time", "Zeit", "Time [s]", "abs time (s)", "t", "TimeStamp"] {
             assert_eq!(role(name), Role::Time, "{name}");
+        }
+        for (name, of_stance) in [
+            ("% of gait cycle", false),
+            ("Gait cycle (%)", false),
+            ("percent_stride", false),
+            ("of gait cycle", false),
+            ("stance", true),
+            ("phase", false),
+            ("% stance phase", true),
+            ("Ciclo de marcha [%]", false),
+        ] {
+            assert_eq!(role(name), Role::Phase { of_stance }, "{name}");
         }
         assert_eq!(role("Frame"), Role::Frame);
         assert_eq!(role("Sub Frame"), Role::Other);

@@ -6,9 +6,10 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use super::columns::words;
+use super::columns::{Role, role, words};
 use super::critical_points::{critical, through};
 use super::keys;
+use super::mat::{self, Mat};
 use super::text::{
     ForceColumn, Lines, LongTable, Position, Samples, Table, TextFile, check_unit, choose,
     next_table, plain, text,
@@ -22,6 +23,9 @@ use crate::recording::{ForceUnit, ReadOptions};
 /// Number of lines at the start of a text that may hold the mark.
 const HEAD: usize = 40;
 
+/// Value above which a phase is in percent of the cycle.
+pub(super) const LARGEST_PART: f64 = 1.5;
+
 /// Content of a text, by its mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
@@ -31,7 +35,9 @@ enum Kind {
 
 /// Reads a text marked as one cycle; `None` for any other file.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
-    let bytes = &*plain(bytes);
+    let is_mat = mat::is_level_5(bytes);
+    let text_bytes = (!is_mat).then(|| plain(bytes));
+    let bytes = text_bytes.as_deref().unwrap_or(bytes);
     let comments: Vec<String> = Lines::new(bytes)
         .take(HEAD)
         .filter(|(_, l)| l.first() == Some(&b'#'))
@@ -48,6 +54,11 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         Some(long) => {
             let (samples, cycles) = long.mean()?;
             (long.table().clone(), (samples, None), cycles)
+        }
+        None if is_mat => {
+            let Mat { table, samples, .. } = mat::table(path, bytes, options)?;
+            let samples = one_force(file, &table, samples)?;
+            (table, samples, 1)
         }
         None => {
             let table = next_table(bytes, file.delimiters, Position::START)
@@ -71,7 +82,9 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
     let mut clock_s = None;
-    if kind == Kind::Cycle && asked {
+    if let Some(column) = samples.phase {
+        times = of_phase(column, times, period, options).map_err(|e| e.in_file(path))?;
+    } else if kind == Kind::Cycle && asked {
         clock_s = time_unit.and_then(|_| other_clock(&times, options));
         times = stretched(times, options);
     }
@@ -114,18 +127,20 @@ fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     };
     let columns = choose(file, table)?;
     let mut columns = columns.ok_or_else(|| missing(CycleColumn::Force))?;
-    let time = columns.time.filter(|_| !columns.counts || names.is_empty());
-    let time = time.ok_or_else(|| missing(CycleColumn::Time))?;
+    let is_clock = !columns.counts || columns.phase_of_stance.is_some() || names.is_empty();
+    let time = columns.time.filter(|_| is_clock);
+    time.ok_or_else(|| missing(CycleColumn::Time))?;
+    if let (Some(true), None, Some(phase)) =
+        (columns.phase_of_stance, options.span_rad, columns.time)
+    {
+        let column = names[phase].clone();
+        return Err(ReadError::PhaseOfStance { column }.at_line(file.path, table.header_line()));
+    }
     check_unit(file, table, columns.force[0].place)?;
-    let is_spread = |w: &String| w == "spread" || w == "sd";
-    let spread = names
-        .iter()
-        .position(|n| words(n).first().is_some_and(is_spread));
-    columns.force.truncate(1);
-    let spread = spread.map(|place| ForceColumn {
-        place,
-        ..columns.force[0]
-    });
+    let of_spread = names.iter().position(|name| is_spread(name));
+    columns.force.retain(|f| Some(f.place) != of_spread);
+    let spread = of_spread.zip(columns.force.first().copied());
+    let spread = spread.map(|(place, force)| ForceColumn { place, ..force });
     columns.force.extend(spread);
     let samples = Samples::read(file, table, columns)?;
     if let Some(bad) = samples.skipped.first() {
@@ -137,10 +152,51 @@ fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
             return Err(ReadError::CycleValue.at_line(file.path, table.start.line + i));
         }
     }
+    one_force(file, table, samples)
+}
+
+/// Whether a column is the standard deviation of the force.
+fn is_spread(name: &str) -> bool {
+    let word = |w: &String| w == "spread" || w == "sd";
+    words(name).first().is_some_and(word)
+}
+
+/// The samples with the seconds per unit of their times.
+///
+/// # Errors
+/// Several forces.
+fn one_force(file: &TextFile, table: &Table, samples: Samples) -> Result<(Samples, Option<f64>)> {
+    let names = samples.forces.iter().map(|f| f.name.clone());
+    let columns: Vec<String> = names.filter(|name| !is_spread(name)).collect();
+    if columns.len() > 1 {
+        let fault = ReadError::CycleForces { columns };
+        return Err(fault.at_line(file.path, table.header_line()));
+    }
     // A bare `time` is in seconds; what has another unit, such as a percentage, is not a clock.
-    let is_bare = (names.get(time)).is_some_and(|name| words(name).len() == 1);
+    let options = file.options;
+    let is_time =
+        |name: &&String| matches!(role(name), Role::Time) || options.time.as_ref() == Some(name);
+    let name = table.names.iter().find(is_time);
+    let is_bare = name.is_some_and(|name| words(name).len() == 1);
     let unit = samples.time_unit.or(is_bare.then_some(1.0));
     Ok((samples, unit))
+}
+
+/// Times of phases in percent or parts of a cycle.
+fn of_phase(
+    column: String,
+    phases: Vec<f64>,
+    period: Option<f64>,
+    options: &ReadOptions,
+) -> Result<Vec<f64>> {
+    let period = period.ok_or(ReadError::PhaseWithoutPeriod { column })?;
+    let largest = phases.iter().copied().fold(0.0, f64::max);
+    let whole = if largest > LARGEST_PART { 100.0 } else { 1.0 };
+    let covered = options.span_rad.map_or(1.0, |span| span / TAU);
+    Ok(phases
+        .iter()
+        .map(|x| x / whole * covered * period)
+        .collect())
 }
 
 /// Newtons per unit of the force column.

@@ -14,6 +14,10 @@ pub(super) struct Keys {
 
 /// Words that denote a sampling rate, lower case.
 const RATE: &str = "rate freq abtast hz frecuencia fréquence sampling";
+/// Whole keys of a sampling rate, lower case.
+const RATES: [&str; 3] = ["fs", "sf", "fsample"];
+/// Words that denote another rate than that of the samples, lower case.
+const NOT_SAMPLING: &str = "heart factor cutoff cut-off cut_off filter pass";
 /// Words that denote a mass or weight.
 const MASS: &str = "mass gewicht weight masse peso poids masa";
 
@@ -42,7 +46,7 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
         if (says("per_frame perframe") || key.contains("per frame")) && x > 0.0 {
             // `SECONDS_PER_FRAME 0.01`, `time per frame [secs]: 0.01`.
             keys.rate_hz.get_or_insert(1.0 / x);
-        } else if says(RATE) && !key.contains("heart") && x > 0.0 {
+        } else if (says(RATE) || RATES.contains(&key)) && !says(NOT_SAMPLING) && x > 0.0 {
             keys.rate_hz.get_or_insert(x);
         } else if says(MASS) && x > 0.0 {
             keys.mass_kg = keys.mass_kg.or(mass(key, value, x));

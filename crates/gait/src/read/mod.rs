@@ -10,6 +10,7 @@ mod columns;
 mod critical_points;
 mod cycle_file;
 mod keys;
+mod mat;
 mod number;
 mod text;
 mod timebase;
@@ -37,6 +38,9 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
     if bytes.is_empty() {
         return Err(ReadError::Empty.in_file(path));
     }
+    if mat::is_level_5(bytes) {
+        return mat::read(path, bytes, options);
+    }
     match foreign(bytes) {
         None | Some(FileKind::Binary) if c3d::is_c3d(bytes) => c3d::read(path, bytes, options),
         Some(kind) => Err(ReadError::Foreign { kind }.in_file(path)),
@@ -57,7 +61,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     let known: [(&[u8], FileKind); 12] = [
         (b"PK\x03\x04", FileKind::Zip),
         (b"\xD0\xCF\x11\xE0", FileKind::OldOffice),
-        (b"MATLAB 5.0", FileKind::Matlab),
+        (b"MATLAB ", FileKind::Matlab),
         (b"\x89HDF", FileKind::Hdf5),
         (b"PAR1", FileKind::Parquet),
         (b"\x1F\x8B", FileKind::Gzip),

@@ -23,6 +23,13 @@ pub(super) const TIME: &str = "time zeit temps tiempo tempo";
 pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";
 pub(super) const FRAME: &str =
     "frame frames sample samples field bild index nr no item row point framenumber";
+/// Words for a share in hundredths, for a cycle and for a stance.
+pub(super) const PERCENT: &str = "percent percentage pct perc prozent porcentaje pourcentage";
+pub(super) const CYCLE: &str =
+    "gait cycle stride gang gangzyklus zyklus ciclo marcha zancada marche";
+pub(super) const STANCE: &str = "stance apoyo stand standphase appui";
+/// Words for the phase of a cycle.
+pub(super) const PHASE: &str = "phase fase";
 /// Words that exclude a force regardless of the other words.
 pub(super) const OTHER: &str = "m mx my mz moment moments mom torque torques tx ty tz free cop cofp copx copy copz \
     px py pz ax ay az cx cy cz center centre pressure position pos acceleration acc angular gyro angle velocity emg \

@@ -11,8 +11,8 @@ pub const SENTENCES: Sentences = Sentences {
         [include_str!("en/read.ftl"), include_str!("es/read.ftl")],
     ],
     as_typed: &[
-        "channel", "channels", "column", "columns", "from", "known", "model", "movement", "name",
-        "near", "typed", "walker", "word",
+        "arrays", "channel", "channels", "column", "columns", "from", "known", "model", "movement",
+        "name", "near", "typed", "walker", "word",
     ],
     shared: &["note"],
     ..Sentences::NONE

@@ -25,8 +25,10 @@ const WIDEST: usize = 400;
 #[derive(Default)]
 pub(in crate::read) struct Columns {
     pub time: Option<usize>,
-    /// Whether the time column counts samples instead of seconds.
+    /// Whether the time column counts samples instead of seconds, or is a phase.
     pub counts: bool,
+    /// The time column that is the phase of a cycle (false) or of a stance (true).
+    pub phase_of_stance: Option<bool>,
     pub force: Vec<ForceColumn>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
@@ -111,10 +113,18 @@ fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
 fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
     let place = |role: &Role| roles.iter().position(|r| r == role);
+    let is_phase = |r: &Role| matches!(r, Role::Phase { .. });
     let clock = stated.or(place(&Role::Time));
+    let phase = roles.iter().position(is_phase);
+    let time = clock.or(phase).or(place(&Role::Frame));
+    let role = time.map(|t| &roles[t]);
     Columns {
-        time: clock.or(place(&Role::Frame)),
-        counts: clock.is_none(),
+        time,
+        counts: clock.is_none() || role.is_some_and(is_phase),
+        phase_of_stance: match role {
+            Some(Role::Phase { of_stance }) => Some(*of_stance),
+            _ => None,
+        },
         force: recognised(table, &roles),
         ..Columns::default()
     }
@@ -137,24 +147,42 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
         chosen.read = Some(read);
         return Ok(chosen);
     }
+    let mut chosen = columns_by_numbers(columns, time)
+        .ok_or_else(|| ReadError::NamelessColumns.at_line(file.path, table.start.line))?;
+    chosen.read = Some(read);
+    Ok(chosen)
+}
+
+/// Time and force by the numbers in columns without names; `None` without a force. `stated`: index of the time column, if known.
+pub(in crate::read) fn columns_by_numbers(
+    columns: &[Vec<f64>],
+    stated: Option<usize>,
+) -> Option<Columns> {
+    let time = stated.or_else(|| by_numbers::time_column(columns));
     let force = by_numbers::force_columns(columns, time);
-    if force.is_empty() {
-        return Err(ReadError::NamelessColumns.at_line(file.path, table.start.line));
-    }
+    let [first, ..] = force[..] else {
+        return None;
+    };
     let sides = by_numbers::insole_sides(&force, columns.len(), time);
-    chosen.insole = sides.map(|_| true);
-    chosen.notes.extend(sides.map(|_| Note::InsoleColumns {
-        left: force[0] + 1,
-        right: force[1] + 1,
-    }));
+    let note = sides
+        .zip(force.get(1))
+        .map(|(_, second)| Note::InsoleColumns {
+            left: first + 1,
+            right: second + 1,
+        });
     let column = |(k, place): (usize, usize)| ForceColumn {
         place,
         axis: Axis::Vertical,
         foot: sides.map(|s| s[k]),
     };
-    chosen.force = force.into_iter().enumerate().map(column).collect();
-    chosen.read = Some(read);
-    Ok(chosen)
+    Some(Columns {
+        time,
+        counts: time.is_some_and(|t| by_numbers::counts_samples(&columns[t])),
+        insole: sides.map(|_| true),
+        notes: note.into_iter().collect(),
+        force: force.into_iter().enumerate().map(column).collect(),
+        ..Columns::default()
+    })
 }
 
 /// The columns known to be a force: by their names, else by their units, else by their sides.

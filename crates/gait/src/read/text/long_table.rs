@@ -10,6 +10,7 @@ use super::samples::Samples;
 use super::units::check_unit;
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::read::columns::{Role, role, words};
+use crate::read::cycle_file::LARGEST_PART;
 use crate::read::number::{trim, value};
 use crate::read::timebase::polyline;
 use crate::read::vertical::RawForce;
@@ -25,8 +26,6 @@ const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 
 /// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
-/// Value above which a phase is in percent of the cycle.
-const LARGEST_PART: f64 = 1.5;
 
 /// A text with many cycles, and the columns that distinguish them.
 pub(in crate::read) struct LongTable<'a> {
@@ -235,6 +234,7 @@ impl<'a> LongTable<'a> {
             times: Some(phases.iter().map(|phase| phase / whole * period).collect()),
             time_unit: None,
             counts: false,
+            phase: None,
             forces: std::iter::once(means).chain(spread).map(of).collect(),
             insole: None,
             skipped: Vec::new(),

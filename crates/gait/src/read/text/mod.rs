@@ -16,7 +16,7 @@ mod units;
 use std::path::Path;
 
 use choose::listed;
-use delimited::{Fields, Separator};
+use delimited::Fields;
 use layouts::layout;
 use table::skip;
 
@@ -25,8 +25,8 @@ use super::number::trim;
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::recording::{ReadOptions, Recording};
 
-pub(super) use choose::{ForceColumn, choose};
-pub(super) use delimited::{Lines, Position, TextFile, plain, text};
+pub(super) use choose::{Columns, ForceColumn, choose, columns_by_numbers};
+pub(super) use delimited::{Delimiters, Lines, Position, Separator, TextFile, plain, text};
 pub(super) use header::Table;
 pub use layouts::{PlateFile, joined_plates, metadata_name, parts, plate_of};
 pub(super) use long_table::LongTable;

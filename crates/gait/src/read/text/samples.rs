@@ -17,8 +17,10 @@ pub(in crate::read) struct Samples {
     pub times: Option<Vec<f64>>,
     /// Seconds per unit of the times, if the column states it.
     pub time_unit: Option<f64>,
-    /// Whether times count samples.
+    /// Whether times count samples, or are a phase.
     pub counts: bool,
+    /// Name of the column of times that is the phase of a cycle.
+    pub phase: Option<String>,
     pub forces: Vec<RawForce>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
@@ -64,6 +66,7 @@ impl Samples {
             times,
             time_unit: columns.time.and_then(|t| table.time_unit(t)),
             counts: columns.counts,
+            phase: columns.phase_of_stance.and(columns.time).map(&name),
             insole: columns.insole,
             skipped: read.skipped,
             notes: columns.notes,
@@ -112,7 +115,11 @@ impl Samples {
             return Ok(TimeBase::even(rate, ClockSource::User));
         }
         let Some(times) = times else {
-            let rate = key_rate.ok_or(ReadError::NoRate)?;
+            let without = || match self.phase.clone() {
+                Some(column) => ReadError::PhaseWithoutPeriod { column },
+                None => ReadError::NoRate,
+            };
+            let rate = key_rate.ok_or_else(without)?;
             return Ok(TimeBase::even(rate, ClockSource::Header));
         };
         if times.len() < 2 {

@@ -5,8 +5,8 @@ read-empty = the file is empty
 read-foreign = { $kind ->
         [zip] this is an Excel workbook or another zipped file
         [old-office] this is an old Excel or Word file
-        [matlab] this is a MATLAB file
-        [hdf5] this is an HDF5 or new MATLAB file
+        [matlab] this is a MATLAB file that is not of level 5 (save -v7)
+        [hdf5] this is an HDF5 file or a MATLAB file of version 7.3 (save it with -v7)
         [parquet] this is a Parquet file
         [gzip] this is a gzipped file
         [pdf] this is a PDF
@@ -70,6 +70,14 @@ read-mostly-gaps = samples are missing for { $lost } of { $whole }
     .help = split the recording at its gaps
 read-counts-without-mass = the file holds converter counts without calibration
     .help = give the mass of the walker (option mass), by which they are scaled, or the unit of the counts (option unit), or the .c3d file of the trial
+read-mat-without-force = no array of the MATLAB file is known to be a force; its arrays are { $arrays }
+    .help = name the force (option force); save the trial as numeric arrays or structs, because tables and timetables of MATLAB cannot be read
+read-phase-without-period = { $column } is the phase of a cycle, not a time
+    .help = give the duration of the cycle (option period), for example "1.1 s"
+read-phase-of-stance = { $column } is the phase of a stance, which is a part of the cycle
+    .help = give the duration of the cycle and the part of the turn that the stance covers (options period and span), for example "1.1 s" and "223 deg"
+read-cycle-forces = one cycle has one force, not { $columns }
+    .help = name the one that is meant (option force)
 read-no-rate = the file contains neither time nor sampling rate
     .help = give the rate (option rate), for example "1000 Hz"
 read-mass-missing = the force is in { $unit } and the body mass is not known

@@ -5,8 +5,8 @@ read-empty = el archivo está vacío
 read-foreign = { $kind ->
         [zip] es un libro de Excel u otro archivo comprimido zip
         [old-office] es un archivo antiguo de Excel o Word
-        [matlab] es un archivo de MATLAB
-        [hdf5] es un archivo HDF5 o de MATLAB nuevo
+        [matlab] es un archivo de MATLAB que no es de nivel 5 (save -v7)
+        [hdf5] es un archivo HDF5 o de MATLAB 7.3 (guárdelo con -v7)
         [parquet] es un archivo Parquet
         [gzip] es un archivo gzip
         [pdf] es un PDF
@@ -70,6 +70,14 @@ read-mostly-gaps = faltan muestras en { $lost } de { $whole }
     .help = divida el registro por sus huecos
 read-counts-without-mass = el archivo contiene cuentas del convertidor sin calibración
     .help = indique la masa de la persona (opción mass), con la que se escalan, o la unidad de las cuentas (opción unit), o el archivo .c3d del ensayo
+read-mat-without-force = ninguna matriz del archivo de MATLAB se reconoce como fuerza; sus matrices son { $arrays }
+    .help = nombre la fuerza (opción force); guarde el registro como matrices numéricas o estructuras, porque las tablas de MATLAB no se pueden leer
+read-phase-without-period = { $column } es la fase de un ciclo, no un tiempo
+    .help = dé la duración del ciclo (opción period), por ejemplo "1.1 s"
+read-phase-of-stance = { $column } es la fase de un apoyo, que es una parte del ciclo
+    .help = dé la duración del ciclo y la parte de la vuelta que cubre el apoyo (opciones period y span), por ejemplo "1.1 s" y "223 deg"
+read-cycle-forces = un ciclo tiene una sola fuerza, no { $columns }
+    .help = nombre la que se quiere (opción force)
 read-no-rate = el archivo no contiene tiempos ni frecuencia de muestreo
     .help = indique la frecuencia (opción rate), por ejemplo "1000 Hz"
 read-mass-missing = la fuerza está en { $unit } y no se conoce la masa corporal

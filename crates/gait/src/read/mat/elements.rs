@@ -1,0 +1,261 @@
+//! The arrays of a MAT file of level 5 (MATLAB 5.0 to 7.2, `save -v7`).
+//!
+//! Format: "MAT-File Format" (The MathWorks), level 5: a header of 128 bytes, then data elements of a tag and its data, which
+//! may be compressed. Every count is checked against the bytes present before it is used.
+
+use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+
+/// Size of the header, bytes.
+const HEADER: usize = 128;
+/// Maximum size of a compressed variable, bytes.
+const LARGEST: usize = 1 << 30;
+/// Maximum depth of structs within structs, and number of structs of an array that are read.
+const DEEPEST: usize = 16;
+const MOST_STRUCTS: usize = 1000;
+
+/// Types of data elements.
+const MATRIX: u32 = 14;
+const COMPRESSED: u32 = 15;
+/// Classes of arrays.
+const CELL: u8 = 1;
+const STRUCT: u8 = 2;
+const CHARACTERS: u8 = 4;
+const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
+
+/// A numeric array, or the words of a list of texts.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Content {
+    /// Values in the order of columns, with the number of rows.
+    Numbers { rows: usize, values: Vec<f64> },
+    /// Texts of a cell, of the rows of a character array, or one text.
+    Texts(Vec<String>),
+}
+
+/// An array with the names of the structs that contain it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Array {
+    /// Names from the variable to the field; a number counts the structs of an array from 1.
+    pub path: Vec<String>,
+    pub content: Content,
+}
+
+impl Array {
+    /// The names of the structs around it.
+    pub fn owner(&self) -> &[String] {
+        &self.path[..self.path.len().saturating_sub(1)]
+    }
+}
+
+/// Whether bytes start as a MAT file of level 5.
+pub(in crate::read) fn is_level_5(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"MATLAB 5.0") && bytes.len() > HEADER
+}
+
+/// Every array of a file, as far as the file is whole.
+pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
+    let big = bytes.get(126..128) == Some(b"MI");
+    let mut found = Vec::new();
+    let mut rest = Elements {
+        bytes: bytes.get(HEADER..).unwrap_or(&[]),
+        big,
+    };
+    while let Some((kind, data)) = rest.next() {
+        let inflated: Vec<u8>;
+        let mut inner = match kind {
+            COMPRESSED => {
+                // A damaged stream gives what it holds up to the damage.
+                inflated = decompress_to_vec_zlib_with_limit(data, LARGEST)
+                    .unwrap_or_else(|damage| damage.output);
+                Elements {
+                    bytes: &inflated,
+                    big,
+                }
+                .next()
+            }
+            _ => Some((kind, data)),
+        };
+        if let Some((MATRIX, data)) = inner.take() {
+            matrix(Elements { bytes: data, big }, &[], None, 0, &mut found);
+        }
+    }
+    found
+}
+
+/// Data elements one after the other.
+#[derive(Clone, Copy)]
+struct Elements<'a> {
+    bytes: &'a [u8],
+    big: bool,
+}
+
+impl<'a> Elements<'a> {
+    fn word(&self, at: usize) -> Option<u32> {
+        let word: [u8; 4] = self.bytes.get(at..at + 4)?.try_into().ok()?;
+        Some(if self.big {
+            u32::from_be_bytes(word)
+        } else {
+            u32::from_le_bytes(word)
+        })
+    }
+}
+
+impl<'a> Iterator for Elements<'a> {
+    /// Type and data.
+    type Item = (u32, &'a [u8]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let first = self.word(0)?;
+        // Up to four bytes of data stand in the tag itself.
+        let (kind, from, length, whole) = match first >> 16 {
+            0 => {
+                let length = self.word(4)? as usize;
+                let padded = if first == COMPRESSED {
+                    length
+                } else {
+                    length.next_multiple_of(8)
+                };
+                (first, 8, length, padded.saturating_add(8))
+            }
+            length => (first & 0xFFFF, 4, length as usize, 8),
+        };
+        let data = self.bytes.get(from..)?;
+        // The last variable of a file that was cut short is read as far as it goes.
+        let data = data.get(..length).unwrap_or(data);
+        self.bytes = self.bytes.get(whole..).unwrap_or(&[]);
+        Some((kind, data))
+    }
+}
+
+/// Adds an array and the arrays in it. `name`: its name as a field, which replaces its own.
+fn matrix(
+    mut elements: Elements<'_>,
+    owner: &[String],
+    name: Option<String>,
+    depth: usize,
+    found: &mut Vec<Array>,
+) -> Option<()> {
+    let big = elements.big;
+    let flags = elements.next()?.1;
+    let class = *flags.get(if big { 3 } else { 0 })?;
+    let sizes = numbers(elements.next()?, big)?;
+    let own = latin(elements.next()?.1);
+    let mut path = owner.to_vec();
+    path.push(name.unwrap_or(own));
+    let rows = sizes.first().map_or(0, |n| *n as usize);
+    match class {
+        CELL => {
+            let texts: Option<Vec<String>> = elements.map(|e| text_of(e, big)).collect();
+            if let Some(texts) = texts {
+                found.push(Array {
+                    path,
+                    content: Content::Texts(texts),
+                });
+            } else if depth < DEEPEST {
+                for (k, cell) in (1..=MOST_STRUCTS).zip(elements) {
+                    let inner = Elements { bytes: cell.1, big };
+                    let _ = matrix(inner, &path, Some(k.to_string()), depth + 1, found);
+                }
+            }
+        }
+        STRUCT if depth < DEEPEST => {
+            let length = *numbers(elements.next()?, big)?.first()? as usize;
+            let names = elements.next()?.1;
+            let names: Vec<String> = names.chunks(length.max(1)).map(latin).collect();
+            let count = sizes.iter().product::<f64>() as usize;
+            for k in 1..=count.min(MOST_STRUCTS) {
+                let mut place = path.clone();
+                if count > 1 {
+                    place.push(k.to_string());
+                }
+                for name in &names {
+                    let field = elements.next()?;
+                    let inner = Elements {
+                        bytes: field.1,
+                        big,
+                    };
+                    // A field without content is empty; the others follow it all the same.
+                    let _ = matrix(inner, &place, Some(name.clone()), depth + 1, found);
+                }
+            }
+        }
+        CHARACTERS => {
+            let content = Content::Texts(characters(elements.next()?, big, rows));
+            found.push(Array { path, content });
+        }
+        class if NUMERIC.contains(&class) => {
+            let values = numbers(elements.next()?, big)?;
+            let content = Content::Numbers { rows, values };
+            found.push(Array { path, content });
+        }
+        _ => (),
+    }
+    Some(())
+}
+
+/// The text of a character array in a cell.
+fn text_of((kind, data): (u32, &[u8]), big: bool) -> Option<String> {
+    let mut elements = Elements { bytes: data, big };
+    let class = *elements.next()?.1.get(if big { 3 } else { 0 })?;
+    if kind != MATRIX || class != CHARACTERS {
+        return None;
+    }
+    let _sizes = elements.next()?;
+    let _name = elements.next()?;
+    characters(elements.next()?, big, 1).pop()
+}
+
+/// Rows of a character array without trailing blanks.
+fn characters((kind, data): (u32, &[u8]), big: bool, rows: usize) -> Vec<String> {
+    // UTF-16 words, or bytes of UTF-8 and older encodings.
+    let letters: Vec<char> = match kind {
+        4 | 17 => {
+            let (pairs, _) = data.as_chunks();
+            let unit = |pair: &[u8; 2]| {
+                if big {
+                    u16::from_be_bytes(*pair)
+                } else {
+                    u16::from_le_bytes(*pair)
+                }
+            };
+            let units: Vec<u16> = pairs.iter().map(unit).collect();
+            String::from_utf16_lossy(&units).chars().collect()
+        }
+        _ => String::from_utf8_lossy(data).chars().collect(),
+    };
+    let rows = rows.clamp(1, letters.len().max(1));
+    let row = |k: usize| letters.iter().skip(k).step_by(rows).collect::<String>();
+    (0..rows).map(|k| row(k).trim_end().to_string()).collect()
+}
+
+/// Bytes up to the first zero, as Latin letters.
+fn latin(bytes: &[u8]) -> String {
+    let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
+    text.iter().map(|&b| char::from(b)).collect()
+}
+
+/// Numbers of a data element of any numeric type.
+fn numbers((kind, data): (u32, &[u8]), big: bool) -> Option<Vec<f64>> {
+    macro_rules! of {
+        ($type:ty) => {{
+            let (parts, _) = data.as_chunks::<{ size_of::<$type>() }>();
+            let number = |part: &[u8; size_of::<$type>()]| match big {
+                true => <$type>::from_be_bytes(*part) as f64,
+                false => <$type>::from_le_bytes(*part) as f64,
+            };
+            Some(parts.iter().map(number).collect())
+        }};
+    }
+    match kind {
+        1 => of!(i8),
+        2 => of!(u8),
+        3 => of!(i16),
+        4 => of!(u16),
+        5 => of!(i32),
+        6 => of!(u32),
+        7 => of!(f32),
+        9 => of!(f64),
+        12 => of!(i64),
+        13 => of!(u64),
+        _ => None,
+    }
+}

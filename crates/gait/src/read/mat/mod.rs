@@ -1,0 +1,234 @@
+//! MAT files of MATLAB: numeric arrays and structs with time or rate and force.
+//!
+//! Vectors are columns; a matrix has one column (or row) for each of its series, named by a list of labels beside it, by the
+//! components of a vector, or by numbers. The columns of the longest time base with a force make the table.
+
+mod elements;
+
+use std::path::Path;
+
+use elements::{Array, Content, arrays};
+
+use super::columns::{Role, role, words};
+use super::keys;
+use super::text::{
+    Columns, Delimiters, ForceColumn, Position, Samples, Separator, Table, TextFile, choose,
+    columns_by_numbers,
+};
+use super::vertical::RawForce;
+use crate::error::{Place, Placed, ReadError, Result};
+use crate::recording::{Format, ReadOptions, Recording};
+
+pub(super) use elements::is_level_5;
+
+/// Minimum number of samples of a series, and maximum number of series of a matrix.
+const FEWEST: usize = 10;
+const MOST_SERIES: usize = 400;
+/// Names of components in a matrix of three or six series.
+const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
+
+/// One series of samples.
+struct Series<'a> {
+    /// Names of the structs and the array, joined by points, and the part of a matrix.
+    name: String,
+    array: &'a Array,
+    /// Whether its part of a matrix has a number for a name.
+    is_numbered: bool,
+    values: Vec<f64>,
+}
+
+/// The chosen columns of a MAT file: their names, their samples, and its scalars as lines of a header.
+pub(super) struct Mat {
+    pub table: Table,
+    pub samples: Samples,
+    head: Vec<String>,
+}
+
+/// Reads a MAT file of level 5.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    let Mat {
+        table,
+        samples,
+        head,
+    } = table(path, bytes, options)?;
+    let keys = keys::read(&head, false);
+    let format = Format::Export {
+        program: "MATLAB (.mat)",
+    };
+    let recording = samples.recording(&without_text(path, options), &table, &keys, format);
+    recording.map_err(|fault| fault.placed(Place::File(path.to_path_buf())))
+}
+
+/// Chooses the columns of a MAT file of level 5.
+///
+/// # Errors
+/// No array of numbers that can be a force; a column named by the user that it does not have.
+pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Mat> {
+    let arrays = arrays(bytes);
+    let without_force = || {
+        let names = arrays.iter().map(|a| a.path.join(".")).take(40);
+        let arrays = names.collect();
+        ReadError::MatWithoutForce { arrays }.in_file(path)
+    };
+    let mut series: Vec<Series> = arrays.iter().flat_map(|a| series(a, &arrays)).collect();
+    let length = length(&series, options).ok_or_else(without_force)?;
+    series.retain(|s| s.values.len() == length);
+    let table = Table {
+        start: Position::START,
+        width: series.len(),
+        names: series.iter().map(|s| s.name.clone()).collect(),
+        units: Vec::new(),
+        head: Vec::new(),
+    };
+    let numbered = match options.force.is_empty() {
+        true => by_numbers(&series),
+        false => None,
+    };
+    // The table of a MAT file has no lines.
+    let chosen = choose(&without_text(path, options), &table)
+        .map_err(|fault| fault.placed(Place::File(path.to_path_buf())))?;
+    let columns = numbered.or(chosen).ok_or_else(without_force)?;
+    let of_force = columns.force.first().map(|f| series[f.place].array.owner());
+    let head = head(&arrays, of_force.unwrap_or_default());
+    let samples = samples(series, &table, columns);
+    Ok(Mat {
+        table,
+        samples,
+        head,
+    })
+}
+
+/// The file with the user's options, as the choice of columns by name needs it.
+fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
+    let separator = Separator::Byte(b',');
+    let delimiters = Delimiters {
+        separator,
+        comma: false,
+    };
+    TextFile {
+        path,
+        bytes: &[],
+        delimiters,
+        options,
+    }
+}
+
+/// Length of the longest series that are a force by their names or by the user's; else of the longest of all.
+fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
+    let is_force = |s: &&Series| match &options.force[..] {
+        [] => matches!(role(&s.name), Role::Force { .. }),
+        stated => stated.contains(&s.name),
+    };
+    let length = |s: &Series| s.values.len();
+    let of_force = series.iter().filter(is_force).map(length).max();
+    of_force.or_else(|| series.iter().map(length).max())
+}
+
+/// The series of an array: one of a vector, one for each of the shorter dimension of a matrix.
+fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
+    let Content::Numbers { rows, values } = &array.content else {
+        return Vec::new();
+    };
+    let name = array.path.join(".");
+    if *rows == 0 || values.len() % rows != 0 {
+        return Vec::new();
+    }
+    let columns = values.len() / rows;
+    let (count, length) = (columns.min(*rows), columns.max(*rows));
+    if length < FEWEST || count > MOST_SERIES {
+        return Vec::new();
+    }
+    let of = |k: usize| -> Vec<f64> {
+        match columns <= *rows {
+            true => values[k * rows..(k + 1) * rows].to_vec(),
+            false => values.iter().skip(k).step_by(*rows).copied().collect(),
+        }
+    };
+    let labels = labels(array, all, count);
+    let is_force = words(&name)
+        .iter()
+        .any(|w| w.contains("force") || w.contains("grf"));
+    let has_components = is_force && (count == 3 || count == 6);
+    let one = |k: usize| Series {
+        name: match &labels {
+            _ if count == 1 => name.clone(),
+            Some(labels) => labels[k].clone(),
+            None if has_components => format!("{name} {}", COMPONENTS[k]),
+            None => format!("{name} {}", k + 1),
+        },
+        array,
+        is_numbered: count > 1 && labels.is_none() && !has_components,
+        values: of(k),
+    };
+    (0..count).map(one).collect()
+}
+
+/// Names for the series of a matrix: a list of as many texts in the same struct.
+fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
+    let list = |other: &Array| match &other.content {
+        Content::Texts(texts) if count > 1 && texts.len() == count => Some(texts.clone()),
+        _ => None,
+    };
+    let beside = all.iter().filter(|other| other.owner() == array.owner());
+    beside.filter_map(list).next()
+}
+
+/// Scalars as lines of a header, those of the struct of the force first.
+fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
+    let shared = |a: &&Array| {
+        let pairs = a.owner().iter().zip(owner);
+        pairs.take_while(|(a, b)| a == b).count()
+    };
+    let mut scalars: Vec<(&Array, f64)> = arrays.iter().filter_map(scalar).collect();
+    scalars.sort_by_key(|(array, _)| std::cmp::Reverse(shared(array)));
+    // Cells have numbers, the variable around them its name.
+    let is_name = |part: &&String| part.parse::<usize>().is_err();
+    let line = |(array, x): (&Array, f64)| {
+        let name = array.path.iter().rev().find(is_name);
+        format!("{} = {x}", name.map_or("", String::as_str))
+    };
+    scalars.into_iter().map(line).collect()
+}
+
+fn scalar(array: &Array) -> Option<(&Array, f64)> {
+    match &array.content {
+        Content::Numbers { values, .. } => match values[..] {
+            [x] => Some((array, x)),
+            _ => None,
+        },
+        Content::Texts(_) => None,
+    }
+}
+
+/// Time and force of a matrix without names, perhaps beside a vector of times, by their numbers.
+fn by_numbers(series: &[Series]) -> Option<Columns> {
+    let time = series.iter().position(|s| role(&s.name) == Role::Time);
+    let data = || series.iter().enumerate().filter(|(i, _)| Some(*i) != time);
+    let first = data().next()?.1.array;
+    let is_one = data().all(|(_, s)| s.is_numbered && std::ptr::eq(s.array, first));
+    let values: Vec<Vec<f64>> = series.iter().map(|s| s.values.clone()).collect();
+    is_one.then(|| columns_by_numbers(&values, time))?
+}
+
+/// The samples of the chosen columns.
+fn samples(used: Vec<Series>, table: &Table, columns: Columns) -> Samples {
+    let mut values: Vec<Vec<f64>> = used.into_iter().map(|s| s.values).collect();
+    let force = |f: &ForceColumn| RawForce {
+        name: table.names[f.place].clone(),
+        axis: f.axis,
+        foot: f.foot,
+        unit: table.force_unit(f.place),
+        values: std::mem::take(&mut values[f.place]),
+    };
+    let forces = columns.force.iter().map(force).collect();
+    Samples {
+        times: columns.time.map(|t| std::mem::take(&mut values[t])),
+        time_unit: columns.time.and_then(|t| table.time_unit(t)),
+        counts: columns.counts,
+        phase: (columns.phase_of_stance.and(columns.time)).map(|t| table.names[t].clone()),
+        forces,
+        insole: columns.insole,
+        skipped: Vec::new(),
+        notes: columns.notes,
+    }
+}
