@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use super::vectors::flattened;
 use crate::read::number::{Field, field, trim};
 use crate::recording::ReadOptions;
 
@@ -89,8 +90,12 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Plain bytes with `\n` line ends: byte-order marks removed, UTF-16 and lone carriage returns converted.
+/// A table with one number a cell, in plain bytes with `\n` line ends: byte-order marks removed, UTF-16 and lone carriage
+/// returns converted, cells with vectors parted.
 pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
+    if let Some(flat) = flattened(bytes) {
+        return Cow::Owned(flat);
+    }
     if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
         return Cow::Borrowed(rest);
     }

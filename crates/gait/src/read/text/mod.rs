@@ -12,6 +12,7 @@ mod plain_row;
 mod samples;
 mod table;
 mod units;
+mod vectors;
 
 use std::path::Path;
 
