@@ -115,7 +115,12 @@ pub const ALL: [File; 35] = {
             Tables,
             "walkers.csv",
             Populations,
-            Always(|s| Ok((csv::walkers(s.design).map(String::into_bytes), Vec::new()))),
+            Always(|s| {
+                Ok((
+                    csv::walkers(s.design).map(|t| t.csv().into_bytes()),
+                    Vec::new(),
+                ))
+            }),
         ),
         file(
             Tables,

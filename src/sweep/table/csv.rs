@@ -1,11 +1,11 @@
 //! Tables as CSV: numbers in their shortest exact form, empty if missing.
 
-use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::records::{Records, Values};
 use super::results::TIME;
 use super::text_cell;
+use gaitcam_base::text::quoted;
 
 impl Records {
     /// The whole table: the names of the columns, then the rows.
@@ -56,13 +56,6 @@ fn number(out: &mut String, x: f64) {
     let mut digits = zmij::Buffer::new();
     let text = digits.format(x);
     out.push_str(text.strip_suffix(".0").unwrap_or(text));
-}
-
-fn quoted(text: &str) -> Cow<'_, str> {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => Cow::Owned(format!("\"{}\"", text.replace('"', "\"\""))),
-        false => Cow::Borrowed(text),
-    }
 }
 
 #[cfg(test)]

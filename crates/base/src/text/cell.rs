@@ -25,6 +25,36 @@ pub fn cell_text(cell: &str) -> &str {
         .unwrap_or(cell)
 }
 
+/// A text as a cell of CSV: in quotation marks where it has a comma, a quotation mark or a line break.
+pub fn quoted(text: &str) -> Cow<'_, str> {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => Cow::Owned(format!("\"{}\"", text.replace('"', "\"\""))),
+        false => Cow::Borrowed(text),
+    }
+}
+
+/// The trimmed cells of a line of CSV, without the marks of [`quoted`].
+///
+/// ```
+/// use gaitcam_base::text::{cells, quoted};
+///
+/// let line = format!("{}, 1.5,", quoted("S 06, \"left\""));
+/// assert_eq!(cells(&line, ','), ["S 06, \"left\"", "1.5", ""]);
+/// ```
+pub fn cells(line: &str, separator: char) -> Vec<Cow<'_, str>> {
+    let mut inside = false;
+    let ends = |c: char| {
+        inside ^= c == '"';
+        c == separator && !inside
+    };
+    line.split(ends).map(|cell| unquoted(cell.trim())).collect()
+}
+
+fn unquoted(cell: &str) -> Cow<'_, str> {
+    let inner = cell.strip_prefix('"').and_then(|c| c.strip_suffix('"'));
+    inner.map_or(Cow::Borrowed(cell), |c| Cow::Owned(c.replace("\"\"", "\"")))
+}
+
 /// Leading apostrophes count too, so that removing one restores the text.
 fn begins_like_formula(text: &str) -> bool {
     let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');

@@ -4,6 +4,6 @@ mod cell;
 mod escape;
 mod number;
 
-pub use cell::{cell_text, text_cell};
+pub use cell::{cell_text, cells, quoted, text_cell};
 pub use escape::escaped;
 pub use number::{append, append_decimal};

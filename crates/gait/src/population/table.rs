@@ -10,7 +10,7 @@ use std::path::Path;
 use super::Walker;
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, Result};
-use gaitcam_base::text::{cell_text, text_cell};
+use gaitcam_base::text::{cell_text, cells, quoted, text_cell};
 
 /// Minimum number of steps of a cycle in a written table.
 const STEPS: usize = 100;
@@ -83,7 +83,8 @@ pub fn read_rows(path: &Path, bytes: &[u8]) -> Result<Vec<WalkerRow>> {
     let columns = columns(names, separator).map_err(|e| e.at_line(path, line))?;
     let mut out = Vec::new();
     for (line, row) in lines.filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#')) {
-        let cells: Vec<&str> = row.split(separator).map(str::trim).collect();
+        let cells = cells(row, separator);
+        let cells: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
         let walker = walker(&columns, &cells, separator == ';');
         out.push(WalkerRow {
             name: cell_text(cells.get(columns.walker).copied().unwrap_or_default()).to_string(),
@@ -176,8 +177,9 @@ pub fn write_table(walkers: &[Walker]) -> String {
     let blank = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
     for walker in walkers {
         let curve = &walker.curve;
-        let name = walker.name.replace([',', '\n', '\r', '"'], " ");
+        let name = walker.name.replace(['\n', '\r'], " ");
         let name = text_cell(&name);
+        let name = quoted(&name);
         let (speed, mass) = (blank(walker.speed_m_per_s), blank(curve.mass_kg));
         let _ = write!(out, "{name},{speed},{mass},{}", curve.period_s);
         if is_weighed {
@@ -201,7 +203,9 @@ mod tests {
 
     #[test]
     fn no_name_of_a_walker_is_a_formula_and_each_reads_back() {
-        let names = ["=1+1", "+y", "-z", "@x", "'=a", "W 1", "12"];
+        let names = [
+            "=1+1", "+y", "-z", "@x", "'=a", "W 1", "12", "A, left", "\"B\"", "-1,\"x",
+        ];
         let walker = |name: &&str| {
             let force = (0..64).map(|i| 700.0 + f64::from(i)).collect();
             Walker::new(name, ForceCurve::from_samples(name, 1.0, force).unwrap())

@@ -2,7 +2,7 @@
 
 use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
-use gaitcam::sweep::table::text_cell;
+use gaitcam::sweep::{Field, Records};
 use gaitcam::synth::Design;
 
 /// Columns of `law.csv`, in order.
@@ -35,6 +35,14 @@ const PROFILE: [&str; 7] = [
     "rho_m",
     "pressure_angle_rad",
 ];
+/// Columns of `walkers.csv` after the name.
+const WALKERS: [&str; 5] = [
+    "mass_kg",
+    "speed_rad_per_s",
+    "phase_rad",
+    "rms_error_percent",
+    "rms_error_n",
+];
 /// A table of numbers by column.
 pub type Columns = Vec<(&'static str, Vec<f64>)>;
 
@@ -62,17 +70,21 @@ pub fn floor(design: &Design) -> Option<String> {
 }
 
 /// `walkers.csv`: the force error of each cycle of a population.
-pub fn walkers(design: &Design) -> Option<String> {
+pub fn walkers(design: &Design) -> Option<Records> {
     let each = &design.population.as_ref()?.each;
-    let rows = each.iter().map(|w| {
-        let name = w.walker.replace([',', '\n', '\r', '"'], " ");
-        let name = text_cell(&name);
-        let (mass, speed, phase) = (w.mass_kg, w.speed_rad_per_s, w.phase_rad);
-        let (percent, newtons) = (w.rms_error_percent, w.rms_error_n);
-        format!("{name},{mass},{speed},{phase},{percent},{newtons}\n")
-    });
-    let names = "walker,mass_kg,speed_rad_per_s,phase_rad,rms_error_percent,rms_error_n\n";
-    Some([names.to_string()].into_iter().chain(rows).collect())
+    let numbers = columns(
+        WALKERS,
+        each.iter().map(|w| {
+            let (percent, newtons) = (w.rms_error_percent, w.rms_error_n);
+            [w.mass_kg, w.speed_rad_per_s, w.phase_rad, percent, newtons]
+        }),
+    );
+    let mut fields = vec![Field::words(
+        "walker",
+        each.iter().map(|w| w.walker.as_str()),
+    )];
+    fields.extend(numbers.into_iter().map(|(n, x)| Field::numbers(n, x)));
+    Some(Records { fields })
 }
 
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.

@@ -1,19 +1,22 @@
 //! The target force: arrays or recordings.
 
+mod options;
+mod origin;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gaitcam::error::{Placed, SceneError, SweepError};
-use gaitcam::force::{self, ForceCurve, Walker};
+use gaitcam::force::{self, ForceCurve, OpenQuestion, Walker};
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, content, plates};
 use gaitcam_app::{Disk, Input, disk};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use toml::{Table, Value};
 
 use crate::convert::{self, Argument, Reduced};
 use crate::error::Raise;
+use options::{OF_ARRAYS, OF_FILE, table_of_arrays};
+pub use origin::{FILE, Origin};
 
 /// One cycle of vertical force.
 ///
@@ -30,8 +33,8 @@ use crate::error::Raise;
 ///     Duration of the cycle, s; without it the cycle ends one step after its last sample.
 /// mass_kg : float, optional
 ///     Mass of the walker, kg.
-/// name : str
-///     What the force is called in reports.
+/// name : str, optional
+///     Name of the walker in tables and results; "force" by default.
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
@@ -39,70 +42,12 @@ pub struct Force {
     pub curve: ForceCurve,
     /// Source of the force.
     pub origin: Origin,
+    /// Name of the walker.
+    name: String,
 }
-
-/// Source of a force.
-#[derive(Clone)]
-pub enum Origin {
-    /// A force from arrays.
-    Arrays,
-    /// A force from a recording: its `[gait]` section and its content.
-    Recording {
-        /// Keys of the `[gait]` section.
-        gait: Table,
-        /// Content of the file.
-        bytes: Arc<Vec<u8>>,
-        /// Content of the table of subjects in the folder of the file.
-        metadata: Option<Vec<u8>>,
-    },
-}
-
-impl Files for Origin {
-    fn has(&self, name: &Path) -> bool {
-        self.read(name).is_ok()
-    }
-
-    fn read(&self, name: &Path) -> gaitcam::error::Result<Arc<Vec<u8>>> {
-        let missing = || SweepError::NotCarried.in_file(name);
-        let Origin::Recording {
-            gait,
-            bytes,
-            metadata,
-        } = self
-        else {
-            return Err(missing());
-        };
-        let file = gait.get("file").and_then(Value::as_str).map(Path::new);
-        if file == Some(name) {
-            return Ok(Arc::clone(bytes));
-        }
-        let beside = file.and_then(force::metadata_name);
-        let metadata = metadata.clone().filter(|_| beside.as_deref() == Some(name));
-        metadata.map(Arc::new).ok_or_else(missing)
-    }
-}
-
-/// Keys of `[gait]` that specify a force.
-const OF_SOURCE: [&str; 12] = [
-    "file",
-    "model",
-    "step_frequency",
-    "body_weight",
-    "time",
-    "force",
-    "unit",
-    "rate",
-    "mass",
-    "kind",
-    "period",
-    "span",
-];
 
 /// Default name of a force.
 const UNNAMED: &str = "force";
-
-/// File name of a force from arrays, in the folder of the result.
-pub use gaitcam_app::design::FORCE as FILE;
 
 impl Argument for Force {
     const MADE: &'static str = "read_gait(path) and Force(t_s, f_n, period_s=...) make one";
@@ -115,32 +60,23 @@ impl Force {
         Ok(force.map(|f| f.get().clone()))
     }
 
-    fn of_recording(
-        py: Python<'_>,
-        gait: Table,
-        bytes: Arc<Vec<u8>>,
-        metadata: Option<Vec<u8>>,
-    ) -> PyResult<Force> {
-        let table = Table::from_iter([("gait".to_string(), Value::Table(gait.clone()))]);
-        let scene = scene::read_keys(&table).raise(py)?;
-        let given = scene.gait.unwrap_or_default();
-        let origin = Origin::Recording {
-            gait,
-            bytes,
-            metadata,
-        };
-        let read = || {
-            let curve = given.force(&origin)?;
-            curve.ok_or_else(|| SceneError::NoForceNamed.into())
-        };
-        let curve = py.detach(read).raise(py)?;
-        Ok(Force { curve, origin })
+    /// The mean cycle of a recording, with the name given or that of its file.
+    fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
+        let file = origin.file();
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let name = options::name(py, name, &stem)?;
+        let curve = py.detach(|| origin.curve()).raise(py)?;
+        Ok(Force {
+            curve,
+            origin,
+            name,
+        })
     }
 
     /// Several walkers as one target; forces of one name are cycles of one walker, those without a name are numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
-            let name = match force.curve.name.as_str() {
+            let name = match force.name.as_str() {
                 UNNAMED => format!("{UNNAMED} {number}"),
                 name => name.to_string(),
             };
@@ -148,8 +84,12 @@ impl Force {
         };
         let walkers: Vec<Walker> = (1..).zip(forces).map(walker).collect();
         let table = force::population_csv(&walkers);
-        let gait = Table::from_iter([("file".to_string(), Value::from(FILE))]);
-        Force::of_recording(py, gait, table.into_bytes().into(), None)
+        let origin = Origin::Recording {
+            gait: Origin::Arrays.keys(),
+            bytes: table.into_bytes().into(),
+            metadata: None,
+        };
+        Force::of_recording(py, origin, None)
     }
 
     /// The content of a file of this force: of the recording, of the subjects beside it, or of [`FILE`].
@@ -168,14 +108,7 @@ impl Force {
     /// # Errors
     /// A scene that is invalid with this force.
     pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
-        let mut table = input.whole.clone();
-        let own = table.get("gait").and_then(Value::as_table).cloned();
-        let mut gait = own.unwrap_or_default();
-        for key in OF_SOURCE {
-            gait.remove(key);
-        }
-        gait.extend(self.gait());
-        table.insert("gait".to_string(), Value::Table(gait));
+        let table = self.origin.named_in(&input.whole);
         let scene = scene::read(&table)?;
         Ok(Input {
             scene,
@@ -184,79 +117,54 @@ impl Force {
             ..input.clone()
         })
     }
-
-    /// The keys of `[gait]` that name this force.
-    fn gait(&self) -> Table {
-        match &self.origin {
-            Origin::Arrays => Table::from_iter([("file".to_string(), Value::from(FILE))]),
-            Origin::Recording { gait, .. } => gait.clone(),
-        }
-    }
 }
 
 #[pymethods]
 impl Force {
     #[new]
-    #[pyo3(signature = (t_s, f_n, *, period_s = None, mass_kg = None, name = "force"))]
+    #[pyo3(signature = (t_s, f_n, *, period_s = None, mass_kg = None, name = None))]
     fn new(
         py: Python<'_>,
         t_s: &Bound<'_, PyAny>,
         f_n: &Bound<'_, PyAny>,
         period_s: Option<f64>,
         mass_kg: Option<f64>,
-        name: &str,
+        name: Option<&str>,
     ) -> PyResult<Force> {
+        let name = options::name(py, name, UNNAMED)?;
         let (t, f) = (convert::numbers(t_s, "t_s")?, convert::numbers(f_n, "f_n")?);
         let (t, f) = (t.as_array(), f.as_array());
         let (t, f) = (t.to_vec(), f.to_vec());
-        let curve = py.detach(|| force::of_arrays(name, &t, &f, period_s));
+        let curve = py.detach(|| force::of_arrays(&name, &t, &f, period_s));
         let mut curve = curve.raise(py)?;
         curve.mass_kg = mass_kg;
-        let origin = Origin::Arrays;
-        Ok(Force { curve, origin })
+        Ok(Force {
+            curve,
+            origin: Origin::Arrays,
+            name,
+        })
     }
 
     /// A whole recording of a walk from arrays: stances are found and averaged as in :func:`read_gait`.
     ///
-    /// ``f_n`` has shape (n,) or (n, plates), N; ``t_s`` shape (n,), s. ``options`` are those of :func:`read_gait`.
+    /// ``t_s`` has shape (n,), s; ``f_n`` shape (n,) or (n, plates), N. The name is "recording" by default; the options
+    /// are those of :func:`read_gait` without names of columns and rate.
     #[staticmethod]
-    #[pyo3(signature = (t_s, f_n, **options))]
+    #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
+        mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None)")]
     fn from_recording(
         t_s: &Bound<'_, PyAny>,
         f_n: &Bound<'_, PyAny>,
+        name: Option<&str>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Force> {
         let py = t_s.py();
-        let np = py.import("numpy")?;
-        let plates = np.call_method1("atleast_2d", (convert::array(f_n, "f_n")?.getattr("T")?,))?;
-        let mut columns = vec![convert::numbers(t_s, "t_s")?];
-        for plate in plates.try_iter()? {
-            columns.push(convert::numbers(&plate?, "f_n")?);
-        }
-        let rows = columns[0].as_array().len();
-        if let Some(odd) = columns.iter().find(|c| c.as_array().len() != rows) {
-            let forces = odd.as_array().len();
-            let fault = gaitcam::error::ForceError::Lengths {
-                times: rows,
-                forces,
-            };
-            let fault = gaitcam::error::Error::from(fault);
-            return Err(fault.at(gaitcam::error::Place::Key("f_n".to_string()))).raise(py);
-        }
-        let mut text = String::from("time_s");
-        for plate in 1..columns.len() {
-            text.push_str(&format!(",fz{plate}_n"));
-        }
-        for row in 0..rows {
-            text.push('\n');
-            for (i, column) in columns.iter().enumerate() {
-                text.push_str(if i > 0 { "," } else { "" });
-                text.push_str(&column.as_array()[row].to_string());
-            }
-        }
-        text.push('\n');
-        let gait = gait(options, Path::new("recording.csv"))?;
-        Force::of_recording(py, gait, text.into_bytes().into(), None)
+        let origin = Origin::Recording {
+            gait: options::gait(options, &OF_ARRAYS, Path::new("recording.csv"))?,
+            bytes: table_of_arrays(t_s, f_n)?.into_bytes().into(),
+            metadata: None,
+        };
+        Force::of_recording(py, origin, name)
     }
 
     /// Samples of one cycle at equal steps of phase from heel strike on, N; shape (n,).
@@ -298,10 +206,26 @@ impl Force {
         self.curve.mass_kg
     }
 
-    /// What the force is.
+    /// Name of the walker: that given, else the file's stem; the same in every table and result.
     #[getter]
     fn name(&self) -> &str {
-        &self.curve.name
+        &self.name
+    }
+
+    /// Recorded movement: "walking", "running", …; ``None`` of a cycle from arrays.
+    #[getter]
+    fn kind(&self) -> Option<&'static str> {
+        Some(self.curve.recording.as_ref()?.kind?.name())
+    }
+
+    /// Open questions about a recording that the options do not accept: "kind", "clock", "mass", "clipped".
+    #[getter]
+    fn open(&self, py: Python<'_>) -> PyResult<Vec<&'static str>> {
+        let accepted = self.origin.gait().raise(py)?.accept;
+        let recording = self.curve.recording.iter();
+        let open = recording.flat_map(|r| r.doubts());
+        let open = open.filter(|question| !accepted.contains(question));
+        Ok(open.map(OpenQuestion::name).collect())
     }
 
     /// What was guessed, left out or doubtful in a recording, as sentences.
@@ -323,13 +247,10 @@ impl Force {
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, Bound<'py, PyAny>> {
         let own = py.get_type::<Force>();
         let state = match &self.origin {
-            Origin::Arrays => (
-                self.curve.name.clone(),
-                self.curve.period_s,
-                self.force_n(py),
-                self.curve.mass_kg,
-            )
-                .into_pyobject(py)?,
+            Origin::Arrays => {
+                let samples = (self.curve.period_s, self.force_n(py), self.curve.mass_kg);
+                (&self.name, samples, py.None()).into_pyobject(py)?
+            }
             Origin::Recording {
                 gait,
                 bytes,
@@ -337,7 +258,7 @@ impl Force {
             } => {
                 let gait = toml::to_string(gait).unwrap_or_default();
                 let metadata = metadata.as_ref().map(|m| PyBytes::new(py, m));
-                (gait, PyBytes::new(py, bytes), metadata, py.None()).into_pyobject(py)?
+                (&self.name, (PyBytes::new(py, bytes), metadata), gait).into_pyobject(py)?
             }
         };
         Ok((own.getattr("_restore")?, state.into_any()))
@@ -345,30 +266,36 @@ impl Force {
 
     #[staticmethod]
     fn _restore(
-        first: String,
-        second: &Bound<'_, PyAny>,
-        third: &Bound<'_, PyAny>,
-        mass_kg: Option<f64>,
+        py: Python<'_>,
+        name: String,
+        content: &Bound<'_, PyAny>,
+        gait: Option<&str>,
     ) -> PyResult<Force> {
-        let py = second.py();
-        if let Ok(bytes) = second.cast::<PyBytes>() {
-            let gait = first.parse().unwrap_or_default();
-            let metadata: Option<Vec<u8>> = third.extract()?;
-            let bytes = Arc::new(bytes.as_bytes().to_vec());
-            return Force::of_recording(py, gait, bytes, metadata);
+        if let Some(gait) = gait {
+            let (bytes, metadata): (Vec<u8>, Option<Vec<u8>>) = content.extract()?;
+            let origin = Origin::Recording {
+                gait: gait.parse().unwrap_or_default(),
+                bytes: bytes.into(),
+                metadata,
+            };
+            return Force::of_recording(py, origin, Some(&name));
         }
-        let samples = convert::numbers(third, "f_n")?;
-        let samples = samples.as_array().to_vec();
-        let mut curve = ForceCurve::from_samples(&first, second.extract()?, samples).raise(py)?;
+        let (period_s, samples, mass_kg): (f64, Bound<'_, PyAny>, Option<f64>) =
+            content.extract()?;
+        let samples = convert::numbers(&samples, "f_n")?.as_array().to_vec();
+        let mut curve = ForceCurve::from_samples(&name, period_s, samples).raise(py)?;
         curve.mass_kg = mass_kg;
-        let origin = Origin::Arrays;
-        Ok(Force { curve, origin })
+        Ok(Force {
+            curve,
+            origin: Origin::Arrays,
+            name,
+        })
     }
 
     fn __repr__(&self) -> String {
         format!(
             "<gaitcam.Force {:?}: {:.4} s, mean {:.2} N>",
-            self.curve.name,
+            self.name,
             self.curve.period_s,
             self.curve.mean_n()
         )
@@ -380,16 +307,39 @@ impl Force {
 /// Parameters
 /// ----------
 /// path : path of the file, or a list of paths: the plates of one trial in a file each
-/// options
-///     What the file does not say, or says wrongly, as in the section ``[gait]`` of a scene: ``feet`` ("both", "one",
-///     "left", "right", "total"), ``rate`` ("1000 Hz"), ``mass`` ("72.6 kg"), ``unit`` ("kN"), ``kind`` ("walking",
-///     "running"), ``time`` and ``force`` (names of columns), ``period`` ("0.5 s": the file is one cycle of any
-///     machine), ``span`` ("256 deg").
+/// name : str, optional
+///     Name of the walker in tables and results; the file's stem by default.
+/// feet : str
+///     Feet whose force counts: "both" (default), "one", "left", "right", "total".
+/// rate : str ("1000 Hz"), rate_hz : float
+///     Samples per second, where the file does not have them.
+/// mass : str ("72.6 kg"), mass_kg : float
+///     Mass of the walker.
+/// unit : str ("kN")
+///     Unit of the force columns.
+/// kind : str
+///     Movement: "walking", "running", "standing", "jumping", "sit-to-stand", "other".
+/// accept : str ("clock, mass")
+///     Open questions that are answered; see :attr:`Force.open`.
+/// time : str, force : str or list of str
+///     Names of the columns.
+/// period : str ("0.5 s"), period_s : float
+///     The file is one cycle, of any machine.
+/// span : str ("256 deg"), span_rad : float
+///     Part of the turn that the file covers.
+///
+/// Raises
+/// ------
+/// InputError
+///     A file that cannot be read or has no cycle; an invalid option, with its key in ``[gait]`` of a scene.
 #[pyfunction]
-#[pyo3(signature = (path, **options))]
+#[pyo3(signature = (path, name = None, **options), text_signature = "(path, name=None, *, feet=None, rate=None, rate_hz=None, \
+    mass=None, mass_kg=None, unit=None, kind=None, accept=None, time=None, force=None, period=None, period_s=None, \
+    span=None, span_rad=None)")]
 pub fn read_gait(
     py: Python<'_>,
     path: Paths,
+    name: Option<&str>,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Force> {
     let paths = match path {
@@ -397,17 +347,19 @@ pub fn read_gait(
         Paths::Several(paths) => paths,
     };
     let names: Vec<_> = paths.iter().map(|p| p.to_string_lossy()).collect();
-    let name = names.join(BETWEEN_PLATES);
-    let bytes = py.detach(|| content(&Disk::default(), Path::new(&name)));
-    let bytes = bytes.raise(py)?;
+    let names = names.join(BETWEEN_PLATES);
+    let bytes = py.detach(|| content(&Disk::default(), Path::new(&names)));
     let place = |path: &PathBuf| {
         let place = std::path::absolute(path).unwrap_or_else(|_| path.clone());
         place.to_string_lossy().into_owned()
     };
     let places: Vec<String> = paths.iter().map(place).collect();
-    let gait = gait(options, Path::new(&places.join(BETWEEN_PLATES)))?;
-    let metadata = paths.first().and_then(|path| disk::metadata(path));
-    Force::of_recording(py, gait, bytes, metadata)
+    let origin = Origin::Recording {
+        gait: options::gait(options, &OF_FILE, Path::new(&places.join(BETWEEN_PLATES)))?,
+        bytes: bytes.raise(py)?,
+        metadata: paths.first().and_then(|path| disk::metadata(path)),
+    };
+    Force::of_recording(py, origin, name)
 }
 
 /// A recording in one file, or the plates of one trial in a file each.
@@ -415,11 +367,4 @@ pub fn read_gait(
 pub enum Paths {
     One(PathBuf),
     Several(Vec<PathBuf>),
-}
-
-fn gait(options: Option<&Bound<'_, PyDict>>, path: &Path) -> PyResult<Table> {
-    let mut gait = options.map_or(Ok(Table::new()), |o| convert::table(o, "gait"))?;
-    let file = Value::from(path.to_string_lossy().into_owned());
-    gait.insert("file".to_string(), file);
-    Ok(gait)
 }

@@ -1,0 +1,99 @@
+//! Options of the reader of recordings: keys of `[gait]` as keywords of Python.
+
+use std::path::Path;
+
+use gaitcam::error::{Error, ForceError, Placed, nearest};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use toml::{Table, Value};
+
+use crate::convert;
+use crate::error::{Raise, argument};
+
+/// Options of a file; a quantity is text, or a number under the name with its SI unit.
+pub const OF_FILE: [&str; 14] = [
+    "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
+    "period", "period_s", "span", "span_rad",
+];
+/// Options of arrays, whose columns have times, units and no names.
+pub const OF_ARRAYS: [&str; 10] = [
+    "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
+];
+
+/// The `[gait]` section of a file with the options of a call.
+///
+/// # Errors
+/// `TypeError` with the accepted names at an unknown option, or at one quantity given twice.
+pub fn gait(options: Option<&Bound<'_, PyDict>>, known: &[&str], path: &Path) -> PyResult<Table> {
+    let mut gait = Table::new();
+    let given = options.into_iter().flatten().filter(|(_, v)| !v.is_none());
+    for (name, value) in given {
+        let name: String = name.extract()?;
+        if !known.contains(&name.as_str()) {
+            let near = nearest(&name, known.iter().copied());
+            let near = near.map_or(String::new(), |n| format!("; did you mean '{n}'?"));
+            let names = known.join(", ");
+            let what = format!("unexpected keyword argument '{name}'{near} (options: {names})");
+            return Err(PyTypeError::new_err(what));
+        }
+        let (key, value) = convert::entry(format!("gait.{name}"), &value)?;
+        let key = key.trim_start_matches("gait.").to_string();
+        let again = format!("{key}: one value, not one as text and one as a number");
+        if gait.insert(key, value).is_some() {
+            return Err(PyTypeError::new_err(again));
+        }
+    }
+    let file = Value::from(path.to_string_lossy().into_owned());
+    gait.insert("file".to_string(), file);
+    Ok(gait)
+}
+
+/// The name of a walker: that given, else the default.
+///
+/// # Errors
+/// A name that is blank or has control characters.
+pub fn name(py: Python<'_>, given: Option<&str>, default: &str) -> PyResult<String> {
+    let Some(name) = given.map(str::trim) else {
+        return Ok(default.to_string());
+    };
+    if name.is_empty() || name.contains(char::is_control) {
+        let what = format!("{name:?} is not a name; give text of one line");
+        return Err(argument(py, "name", what));
+    }
+    Ok(name.to_string())
+}
+
+/// A recording from arrays as a table: times in s, one column of N per plate.
+///
+/// # Errors
+/// Arrays that have no numbers or differ in length.
+pub fn table_of_arrays(t_s: &Bound<'_, PyAny>, f_n: &Bound<'_, PyAny>) -> PyResult<String> {
+    let py = t_s.py();
+    let np = py.import("numpy")?;
+    let plates = np.call_method1("atleast_2d", (convert::array(f_n, "f_n")?.getattr("T")?,))?;
+    let mut columns = vec![convert::numbers(t_s, "t_s")?];
+    for plate in plates.try_iter()? {
+        columns.push(convert::numbers(&plate?, "f_n")?);
+    }
+    let rows = columns[0].as_array().len();
+    if let Some(odd) = columns.iter().find(|c| c.as_array().len() != rows) {
+        let forces = odd.as_array().len();
+        let times = rows;
+        let fault: Error = ForceError::Lengths { times, forces }.at_key("f_n");
+        return Err(fault).raise(py);
+    }
+    let mut text = String::from("time_s");
+    for plate in 1..columns.len() {
+        text.push_str(&format!(",fz{plate}_n"));
+    }
+    for row in 0..rows {
+        text.push('\n');
+        for (i, column) in columns.iter().enumerate() {
+            text.push_str(if i > 0 { "," } else { "" });
+            text.push_str(&column.as_array()[row].to_string());
+        }
+    }
+    text.push('\n');
+    Ok(text)
+}

@@ -1,0 +1,119 @@
+//! Source of a force: arrays, or the content of a recording.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use gaitcam::error::{Placed, SceneError, SweepError};
+use gaitcam::force::{self, ForceCurve};
+use gaitcam::scene::{self, BETWEEN_PLATES, Files, Gait};
+use toml::{Table, Value};
+
+/// File name of a force from arrays, in the folder of the result.
+pub use gaitcam_app::design::FORCE as FILE;
+
+/// Source of a force.
+#[derive(Clone)]
+pub enum Origin {
+    /// A force from arrays.
+    Arrays,
+    /// A force from a recording: its `[gait]` section and its content.
+    Recording {
+        /// Keys of the `[gait]` section.
+        gait: Table,
+        /// Content of the file.
+        bytes: Arc<Vec<u8>>,
+        /// Content of the table of subjects in the folder of the file.
+        metadata: Option<Vec<u8>>,
+    },
+}
+
+impl Files for Origin {
+    fn has(&self, name: &Path) -> bool {
+        self.read(name).is_ok()
+    }
+
+    fn read(&self, name: &Path) -> gaitcam::error::Result<Arc<Vec<u8>>> {
+        let missing = || SweepError::NotCarried.in_file(name);
+        let Origin::Recording {
+            gait,
+            bytes,
+            metadata,
+        } = self
+        else {
+            return Err(missing());
+        };
+        let file = gait.get("file").and_then(Value::as_str).map(Path::new);
+        if file == Some(name) {
+            return Ok(Arc::clone(bytes));
+        }
+        let beside = file.and_then(force::metadata_name);
+        let metadata = metadata.clone().filter(|_| beside.as_deref() == Some(name));
+        metadata.map(Arc::new).ok_or_else(missing)
+    }
+}
+
+/// Keys of `[gait]` that specify a force.
+const OF_SOURCE: [&str; 12] = [
+    "file",
+    "model",
+    "step_frequency",
+    "body_weight",
+    "time",
+    "force",
+    "unit",
+    "rate",
+    "mass",
+    "kind",
+    "period",
+    "span",
+];
+
+impl Origin {
+    /// The keys of `[gait]` that name this force.
+    pub fn keys(&self) -> Table {
+        match self {
+            Origin::Arrays => Table::from_iter([("file".to_string(), Value::from(FILE))]),
+            Origin::Recording { gait, .. } => gait.clone(),
+        }
+    }
+
+    /// Path of the first file of this force.
+    pub fn file(&self) -> PathBuf {
+        let keys = self.keys();
+        let name = keys.get("file").and_then(Value::as_str).unwrap_or(FILE);
+        let first = name.split(BETWEEN_PLATES).next();
+        PathBuf::from(first.unwrap_or(name))
+    }
+
+    /// The section `[gait]` of this force.
+    ///
+    /// # Errors
+    /// Invalid options.
+    pub fn gait(&self) -> gaitcam::error::Result<Gait> {
+        let gait = Value::Table(self.keys());
+        let scene = scene::read_keys(&Table::from_iter([("gait".to_string(), gait)]))?;
+        Ok(scene.gait.unwrap_or_default())
+    }
+
+    /// The cycle of a recording.
+    ///
+    /// # Errors
+    /// Invalid options; a recording that cannot be read.
+    pub fn curve(&self) -> gaitcam::error::Result<ForceCurve> {
+        let curve = self.gait()?.force(self)?;
+        curve.ok_or_else(|| SceneError::NoForceNamed.into())
+    }
+
+    /// The table of a scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
+    pub fn named_in(&self, scene: &Table) -> Table {
+        let mut table = scene.clone();
+        let own = table.get("gait").and_then(Value::as_table).cloned();
+        let mut gait = own.unwrap_or_default();
+        for key in OF_SOURCE {
+            gait.remove(key);
+        }
+        gait.extend(self.keys());
+        table.insert("gait".to_string(), Value::Table(gait));
+        table
+    }
+}
