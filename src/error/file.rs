@@ -39,6 +39,12 @@ pub enum FileError {
     NotToml { fault: String },
     /// The file is not JSON.
     NotJson { fault: String },
+    /// The file is not a table of comma-separated values.
+    NotCsv { fault: String },
+    /// No columns of measured points.
+    MeasuredColumns { found: String },
+    /// A coordinate of a measured point is not a number.
+    MeasuredField { typed: String },
     /// A summary without a scene.
     NoSceneInSummary,
     /// An existing file would be replaced.

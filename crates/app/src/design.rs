@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use gaitcam::Problem;
+use gaitcam::cover::Cover;
 use gaitcam::error::{Error, Result};
-use gaitcam::scene::Scene;
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::Design;
 use gaitcam_output::{Timing, json};
 use serde_json::Value;
@@ -69,6 +71,36 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
         Err(error) => (None, Some(error)),
     };
     Ok((design.moved_to(drive, target), missing))
+}
+
+/// A manufactured cam under another force; what the scene leaves open of its machine, such as mass and speed, follows from that force.
+///
+/// # Errors
+/// A force or a scene without mean force, mass or speed.
+pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<Design> {
+    let problem = Problem::resolve(scene, Some(force))?.at_phase(design.problem.phase);
+    let target = problem.target_in_time().cloned();
+    Ok(design.moved_to(problem.drive, target))
+}
+
+/// Keys of the law of one cam of a cover: its objective, and the family and size that all cams share.
+pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)> {
+    let law = &cover.scene.law;
+    let objective = cover.cams[cam].population.as_ref();
+    let size = |of: Family, x: Option<usize>| {
+        let x = x.filter(|_| law.family == of);
+        x.map(|x| toml::Value::Integer(x as i64))
+    };
+    let values = [
+        ("law.robust", objective.map(|p| p.robust.clone().into())),
+        ("law.family", Some(law.family.name().into())),
+        ("law.spans", size(Family::Spline, law.spans)),
+        ("law.harmonics", size(Family::Harmonic, law.harmonics)),
+    ];
+    let given = values.into_iter();
+    given
+        .filter_map(|(key, value)| Some((key, value?)))
+        .collect()
 }
 
 /// Writes scene and summary and puts the whole result into place.

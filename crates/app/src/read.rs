@@ -118,3 +118,12 @@ pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = fault(e);
     FileError::CannotRead { fault }.in_file(path)
 }
+
+/// A fault of a file of comma separated values, with its line.
+pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
+    move |e| {
+        let line = e.position().map_or(1, |p| p.line() as usize);
+        let fault = e.to_string();
+        FileError::NotCsv { fault }.at_line(path, line)
+    }
+}

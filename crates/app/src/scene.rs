@@ -152,6 +152,23 @@ pub fn table(path: &Path) -> Result<Table> {
     parse(&text, Some(path))
 }
 
+/// The table of a scene file, or of the built-in scene of this name if there is no such file, with its input files.
+///
+/// # Errors
+/// Files that cannot be read or hold no scene; an unknown name.
+pub fn named(path: &Path) -> Result<(Table, Disk)> {
+    let name = path
+        .to_str()
+        .filter(|name| !name.contains(['/', '\\', '.']));
+    match name.filter(|_| !path.exists()) {
+        Some(name) => Ok((
+            parse(scene::built_in(name)?.toml, Some(path))?,
+            Disk::default(),
+        )),
+        None => Ok((table(path)?, Disk::beside(path))),
+    }
+}
+
 /// The table of a scene's text; `path` names the file in faults.
 ///
 /// # Errors

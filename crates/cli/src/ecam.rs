@@ -13,6 +13,7 @@ use crate::console::words::{self, power};
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::Result;
+use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
@@ -67,15 +68,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     let file = folder.path().join(cam.dialect.file()).display().to_string();
     folder.commit(&[])?;
     if args.json {
-        let replayed = cam.replayed;
-        print_json(&json!({
-            "dialect": cam.dialect.name(),
-            "file": file,
-            "points": cam.intervals,
-            "rms_error_n": replayed.error,
-            "added_rms_n": replayed.added,
-            "added_percent": 100.0 * replayed.share,
-        }));
+        print_json(&ecam_json(&cam, &file));
         return Ok(BUILT);
     }
     print(&sentence(&cam));

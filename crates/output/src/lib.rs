@@ -21,7 +21,7 @@ pub mod report;
 pub mod simulation;
 mod words;
 
-pub use data::{csv, json, xlsx};
+pub use data::{covers as cover_tables, csv, inspection as inspection_data, json, xlsx};
 pub use figures::identification::identification;
 pub use figures::{cover, inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;

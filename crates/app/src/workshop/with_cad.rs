@@ -9,6 +9,7 @@ use gaitcam_cad::drawing::{self, Title, revision};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam};
 use gaitcam_cad::{Units, dxf, gcode, solid, step, svg};
 use gaitcam_output::{Language, Timing, xlsx};
+use serde_json::{Value, json};
 
 use super::piece::{Piece, usual_cutter};
 
@@ -188,6 +189,19 @@ fn groove(design: &Design, wall: Wall) -> Made {
         ))?),
         None => Ok((None, Vec::new())),
     }
+}
+
+/// An electronic cam as JSON, with the file's place or name: number of intervals, force error of the controller, and the part that it adds.
+pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
+    let replayed = cam.replayed;
+    json!({
+        "dialect": cam.dialect.name(),
+        "file": file,
+        "points": cam.intervals,
+        "rms_error_n": replayed.error,
+        "added_rms_n": replayed.added,
+        "added_percent": 100.0 * replayed.share,
+    })
 }
 
 fn electronic(design: &Design, dialect: Dialect) -> Made {

@@ -17,9 +17,6 @@ pub enum CliError {
     CannotOpen {
         fault: String,
     },
-    NotCsv {
-        fault: String,
-    },
     SceneName {
         shown: String,
         fault: NameFault,
@@ -160,12 +157,6 @@ pub enum CliError {
     FlagCount,
     Arguments {
         fault: String,
-    },
-    MeasuredColumns {
-        found: String,
-    },
-    MeasuredField {
-        text: String,
     },
     NegativeBall {
         typed: String,

@@ -16,10 +16,11 @@ use gaitcam::error::{Error, Placed, Result, SceneError};
 use gaitcam::scene;
 use gaitcam::units::{Dimension, parse as parse_quantity};
 use gaitcam_app::read::read_standard_input;
-use gaitcam_app::scene::{parse, table};
+use gaitcam_app::scene::{named, parse};
 use gaitcam_app::{Disk, inputs};
 
 pub use gaitcam_app::Input;
+pub use gaitcam_app::read::not_csv;
 
 /// A scene with changes.
 #[derive(Args, Debug, Default, Clone)]
@@ -64,34 +65,16 @@ pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
         Some(path) if path == Path::new("-") => {
             (parse(&read_standard_input()?, None)?, none(), None)
         }
-        // The name of a file that exists is not looked for among the others.
-        Some(path) => match path.to_str().filter(|name| is_name(name) && !path.exists()) {
-            Some(name) => {
-                let text = scene::built_in(name)?.toml;
-                (parse(text, Some(path))?, none(), Some(path.clone()))
-            }
-            None => (table(path)?, Disk::beside(path), Some(path.clone())),
-        },
+        Some(path) => {
+            let (table, files) = named(path)?;
+            (table, files, Some(path.clone()))
+        }
     })
-}
-
-/// Whether a path can be the name of a built-in scene: without folder and ending.
-fn is_name(path: &str) -> bool {
-    !path.contains(['/', '\\', '.'])
 }
 
 /// Locates a fault at a flag, unless it has a place.
 pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
-}
-
-/// A fault of a file of comma separated values, with its line.
-pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
-    move |e| {
-        let line = e.position().map_or(1, |p| p.line() as usize);
-        let fault = e.to_string();
-        CliError::NotCsv { fault }.at_line(path, line)
-    }
 }
 
 /// Value of a flag with a unit, if given.

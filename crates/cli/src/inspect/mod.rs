@@ -1,6 +1,5 @@
 //! `gaitcam inspect`: measured points of a manufactured cam → deviations of its profile → predicted force.
 
-mod points;
 mod shown;
 
 use std::path::{Path, PathBuf};
@@ -16,16 +15,16 @@ use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use gaitcam::cam::{Deviation, Inspection};
+use gaitcam::cam::Inspection;
 use gaitcam::error::{Place, Placed, Result};
-use gaitcam::sweep::{Field, MadeCam, Records};
+use gaitcam::sweep::MadeCam;
 use gaitcam::synth::{Design, sentences};
 use gaitcam::units::Dimension;
 use gaitcam_app::design::OF_INSPECTION;
+use gaitcam_app::measured::{self, Points};
 use gaitcam_app::{PATIENCE, ResultFolder, inputs};
-use gaitcam_output::inspection;
-use points::Points;
-use shown::{summary_json, text};
+use gaitcam_output::{inspection, inspection_data};
+use shown::text;
 
 const EXAMPLES: &str = "Examples:
   gaitcam inspect out/footbridge measured.csv
@@ -63,7 +62,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         let typed = args.ball.clone().unwrap_or_default();
         return Err(CliError::NegativeBall { typed }.at_argument("--ball"));
     }
-    let points = points::read(&args.measured)?;
+    let points = measured::read(&args.measured)?;
     let named = SceneArgs {
         scene: Some(args.design.clone()),
         set: args.set.clone(),
@@ -84,7 +83,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         .inspect(&points.xy, ball)
         .map_err(|e| e.at(Place::File(args.measured.clone())))?;
     let made = MadeCam::of(&design, &inspected);
-    let json = summary_json(&design, &inspected, made.as_ref(), &points.lines);
+    let json = inspection_data::json(&design, &inspected, made.as_ref(), &points.lines);
     let place = match place {
         Some(path) => Some(write(
             &path,
@@ -122,7 +121,8 @@ fn write(
     (points, json): (&Points, &Value),
 ) -> Result<PathBuf> {
     let folder = ResultFolder::open(path, PATIENCE)?;
-    folder.write("inspection.csv", table(inspected, points).as_bytes())?;
+    let table = inspection_data::table(inspected, &points.lines);
+    folder.write("inspection.csv", table.csv().as_bytes())?;
     let text = serde_json::to_string_pretty(json).unwrap_or_default();
     folder.write("inspection.json", text.as_bytes())?;
     let pictures = [
@@ -142,17 +142,4 @@ fn write(
     let place = folder.path().to_path_buf();
     folder.commit(&[])?;
     Ok(place)
-}
-
-/// The points in the order of their cam angles.
-fn table(inspected: &Inspection, points: &Points) -> String {
-    let column = |name: &str, of: &dyn Fn(&Deviation) -> f64| {
-        Field::numbers(name, inspected.deviations.iter().map(of).collect())
-    };
-    let fields = vec![
-        column("line", &|d| points.lines[d.row] as f64),
-        column("theta_rad", &|d| d.theta),
-        column("deviation_m", &|d| d.normal),
-    ];
-    Records { fields }.csv()
 }

@@ -5,37 +5,8 @@ use serde_json::{Value, json};
 use crate::console::language;
 use crate::console::words::{self, number};
 use gaitcam::cam::{Deviation, Inspection, Measures};
-use gaitcam::drive::Drive;
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::Design;
-
-pub(super) fn summary_json(
-    design: &Design,
-    inspected: &Inspection,
-    made: Option<&MadeCam>,
-    lines: &[usize],
-) -> Value {
-    let [least, most] = inspected.extremes().map_or([None; 2], |e| e.map(Some));
-    let place =
-        |d: Option<Deviation>| d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}));
-    let drive = &design.problem.drive;
-    let outlier =
-        |d: &Deviation| json!({"line": lines[d.row], "deviation_m": d.normal, "at_rad": d.theta});
-    json!({
-        "name": design.problem.name,
-        "points": inspected.deviations.len(),
-        "turn_rad": inspected.turn,
-        "centre_m": inspected.centre,
-        "fits_as_well_rad": inspected.alike,
-        "deviation": {"rms_m": inspected.rms(), "min": place(least), "max": place(most)},
-        "outliers": outliers(inspected).map(outlier).collect::<Vec<Value>>(),
-        "unmeasured_rad": inspected.unmeasured,
-        "waves": made.map(|m| m.waves),
-        "left_m": made.map(|m| m.left),
-        "designed": made.map(|m| behaviour(&m.designed, drive)),
-        "made": made.map(|m| behaviour(&m.made, drive)),
-    })
-}
 
 fn outliers(inspected: &Inspection) -> impl Iterator<Item = &Deviation> {
     inspected.deviations.iter().filter(|d| d.is_outlier)
@@ -55,18 +26,6 @@ fn about_outliers(inspected: &Inspection, lines: &[usize]) -> Option<Value> {
     }
     let most = number(1e6 * most);
     Some(json!({"count": count, "most": most, "lines": named.join(", ")}))
-}
-
-fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
-    let newtons = |force: f64| drive.newtons(force);
-    json!({
-        "force_rms_error_n": b.rms_error_n.map(newtons),
-        "force_max_error_n": b.max_error_n.map(newtons),
-        "force_min_n": newtons(b.min_n),
-        "force_max_n": newtons(b.max_n),
-        "acceleration_max": b.acceleration,
-        "liftoff_speed_rad_per_s": b.liftoff_speed,
-    })
 }
 
 pub(super) fn text(

@@ -1,11 +1,6 @@
 # Faults that only the command can meet: files, flags, folders.
-cli-measured-columns = no columns of measured points among: { $found }
-    .help = name them x_mm,y_mm or angle_deg,radius_mm (or m, in, rad)
-cli-measured-field = "{ $text }" is not a finite number
-    .help = each line needs two numbers with a decimal point
 cli-negative-ball = the radius of a probing ball is 0 or more, not { $typed }
 cli-cannot-open = cannot be opened ({ $fault })
-cli-not-csv = is not a CSV table ({ $fault })
 cli-scene-name = "{ $shown }" { $fault ->
         [blank] is blank
         [dash] begins with a dash

@@ -1,11 +1,6 @@
 # Errores que solo la orden encuentra: archivos, opciones, carpetas.
-cli-measured-columns = ninguna columna de puntos medidos entre: { $found }
-    .help = llámelas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad)
-cli-measured-field = "{ $text }" no es un número finito
-    .help = cada línea necesita dos números con punto decimal
 cli-negative-ball = el radio de una bola palpadora es 0 o más, no { $typed }
 cli-cannot-open = no se puede abrir ({ $fault })
-cli-not-csv = no es una tabla CSV ({ $fault })
 cli-scene-name = "{ $shown }" { $fault ->
         [blank] está en blanco
         [dash] empieza por un guion

@@ -15,7 +15,7 @@ use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
-use files::{assignment_csv, cover_csv, folds_csv, write_scenes};
+use files::write_scenes;
 use gaitcam::cover::{covers, folds};
 use gaitcam::error::{Placed, Result, SynthError};
 use gaitcam::force::{ForceCurve, population_csv, read_population};
@@ -23,6 +23,7 @@ use gaitcam::scene::set_value;
 use gaitcam::synth::Search;
 use gaitcam_app::design::{MOST_CAMS as MOST, OF_COVER, of_cover};
 use gaitcam_app::{Input, ResultFolder, inputs};
+use gaitcam_output::cover_tables;
 use shown::{fold_object, object, picture, text};
 pub use shown::{of_unit, reason};
 
@@ -34,8 +35,6 @@ const EXAMPLES: &str = "Examples:
 
 /// The cycles of all walkers, from which every cam is designed.
 const CYCLES: &str = "cycles.csv";
-/// What an error consists of.
-const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
 /// Which walkers, how many cams.
 #[derive(Args, Debug)]
@@ -93,9 +92,14 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
         write_scenes(&folder, &mut input, cover, &walkers)?;
     }
     let error = input.scene.law.error;
-    folder.write("cover.csv", cover_csv(&found, error).as_bytes())?;
-    folder.write("assignment.csv", assignment_csv(&found, error).as_bytes())?;
-    folder.write("folds.csv", folds_csv(&other, error).as_bytes())?;
+    let tables = [
+        ("cover.csv", cover_tables::cover(&found, error)),
+        ("assignment.csv", cover_tables::assignment(&found, error)),
+        ("folds.csv", cover_tables::folds(&other, error)),
+    ];
+    for (name, table) in tables {
+        folder.write(name, table.csv().as_bytes())?;
+    }
     let picture = picture(&input, &found, &other);
     folder.write("cover.svg", picture.svg().as_bytes())?;
     folder.write("cover.png", &picture.png())?;

@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::PARTS;
 use crate::console::language;
 use crate::console::table::{
     Side::{Left, Right},
@@ -14,6 +13,7 @@ use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam_app::Input;
 use gaitcam_output::Picture;
 use gaitcam_output::cover::{CoverWords, Curve, cover as cover_picture};
+use gaitcam_output::cover_tables::PARTS;
 
 pub(super) fn object(cover: &Cover, error: ErrorMeasure) -> Value {
     let out = json!({"cams": cover.cams.len(), "assignment": cover.each});

@@ -2,11 +2,9 @@
 
 use std::path::Path;
 
-use crate::console::error::CliError;
-use crate::input;
+use gaitcam::error::{FileError, Placed, Result};
 
-use gaitcam::error::{Placed, Result};
-use gaitcam_app::read::read_bytes;
+use crate::read::{not_csv, read_bytes};
 
 /// Accepted column names, with their meaning and factor to SI.
 const COLUMNS: [(&str, Kind, f64); 11] = [
@@ -49,6 +47,9 @@ pub struct Points {
 }
 
 /// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs; other columns are ignored.
+///
+/// # Errors
+/// A file that cannot be read; missing columns; a cell that is not a finite number, with its line.
 pub fn read(path: &Path) -> Result<Points> {
     let bytes = read_bytes(path)?;
     let head = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
@@ -61,7 +62,7 @@ pub fn read(path: &Path) -> Result<Points> {
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .from_reader(bytes.as_slice());
-    let broken = input::not_csv(path);
+    let broken = not_csv(path);
     let names: Vec<String> = reader
         .headers()
         .map_err(&broken)?
@@ -70,7 +71,7 @@ pub fn read(path: &Path) -> Result<Points> {
         .collect();
     let coordinates = coordinates(&names).ok_or_else(|| {
         let found = names.join(", ");
-        CliError::MeasuredColumns { found }.at_line(path, 1)
+        FileError::MeasuredColumns { found }.at_line(path, 1)
     })?;
     let mut out = Points {
         xy: Vec::new(),
@@ -83,8 +84,8 @@ pub fn read(path: &Path) -> Result<Points> {
             let field = record.get(column).unwrap_or_default();
             let value = field.parse::<f64>().ok().filter(|x| x.is_finite());
             value.map(|x| factor * x).ok_or_else(|| {
-                let text = field.chars().take(40).collect();
-                CliError::MeasuredField { text }.at_line(path, line)
+                let typed = field.chars().take(40).collect();
+                FileError::MeasuredField { typed }.at_line(path, line)
             })
         };
         let point = match coordinates {

@@ -1,0 +1,193 @@
+//! Everything that is wrong with a scene or a recording, and what cures it.
+//!
+//! The same functions as in `synth` and `gait`, one step after another; a scene's faulty keys are set aside so that those behind them are found too.
+
+use std::path::{Path, PathBuf};
+
+use gaitcam::cam::Verdict;
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::{self, Feet, Interpretation, Note, OpenQuestion, ReadOptions};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Design, Search, answer};
+use toml::Table;
+
+use crate::disk::{Disk, metadata};
+use crate::read::read_bytes;
+use crate::scene::Input;
+
+/// Maximum number of listed faults of one scene.
+const MOST: usize = 25;
+
+/// One result of an examination.
+#[derive(Debug, Clone)]
+pub enum Finding {
+    /// The text is a table with this number of values.
+    Table(usize),
+    /// A fault of a key or of a file.
+    Fault(Error),
+    /// A recording without a cycle.
+    NoCycle(Error),
+    /// Every key of the scene is known and in its range.
+    KeysRight,
+    /// The file is one cycle of this duration, s.
+    OneCycle(PathBuf, f64),
+    /// A recording with its numbers of force columns, of used contacts and of rejected ones.
+    Recording(PathBuf, usize, usize, usize),
+    /// A guess, exclusion or implausible value.
+    Note(Note),
+    /// A question that only the user can answer.
+    Open(OpenQuestion),
+    /// The design of the scene.
+    Design(Box<Design>),
+}
+
+/// How serious a finding is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mark {
+    /// In order.
+    Good,
+    /// To be checked.
+    Doubtful,
+    /// To be corrected.
+    Bad,
+}
+
+impl Finding {
+    /// How serious it is.
+    pub fn mark(&self) -> Mark {
+        match self {
+            Finding::Fault(_) | Finding::NoCycle(_) | Finding::Open(_) => Mark::Bad,
+            Finding::Note(_) => Mark::Doubtful,
+            Finding::Design(design) => match design.verdict {
+                Verdict::Acceptable => Mark::Good,
+                Verdict::NotForHighSpeed => Mark::Doubtful,
+                Verdict::Unacceptable => Mark::Bad,
+            },
+            _ => Mark::Good,
+        }
+    }
+}
+
+/// Findings on a recording on the disk.
+///
+/// # Errors
+/// A file that cannot be read; an invalid cycle.
+pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
+    let options = ReadOptions {
+        metadata: metadata(path),
+        ..ReadOptions::default()
+    };
+    recording(path, &read_bytes(path)?, &options)
+}
+
+/// Findings on a recording.
+///
+/// # Errors
+/// An invalid cycle.
+pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Finding>> {
+    if let Some(curve) = force::one_cycle(path, bytes, options)? {
+        return Ok(vec![Finding::OneCycle(path.into(), curve.period_s)]);
+    }
+    let recording = match force::read(path, bytes, options) {
+        Ok(recording) => recording,
+        Err(fault) => return Ok(vec![Finding::NoCycle(fault)]),
+    };
+    let stances = force::stances(&recording);
+    let cycle = force::cycle(&recording, &stances, Feet::Both);
+    let file = path.display().to_string();
+    let mean = cycle.as_ref().ok();
+    let understood = Interpretation::of(&file, &recording, &stances, mean, Feet::Both);
+    let (used, left_out) = understood.counts();
+    let columns = understood.columns.len();
+    let mut out = vec![Finding::Recording(path.into(), columns, used, left_out)];
+    out.extend(understood.warnings.iter().cloned().map(Finding::Note));
+    match cycle {
+        Ok(_) => out.extend(understood.doubts().into_iter().map(Finding::Open)),
+        Err(fault) => out.push(Finding::NoCycle(fault)),
+    }
+    Ok(out)
+}
+
+/// Findings on a scene, and the scene where there is nothing to correct before its design.
+///
+/// # Errors
+/// Motions and recordings that cannot be read.
+pub fn scene(table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)> {
+    let mut out = vec![Finding::Table(leaves(&table))];
+    let whole = files.with_motions(&table)?;
+    let (scene, faults) = read_what_is_right(&whole);
+    let is_right = faults.is_empty();
+    out.extend(faults.into_iter().map(Finding::Fault));
+    let Some(scene) = scene.filter(|_| is_right) else {
+        return Ok((out, None));
+    };
+    out.push(Finding::KeysRight);
+    let input = Input {
+        scene,
+        table,
+        whole,
+        files,
+        file: None,
+    };
+    if let Some(gait) = &input.scene.gait
+        && let Some((place, bytes, options)) = gait.recording(&input.files)?
+    {
+        out.extend(recording(&place, &bytes, &options)?);
+    }
+    let is_bad = out.iter().any(|f| f.mark() == Mark::Bad);
+    Ok((out, (!is_bad).then_some(input)))
+}
+
+/// The design of a scene.
+///
+/// # Errors
+/// A recording that cannot be read.
+pub fn design(input: &Input, search: &Search) -> Result<Finding> {
+    let target = input.target()?;
+    let outcome = answer(&input.scene, target.as_ref(), search);
+    let design = outcome.and_then(|outcome| outcome.relaxed_with(search).built());
+    Ok(match design {
+        Ok(design) => Finding::Design(Box::new(design)),
+        Err(fault) => Finding::Fault(fault),
+    })
+}
+
+/// Number of values in a table.
+fn leaves(table: &Table) -> usize {
+    let count = |value: &toml::Value| match value {
+        toml::Value::Table(table) => leaves(table),
+        toml::Value::Array(list) => list
+            .iter()
+            .filter_map(toml::Value::as_table)
+            .map(leaves)
+            .sum::<usize>()
+            .max(1),
+        _ => 1,
+    };
+    table.values().map(count).sum()
+}
+
+/// The scene without its invalid keys, and the fault of each.
+fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
+    let mut left = table.clone();
+    let mut faults: Vec<Error> = Vec::new();
+    while faults.len() < MOST {
+        let fault = match scene::read(&left) {
+            Ok(scene) => return (Some(scene), faults),
+            Err(fault) => fault,
+        };
+        // A key that is missing because it was removed above is not reported again.
+        if faults.iter().any(|known| known.place == fault.place) {
+            break;
+        }
+        let key = match &fault.place {
+            Place::Key(key) => key.clone(),
+            _ => String::new(),
+        };
+        faults.push(fault);
+        if !scene::unset(&mut left, &key) {
+            break;
+        }
+    }
+    (None, faults)
+}
