@@ -1,12 +1,13 @@
-"""Tables as record batches of pyarrow, which exports the Arrow PyCapsule interface."""
+"""Tables for pandas, and as record batches of pyarrow, which exports the Arrow PyCapsule interface."""
 
-from importlib import import_module
 from typing import Any
+
+from gaitcam._missing import needed
 
 
 def batch(table: Any) -> Any:
     """The ``pyarrow.RecordBatch`` of a table: numbers without copies, NaN as null, words as a dictionary array."""
-    pyarrow: Any = import_module("pyarrow")
+    pyarrow = needed("pyarrow", "gaitcam[arrow]")
     arrays, fields = [], []
     for name in table.column_names:
         if (coded := table._coded(name)) is None:
@@ -22,3 +23,14 @@ def batch(table: Any) -> Any:
         fields.append(pyarrow.field(name, array.type, nullable=not is_row_number, metadata=metadata))
     schema = pyarrow.schema(fields, metadata=table.metadata or None)
     return pyarrow.RecordBatch.from_arrays(arrays, schema=schema)
+
+
+def frame(table: Any) -> Any:
+    """The ``pandas.DataFrame`` of a table; words are categories, a missing one NaN."""
+    pandas = needed("pandas", "pandas")
+
+    def column(name: str) -> Any:
+        coded = table._coded(name)
+        return table[name] if coded is None else pandas.Categorical.from_codes(coded[0], coded[1])
+
+    return pandas.DataFrame({name: column(name) for name in table.column_names}, copy=False)

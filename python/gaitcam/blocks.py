@@ -3,11 +3,10 @@
 import os
 import uuid
 from collections.abc import Callable, Iterable, Sequence
-from importlib import import_module
 from os import PathLike
-from typing import Any
 
 from gaitcam import Sweep
+from gaitcam._missing import needed
 
 #: Rows of a block by default: one row group.
 BLOCK_ROWS = 131_072
@@ -15,8 +14,8 @@ BLOCK_ROWS = 131_072
 
 def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     """Computes a block of ``plan`` on one core and puts it at ``file`` whole; returns its number of rows."""
-    pyarrow: Any = import_module("pyarrow")
-    parquet: Any = import_module("pyarrow.parquet")
+    pyarrow = needed("pyarrow", "gaitcam[arrow]")
+    parquet = needed("pyarrow.parquet", "gaitcam[arrow]")
     table = pyarrow.table(plan.run(start, stop, jobs=1))
     folder, name = os.path.split(os.fspath(file))
     partial = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder

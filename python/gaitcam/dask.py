@@ -1,11 +1,11 @@
 """Sweeps on dask.distributed: ``pip install 'gaitcam[dask]'``."""
 
 from collections.abc import Callable
-from importlib import import_module
 from os import PathLike
 from typing import Any
 
 from gaitcam import Sweep, blocks
+from gaitcam._missing import needed
 
 
 def sweep(
@@ -23,7 +23,7 @@ def sweep(
     whose worker dies is computed again elsewhere; a driver that is started again does only what is missing.
     ``progress(done, rows)`` is called after each block.
     """
-    distributed: Any = import_module("distributed")
+    distributed = needed("distributed", "gaitcam[dask]")
     client = client or distributed.Client.current()
     missing = plan.begin(path, block_rows)
     shared = client.scatter(plan, broadcast=True, hash=False)  # once to each worker, recordings included

@@ -2,11 +2,11 @@
 
 import sys
 from collections.abc import Callable
-from importlib import import_module
 from os import PathLike
 from typing import Any
 
 from gaitcam import Sweep, blocks
+from gaitcam._missing import needed
 
 
 def sweep(
@@ -23,7 +23,7 @@ def sweep(
     is started again does only what is missing. ``progress(done, rows)`` is called after each block; ``options`` go to
     ``map_batches``.
     """
-    ray: Any = import_module("ray")
+    ray = needed("ray", "gaitcam[ray]")
     missing = plan.begin(path, block_rows)
     if not missing:
         return 0
@@ -32,7 +32,7 @@ def sweep(
     def compute(batch: dict[str, Any]) -> dict[str, list[int]]:
         return {"rows": [blocks.write(ray.get(shared), *missing[i]) for i in batch["id"]]}
 
-    data: Any = import_module("ray.data")
+    data = needed("ray.data", "gaitcam[ray]")
     context = data.DataContext.get_current()
     shown = context.enable_progress_bars
     # In a log Ray's bars are a page of lines every ten seconds.

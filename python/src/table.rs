@@ -22,8 +22,8 @@ type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 /// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the
 /// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
 ///
-/// The table exports the Arrow PyCapsule interface: ``pyarrow.table(t)``, ``polars.DataFrame(t)`` and
-/// ``t.to_pandas()`` read numbers without copies; words come as a dictionary (categories).
+/// ``t.to_pandas()`` is a DataFrame. With pyarrow, ``pip install 'gaitcam[arrow]'``, the table exports the Arrow PyCapsule
+/// interface: ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` read numbers without copies, words as a dictionary.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
     records: Records,
@@ -145,7 +145,8 @@ impl Table {
 
     /// The table as a ``pandas.DataFrame``; words are categories.
     fn to_pandas<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        arrow(&this)?.call_method0("to_pandas")
+        let module = this.py().import("gaitcam._arrow")?;
+        module.call_method1("frame", (this,))
     }
 
     #[pyo3(signature = (requested_schema = None))]
