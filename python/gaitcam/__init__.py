@@ -26,7 +26,10 @@ from gaitcam._native import (
     Sweep,
     Table,
     __version__,
+    cover,
+    doctor,
     front,
+    inspect,
     keys,
     laws,
     program,
@@ -45,6 +48,22 @@ class Svaj(_NamedTuple):
     j: _Any
 
 
+class Cover(_NamedTuple):
+    """Cams for a population; see :func:`cover`. Errors in percent of a walker's mean force, or N with ``law.error``."""
+
+    cams: Table
+    assignment: Table
+    folds: Table
+    designs: list[list[Design]]
+
+
+class Inspection(_NamedTuple):
+    """A measured cam; see :func:`inspect`."""
+
+    summary: dict[str, _Any]
+    table: Table
+
+
 #: ``gaitcam.sweep(scene, vary=...).run()`` is the table of a whole sweep; see :class:`Sweep`.
 sweep = Sweep
 
@@ -52,10 +71,12 @@ sweep = Sweep
 from gaitcam import blocks, dask, ray  # noqa: E402
 
 __all__ = [
+    "Cover",
     "Design",
     "Force",
     "Front",
     "InputError",
+    "Inspection",
     "InternalError",
     "Law",
     "NoSuchCam",
@@ -66,8 +87,11 @@ __all__ = [
     "Table",
     "__version__",
     "blocks",
+    "cover",
     "dask",
+    "doctor",
     "front",
+    "inspect",
     "keys",
     "laws",
     "program",

@@ -7,13 +7,16 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gaitcam import Svaj
+from gaitcam import Cover, Inspection, Svaj
 
 __version__: str
 
 _Path = str | PathLike[str]
 _Verdict = Literal["acceptable", "not-for-high-speed", "unacceptable"]
 _Language = Literal["en", "es"]
+_Feet = Literal["both", "one", "left", "right", "total"]
+_Kind = Literal["walking", "running", "standing", "jumping", "sit-to-stand", "other"]
+_Question = Literal["kind", "clock", "mass", "clipped"]
 
 class InputError(ValueError):
     key: str | None
@@ -51,10 +54,25 @@ class Force:
         *,
         period_s: float | None = None,
         mass_kg: float | None = None,
-        name: str = "force",
+        name: str | None = None,
     ) -> None: ...
     @staticmethod
-    def from_recording(t_s: ArrayLike, f_n: ArrayLike, **options: Any) -> Force: ...
+    def from_recording(
+        t_s: ArrayLike,
+        f_n: ArrayLike,
+        name: str | None = None,
+        *,
+        feet: _Feet | None = None,
+        mass: str | None = None,
+        mass_kg: float | None = None,
+        unit: str | None = None,
+        kind: _Kind | None = None,
+        accept: str | None = None,
+        period: str | None = None,
+        period_s: float | None = None,
+        span: str | None = None,
+        span_rad: float | None = None,
+    ) -> Force: ...
     @property
     def force_n(self) -> NDArray[np.float64]: ...
     @property
@@ -70,6 +88,14 @@ class Force:
     @property
     def name(self) -> str: ...
     @property
+    def kind(self) -> _Kind | None: ...
+    @property
+    def open(self) -> list[_Question]: ...
+    @property
+    def stances(self) -> Table: ...
+    @property
+    def strides(self) -> Table: ...
+    @property
     def warnings(self) -> list[str]: ...
     @overload
     def __call__(self, theta: float) -> float: ...
@@ -77,7 +103,25 @@ class Force:
     def __call__(self, theta: ArrayLike) -> NDArray[np.float64]: ...
     def __len__(self) -> int: ...
 
-def read_gait(path: _Path | Sequence[_Path], **options: Any) -> Force: ...
+def read_gait(
+    path: _Path | Sequence[_Path],
+    name: str | None = None,
+    *,
+    feet: _Feet | None = None,
+    rate: str | None = None,
+    rate_hz: float | None = None,
+    mass: str | None = None,
+    mass_kg: float | None = None,
+    unit: str | None = None,
+    kind: _Kind | None = None,
+    accept: str | None = None,
+    time: str | None = None,
+    force: str | Sequence[str] | None = None,
+    period: str | None = None,
+    period_s: float | None = None,
+    span: str | None = None,
+    span_rad: float | None = None,
+) -> Force: ...
 
 class Table:
     def __init__(self, columns: Mapping[str, Any], metadata: Sequence[tuple[str, str]] | None = None) -> None: ...
@@ -131,6 +175,8 @@ class Design:
     def law(self) -> Table: ...
     @property
     def profile(self) -> Table: ...
+    @property
+    def walkers(self) -> Table: ...
     def tables(self, points: int) -> tuple[Table, Table]: ...
     @property
     def motion(self) -> Law: ...
@@ -165,6 +211,12 @@ class Design:
         cut_only: bool = False,
         lang: _Language = "en",
     ) -> dict[str, bytes]: ...
+    def ecam(
+        self,
+        dialect: Literal["codesys", "twincat", "segments", "rockwell", "csv"],
+        points: int | None = None,
+    ) -> dict[str, Any]: ...
+    def plot(self, ax: Any = None, what: Literal["force", "law", "profile"] = "force") -> Any: ...
     def _repr_html_(self) -> str: ...
 
 def synth(
@@ -174,6 +226,16 @@ def synth(
     forces: Sequence[Force] | None = None,
     time_limit: float = 60.0,
 ) -> Design: ...
+
+def cover(
+    scene: Scene | None = None,
+    *,
+    forces: Sequence[Force] | None = None,
+    cams: int = 6,
+    time_limit: float = 60.0,
+) -> Cover: ...
+def doctor(given: Scene | _Path, *, time_limit: float = 60.0, lang: _Language = "en") -> list[dict[str, Any]]: ...
+def inspect(design: Design, points: _Path | ArrayLike, *, ball: float | str | None = None) -> Inspection: ...
 
 class Run:
     @property
@@ -194,6 +256,7 @@ def simulate(
     model: Literal["auto", "rigid", "flexible", "contact"] = "auto",
     *,
     machine: Mapping[str, Any] | None = None,
+    force: Force | None = None,
 ) -> Run: ...
 
 class Sweep:

@@ -89,7 +89,7 @@ pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
 }
 
 /// A length: a number in m, or text with its unit.
-fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+pub fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(text) = given.extract::<String>() {
         let value = parse(&text, Dimension::Length);
         return value.map_err(|e| e.at_key(name)).raise(given.py());

@@ -11,15 +11,18 @@ use gaitcam::synth::{Outcome, Search};
 use gaitcam_app::design::{self, check_inputs_stay, finish};
 use gaitcam_app::files::{self, Source};
 use gaitcam_app::read::read_bytes;
+use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{Contents, Input, PATIENCE, ROWS, ResultFolder};
+use gaitcam_cad::ecam::{self, Dialect};
 use gaitcam_output::{self as output, Language, Timing};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 use serde_json::Value;
 
 use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Argument, Reduced};
-use crate::error::{NoSuchCam, Raise};
+use crate::error::{NoSuchCam, Raise, argument};
 use crate::force::{FILE, Force};
 use crate::html;
 use crate::interrupt::{self, Interrupt};
@@ -58,7 +61,8 @@ impl Design {
         }
     }
 
-    fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
+    /// The design of a cam.
+    pub fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
         let design = self.shown()?;
         match &design.infeasible {
             Some(why) => Err(NoSuchCam::new_err(why.sentence(Language::En))),
@@ -149,6 +153,13 @@ impl Design {
         let design = self.cam(py)?;
         let columns = py.detach(|| output::csv::profile_columns(design, ROWS));
         Ok(Table::of_numbers(columns))
+    }
+
+    /// The force error of each cycle of several walkers, as in ``walkers.csv``; no rows for one force.
+    #[getter]
+    fn walkers(&self) -> PyResult<Table> {
+        let records = output::csv::walkers(self.shown()?);
+        Ok(Table::new(records.unwrap_or_default(), Vec::new()))
     }
 
     /// The tables ``law`` and ``profile`` with another number of rows.
@@ -368,6 +379,77 @@ impl Design {
         let files = files.raise(py)?.into_iter();
         let files = files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes)));
         files.into_py_dict(py)
+    }
+
+    /// The electronic cam for a motion controller, and the force error of the controller that executes it.
+    ///
+    /// Parameters
+    /// ----------
+    /// dialect : str
+    ///     "codesys", "twincat", "segments", "rockwell" or "csv".
+    /// points : int, optional
+    ///     Equal intervals per cycle; as few as carry the law by default.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``text`` of the file, its name ``file``, ``dialect``, ``points``, ``rms_error_n`` against the target,
+    ///     ``added_rms_n`` against the law and ``added_percent`` of the mean force.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     An unknown dialect; points that do not carry the law, with a sufficient number.
+    #[pyo3(signature = (dialect, points = None))]
+    fn ecam<'py>(
+        &self,
+        py: Python<'py>,
+        dialect: &str,
+        points: Option<usize>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let Some(known) = Dialect::ALL.into_iter().find(|d| d.name() == dialect) else {
+            let names = Dialect::ALL.map(Dialect::name).join(", ");
+            let what = format!("{dialect:?} is not a dialect; give one of {names}");
+            return Err(argument(py, "dialect", what));
+        };
+        let design = self.cam(py)?;
+        let cam = py.detach(|| ecam::make(design, known, points)).raise(py)?;
+        let mut out = ecam_json(&cam, known.file());
+        out["text"] = cam.text.into();
+        convert::json(py, &out)
+    }
+
+    /// Draws the design with matplotlib.
+    ///
+    /// Parameters
+    /// ----------
+    /// ax : matplotlib.axes.Axes, optional
+    ///     Axes to draw on; new ones by default.
+    /// what : str
+    ///     "force" (N, with its target) or "law" (lift, mm) over the cam angle (°), or "profile" (mm).
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    #[pyo3(signature = (ax = None, what = "force"))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        ax: Option<&Bound<'py, PyAny>>,
+        what: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        if !["force", "law", "profile"].contains(&what) {
+            let what = format!("{what:?} is no diagram; give \"force\", \"law\" or \"profile\"");
+            return Err(argument(py, "what", what));
+        }
+        if let Some(other) = ax.filter(|ax| !ax.hasattr("set_xlabel").unwrap_or(false)) {
+            let kind = other.get_type().name()?;
+            return Err(PyTypeError::new_err(format!(
+                "ax: axes of matplotlib, not {kind}"
+            )));
+        }
+        let module = py.import("gaitcam._plot")?;
+        module.call_method1("plot", (slf, ax, what))
     }
 
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {

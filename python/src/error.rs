@@ -64,7 +64,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
 }
 
 /// The key without its file.
-fn key(place: &Place) -> Option<String> {
+pub fn key(place: &Place) -> Option<String> {
     match place {
         Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),
         Place::Argument(name) => Some(name.trim_start_matches('-').to_string()),

@@ -5,14 +5,16 @@
 
 mod asked;
 mod convert;
+mod cover;
 mod design;
+mod doctor;
 mod error;
 mod force;
 mod front;
 mod html;
 mod interrupt;
 mod law;
-mod run;
+mod made;
 mod scene;
 mod sweep;
 mod synth;
@@ -27,7 +29,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
+    use crate::cover::cover;
+    #[pymodule_export]
     use crate::design::Design;
+    #[pymodule_export]
+    use crate::doctor::doctor;
     #[pymodule_export]
     use crate::error::{InputError, NoSuchCam};
     #[pymodule_export]
@@ -37,7 +43,9 @@ mod _native {
     #[pymodule_export]
     use crate::law::{Law, laws, program};
     #[pymodule_export]
-    use crate::run::{Run, simulate};
+    use crate::made::inspect::inspect;
+    #[pymodule_export]
+    use crate::made::run::{Run, simulate};
     #[pymodule_export]
     use crate::scene::{Scene, keys};
     #[pymodule_export]

@@ -49,16 +49,34 @@ pub fn synth(
     forces: Option<Vec<PyRef<'_, Force>>>,
     time_limit: f64,
 ) -> PyResult<Design> {
+    let (scene, force) = asked(py, scene, force, forces)?;
+    answer(py, scene, force, time_limit)
+}
+
+/// The scene of a question, the built-in footbridge by default, and the force that replaces its own.
+///
+/// Walkers whom the scene leaves out by name are not in the force.
+pub(crate) fn asked(
+    py: Python<'_>,
+    scene: Option<&Bound<'_, PyAny>>,
+    force: Option<&Bound<'_, PyAny>>,
+    forces: Option<Vec<PyRef<'_, Force>>>,
+) -> PyResult<(Scene, Option<Force>)> {
     let scene = scene.map(|s| Scene::given(s, "scene")).transpose()?;
     let scene = Scene::or_default(py, scene.map(Bound::get))?;
     let force = match forces {
         Some(_) if force.is_some() => {
             return Err(PyTypeError::new_err("give force or forces, not both"));
         }
-        Some(forces) => Some(Force::of_walkers(py, &forces)?),
+        Some(mut forces) => {
+            let gait = scene.input.scene.gait.as_ref();
+            let left_out = gait.map_or(&[][..], |gait| &gait.leave_out);
+            forces.retain(|force| !left_out.contains(&force.name));
+            Some(Force::of_walkers(py, &forces)?)
+        }
         None => Force::of_argument(force)?,
     };
-    answer(py, scene, force, time_limit)
+    Ok((scene, force))
 }
 
 /// The design of a scene, with a given force instead of its own.

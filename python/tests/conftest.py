@@ -8,6 +8,7 @@ import gaitcam
 
 ROOT = Path(__file__).resolve().parents[2]
 CURVES = ROOT / "data" / "gait_curves"
+WALK = ROOT / "data" / "recordings" / "made_walk.csv"
 
 
 @pytest.fixture(scope="session")

@@ -319,3 +319,22 @@ def test_no_file_is_left_where_a_folder_cannot_be_written(design, tmp_path: Path
     with pytest.raises(gaitcam.InputError):
         design.save(place)
     assert place.read_text() == "mine"
+
+
+@pytest.mark.parametrize("dialect", ["codesys", "twincat", "segments", "rockwell", "csv"])
+def test_an_electronic_cam_is_the_file_of_the_command_with_its_error(design, dialect):
+    cam = design.ecam(dialect)
+    assert cam["dialect"] == dialect and cam["file"].startswith(f"ecam_{dialect}.")
+    assert cam["text"] and cam["points"] >= 4
+    # The controller adds little to the error of the law.
+    own = design.summary["force"]["rms_error_n"]
+    assert cam["rms_error_n"] == pytest.approx(own, abs=cam["added_rms_n"] + 1e-9)
+    assert cam["added_percent"] < 0.5
+
+
+def test_an_electronic_cam_that_cannot_be_is_refused_with_a_sufficient_one(design):
+    for arguments, key in [(("siemens",), "dialect"), (("csv", 2), "points"), (("csv", 8), "points")]:
+        with pytest.raises(gaitcam.InputError) as fault:
+            design.ecam(*arguments)
+        assert fault.value.key == key
+    assert design.ecam("csv", 360)["points"] == 360

@@ -1,10 +1,11 @@
 """Forces from arrays and recordings."""
 
+import inspect
 import pickle
 
 import numpy as np
 import pytest
-from conftest import CURVES
+from conftest import CURVES, WALK
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -110,7 +111,8 @@ def test_options_of_a_recording_are_keys_of_the_scene(tmp_path):
     path.write_text("time_s,force\n" + "".join(f"{0.001 * i},{0.7 + 0.001 * (i % 9)}\n" for i in range(500)))
     force = gaitcam.read_gait(path, period="0.25 s", unit="kN")
     assert force.period_s == 0.25 and 700 <= force.mean_n <= 709
-    for options, key in [({"perod": "0.25 s"}, "gait.perod"), ({"period": 0.25}, "gait.period"),
+    assert gaitcam.read_gait(path, period_s=0.25, unit="kN").period_s == 0.25
+    for options, key in [({"period": 0.25}, "gait.period"), ({"kind": "dancing"}, "gait.kind"),
                          ({"period": "0.25 s", "unit": "pt"}, "gait.unit"), ({"feet": "three"}, "gait.feet")]:
         with pytest.raises(gaitcam.InputError) as fault:
             gaitcam.read_gait(path, **options)
@@ -119,12 +121,66 @@ def test_options_of_a_recording_are_keys_of_the_scene(tmp_path):
         gaitcam.read_gait(tmp_path / "none.csv")
 
 
+def test_an_unknown_option_is_a_type_error_with_the_names_that_there_are():
+    for read in (gaitcam.read_gait, lambda path, **o: gaitcam.Force.from_recording(T, walk(T), **o)):
+        with pytest.raises(TypeError, match=r"perod.*did you mean 'period'.*feet, .*mass"):
+            read(WALK, perod="0.25 s")
+        with pytest.raises(TypeError, match="mass: one value"):
+            read(WALK, mass="70 kg", mass_kg=70.0)
+    with pytest.raises(TypeError, match="rate"):
+        gaitcam.Force.from_recording(T, walk(T), rate="100 Hz")
+    shown = inspect.signature(gaitcam.read_gait).parameters
+    assert {"feet", "mass", "mass_kg", "kind"} <= set(shown)
+    assert not any(p.kind is inspect.Parameter.VAR_KEYWORD for p in shown.values())
+
+
+def test_a_force_is_called_as_its_file_or_as_given(tmp_path):
+    copy = tmp_path / "S06, left.csv"
+    copy.write_bytes(WALK.read_bytes())
+    force = gaitcam.read_gait(copy)
+    assert force.name == "S06, left" and "S06, left" in repr(force)
+    named = gaitcam.read_gait(copy, " Ana ")
+    assert named.name == "Ana" == pickle.loads(pickle.dumps(named)).name
+    assert gaitcam.Force.from_recording(*plates()).name == "recording"
+    assert gaitcam.Force(T, walk(T)).name == "force"
+    for wrong in ("", "  ", "a\nb"):
+        for give in (lambda n: gaitcam.Force(T, walk(T), name=n), lambda n: gaitcam.read_gait(copy, name=n)):
+            with pytest.raises(gaitcam.InputError) as fault:
+                give(wrong)
+            assert fault.value.key == "name"
+
+
+def test_kind_and_open_questions_are_words():
+    force = gaitcam.read_gait(WALK)
+    assert (force.kind, force.open) == ("walking", [])
+    heavy = gaitcam.read_gait(WALK, mass_kg=110.0)
+    assert heavy.open == ["mass"] == pickle.loads(pickle.dumps(heavy)).open
+    assert gaitcam.read_gait(WALK, mass_kg=110.0, accept="mass").open == []
+    plain = gaitcam.Force(T, walk(T))
+    assert (plain.kind, plain.open, len(plain.stances), len(plain.strides)) == (None, [], 0, 0)
+
+
+def test_stances_and_strides_are_those_of_the_recording():
+    """The feet of the made walk strike every 1/1.9 s; strides carry the weight of 700 N."""
+    force = gaitcam.read_gait(WALK)
+    stances, strides = force.stances, force.strides
+    assert stances.column_names == ["column", "foot", "start_s", "end_s", "p1_n", "valley_n", "p2_n", "impulse", "used", "why"]
+    used = stances["used"] == 1.0
+    assert (len(stances), used.sum(), stances["why"][0]) == (21, 19, "cut-at-start")
+    assert all((why is None) == bool(u) for why, u in zip(stances["why"], used))
+    left = used & (np.array(stances["foot"]) == "left")
+    assert np.diff(stances["start_s"][left]) == pytest.approx(2 / 1.9, abs=0.02)
+    assert (stances["valley_n"][used] < stances["p1_n"][used]).all() and np.isnan(stances["p1_n"][0])
+    durations = strides["end_s"] - strides["start_s"]
+    assert strides["impulse"].sum() / durations.sum() == pytest.approx(700.0, rel=0.01)
+
+
 def test_scenes_that_come_with_the_package_find_their_recordings_anywhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert gaitcam.synth(gaitcam.Scene.builtin("heel_tester")).verdict == "acceptable"
 
 
-def test_a_whole_recording_may_come_from_arrays():
+def plates():
     # Six steps of half a second on two plates that overlap for a tenth of one.
     rate, step, stance = 1000, 0.55, 0.65
     t = np.arange(int(8 * step * rate)) / rate
@@ -134,10 +190,16 @@ def test_a_whole_recording_may_come_from_arrays():
         on = (u > 0) & (u < 1)
         shape = np.sin(np.pi * u) * (1.25 - 0.35 * np.sin(np.pi * u) ** 2)
         plates[on, k % 2] += 850 * shape[on]
-    force = gaitcam.Force.from_recording(t, plates, mass="71 kg")
-    assert force.period_s == pytest.approx(2 * step, rel=0.02)
+    return t, plates
+
+
+def test_a_whole_recording_may_come_from_arrays():
+    t, two = plates()
+    force = gaitcam.Force.from_recording(t, two, "Ana", mass="71 kg")
+    assert force.period_s == pytest.approx(2 * 0.55, rel=0.02) and force.name == "Ana"
+    assert len(force.stances) == 6
     with pytest.raises(gaitcam.InputError) as fault:
-        gaitcam.Force.from_recording(t[:-1], plates)
+        gaitcam.Force.from_recording(t[:-1], two)
     assert fault.value.key == "f_n"
 
 

@@ -24,6 +24,15 @@ plan: gaitcam.Sweep = gaitcam.sweep(scene, vary={"gait.step_frequency": ["1.5 Hz
 table: gaitcam.Table = plan.run(0, len(plan))
 best: int | None = gaitcam.front(table).best
 rows: int = gaitcam.blocks.sweep(plan, "out")
+walker: gaitcam.Force = gaitcam.read_gait("walk.c3d", "S01", feet="left", kind="walking", mass_kg=70.0)
+stances: gaitcam.Table = walker.stances
+open_: bool = "mass" in walker.open
+cover: gaitcam.Cover = gaitcam.cover(scene, forces=[walker, force], cams=2)
+second: gaitcam.Design = cover.designs[1][0]
+found: dict[str, object] = gaitcam.inspect(design, np.zeros((9, 2)), ball="1 mm").summary
+sentences: list[str] = [finding["sentence"] for finding in gaitcam.doctor(scene)]
+text: str = design.ecam("codesys")["text"]
+other: gaitcam.Run = gaitcam.simulate(design, force=walker)
 '''
 
 
@@ -36,11 +45,27 @@ def test_mypy_strict_is_clean(tmp_path):
         assert found.returncode == 0, found.stdout
 
 
+WRONG = """
+import gaitcam
+
+gaitcam.read_gait("walk.c3d", feet="three")
+gaitcam.read_gait("walk.c3d", weight="700 N")
+gaitcam.read_gait("walk.c3d").open == ["mass"]
+"""
+
+
+def test_mypy_rejects_unknown_options_and_words(tmp_path):
+    pytest.importorskip("mypy")
+    (tmp_path / "wrong.py").write_text(WRONG)
+    found = subprocess.run([sys.executable, "-m", "mypy", "--strict", "wrong.py"], capture_output=True, text=True, cwd=tmp_path)
+    assert found.stdout.count("error:") == 2 and "weight" in found.stdout and "three" in found.stdout, found.stdout
+
+
 def test_the_stubs_name_what_the_package_has():
     text = (Path(gaitcam.__file__).parent / "_native.pyi").read_text()
     for name in gaitcam.__all__:
         value = getattr(gaitcam, name)
-        if name in ("Svaj", "sweep", "__version__", "blocks", "dask", "ray"):
+        if name in ("Cover", "Inspection", "Svaj", "sweep", "__version__", "blocks", "dask", "ray"):
             continue
         assert f"class {name}" in text or f"def {name}(" in text, name
         if not inspect.isclass(value):

@@ -1,5 +1,6 @@
 """One cam for several walkers: forces=[...]."""
 
+import csv
 import pickle
 import shutil
 
@@ -62,6 +63,47 @@ def test_forces_without_a_name_are_different_walkers_and_those_of_one_name_are_o
     named = [walk(1.6, 0.3, "A"), walk(1.7, 0.3, "A")]
     population = gaitcam.synth(scene, forces=named).summary["population"]
     assert (population["walkers"], population["cycles"]) == (1, 2)
+
+
+def test_a_walker_has_one_name_everywhere(scene, tmp_path):
+    """A name with a comma and quotation marks leaves itself out by every table that has it."""
+    worst = walk(2.0, 0.45, 'S06, "left"')
+    forces = [FORCES[0], worst, FORCES[2]]
+    design = gaitcam.synth(scene, forces=forces)
+    assert worst.name in [f.name for f in forces]
+    table = design.walkers
+    assert table["walker"] == [f.name for f in forces]
+    assert table["mass_kg"] == pytest.approx([700 / 9.81, 700 / 9.81, 900 / 9.81], rel=1e-3)
+    named = table["walker"][int(np.argmax(table["rms_error_percent"]))]
+    assert named == design.summary["population"]["worst_walker"]
+    folder = design.save(tmp_path / "out", png=False)
+    with open(f"{folder}/walkers.csv", newline="") as file:
+        assert [row["walker"] for row in csv.DictReader(file)] == table["walker"]
+    read = gaitcam.Scene.load(f"{folder}/scene.toml")
+    assert gaitcam.synth(read).walkers["walker"] == table["walker"]
+    assert worst.name not in gaitcam.synth(read.set({"gait.leave_out": [worst.name]})).walkers["walker"]
+    rest = gaitcam.synth(scene, forces=[f for f in forces if f.name != worst.name])
+    assert rest.summary["population"]["walkers"] == 2
+    assert len(gaitcam.synth(scene, force=FORCES[0]).walkers) == 0
+
+
+def test_a_cam_under_another_walker_errs_as_its_law_does():
+    """m (g + ω² s″) of the law with the mass and the speed of the new walker, against his force."""
+    scene = gaitcam.Scene({"drive": {"kind": "moving-axis"}, "law": {"family": "harmonic", "harmonics": 3}})
+    design = gaitcam.synth(scene, force=FORCES[0])
+    other = FORCES[2]
+    run = gaitcam.simulate(design, force=other)
+    theta = 2 * np.pi * np.arange(4096) / 4096
+    force = other.mean_n * (1 + (2 * np.pi * 1.8) ** 2 * design.motion(theta).a / 9.81)
+    error = np.sqrt(np.mean((force - other(theta)) ** 2))
+    assert run.summary["force"]["rms_error_n"] == pytest.approx(error, rel=2e-3) and error > 20.0
+    assert gaitcam.simulate(design, force=FORCES[0]).summary["force"]["rms_error_n"] < 5.0
+    again = pickle.loads(pickle.dumps(run))
+    assert again.summary["force"] == run.summary["force"]
+    heavy = gaitcam.simulate(design, force=other, machine={"drive.mass_kg": 100.0})
+    assert heavy.summary["force"]["rms_error_n"] > error
+    with pytest.raises(TypeError, match="force: a Force"):
+        gaitcam.simulate(design, force=3.0)
 
 
 def test_a_design_of_walkers_travels_and_is_saved_with_them(scene, tmp_path):

@@ -2,6 +2,7 @@
 
 mod options;
 mod origin;
+mod steps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use pyo3::types::{PyBytes, PyDict};
 
 use crate::convert::{self, Argument, Reduced};
 use crate::error::Raise;
+use crate::table::Table;
 use options::{OF_ARRAYS, OF_FILE, table_of_arrays};
 pub use origin::{FILE, Origin};
 
@@ -43,7 +45,7 @@ pub struct Force {
     /// Source of the force.
     pub origin: Origin,
     /// Name of the walker.
-    name: String,
+    pub name: String,
 }
 
 /// Default name of a force.
@@ -83,7 +85,12 @@ impl Force {
             Walker::new(&name, force.curve.clone())
         };
         let walkers: Vec<Walker> = (1..).zip(forces).map(walker).collect();
-        let table = force::population_csv(&walkers);
+        Force::of_population(py, &walkers)
+    }
+
+    /// A population as one target.
+    pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
+        let table = force::population_csv(walkers);
         let origin = Origin::Recording {
             gait: Origin::Arrays.keys(),
             bytes: table.into_bytes().into(),
@@ -226,6 +233,21 @@ impl Force {
         let open = recording.flat_map(|r| r.doubts());
         let open = open.filter(|question| !accepted.contains(question));
         Ok(open.map(OpenQuestion::name).collect())
+    }
+
+    /// Contacts of a recording in order of time: a table of ``column``, ``foot``, ``start_s``, ``end_s`` (clock of the file),
+    /// ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` not; no rows of a given cycle.
+    #[getter]
+    fn stances(&self) -> Table {
+        let recording = self.curve.recording.as_ref();
+        steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
+    }
+
+    /// Whole strides of both feet with the columns of :attr:`stances`: peaks of the first stance, impulse of both feet.
+    #[getter]
+    fn strides(&self) -> Table {
+        let recording = self.curve.recording.as_ref();
+        steps::table(&recording.map_or(Vec::new(), |r| r.stride_rows()))
     }
 
     /// What was guessed, left out or doubtful in a recording, as sentences.

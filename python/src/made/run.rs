@@ -3,14 +3,15 @@
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::wording::Language;
-use gaitcam_app::design::{is_of_machine, put_on};
+use gaitcam_app::design::{is_of_machine, put_on, put_under};
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 
 use crate::convert::{self, Argument, Reduced};
 use crate::design::Design;
 use crate::error::{NoSuchCam, Raise, argument};
+use crate::force::Force;
 use crate::html;
 use crate::scene::Scene;
 use crate::table::Table;
@@ -24,6 +25,7 @@ pub struct Run {
     design: Py<Design>,
     asked: Model,
     machine: Option<Py<PyDict>>,
+    force: Option<Py<PyAny>>,
 }
 
 /// Runs the emitted cam of a design, not the law it came from.
@@ -36,18 +38,22 @@ pub struct Run {
 /// machine : dict, optional
 ///     Another machine around the same cam, by dotted keys of a scene: ``{"drive.mass": "9 kg", "drive.speed": "150 rpm",
 ///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*``: the cam is cut.
+/// force : Force, optional
+///     The force of another walker, the target of this run. Mass and speed of the machine follow from it where the
+///     scene leaves them open.
 ///
 /// Raises
 /// ------
 /// NoSuchCam
 ///     There is no cam to run.
 #[pyfunction]
-#[pyo3(signature = (design, model = "auto", *, machine = None))]
+#[pyo3(signature = (design, model = "auto", *, machine = None, force = None))]
 pub fn simulate(
     py: Python<'_>,
     design: &Bound<'_, PyAny>,
     model: &str,
     machine: Option<&Bound<'_, PyDict>>,
+    force: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Run> {
     let made = Design::given(design, "design")?;
     let design = made.get();
@@ -59,10 +65,14 @@ pub fn simulate(
     if let Some(why) = cam.no_cam(Language::En) {
         return Err(NoSuchCam::new_err(why));
     }
-    let (spec, judged) = match machine {
-        None => (design.input.scene.machine.clone(), cam.clone()),
-        Some(changes) => machine_of(py, design, changes)?,
+    let other = Force::of_argument(force)?;
+    let scene = scene_of(py, design, machine, other.as_ref())?;
+    let judged = match (&other, machine) {
+        (Some(force), _) => put_under(cam.clone(), &scene, &force.curve).raise(py)?,
+        (None, Some(_)) => put_on(cam.clone(), &scene).raise(py)?.0,
+        (None, None) => cam.clone(),
     };
+    let spec = scene.machine;
     let drive = judged.problem.drive;
     let outcome = py.detach(|| dynamics::simulate(&judged.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
@@ -74,15 +84,24 @@ pub fn simulate(
         design: made.clone().unbind(),
         asked: model,
         machine: machine.map(|m| m.copy()).transpose()?.map(Bound::unbind),
+        force: force.map(|f| f.clone().unbind()),
     })
 }
 
-/// The machine of a design's scene with changes, checked against its force.
-fn machine_of(
+/// The scene of a design with another machine and another force.
+fn scene_of(
     py: Python<'_>,
     design: &Design,
-    changes: &Bound<'_, PyDict>,
-) -> PyResult<(gaitcam::scene::MachineSpec, gaitcam::synth::Design)> {
+    changes: Option<&Bound<'_, PyDict>>,
+    force: Option<&Force>,
+) -> PyResult<gaitcam::scene::Scene> {
+    let input = match force {
+        Some(force) => force.named_in(&design.input).raise(py)?,
+        None => design.input.clone(),
+    };
+    let Some(changes) = changes else {
+        return Ok(input.scene);
+    };
     for key in changes.keys() {
         let key: String = key.extract()?;
         if !is_of_machine(&key) {
@@ -90,10 +109,7 @@ fn machine_of(
             return Err(argument(py, &key, what));
         }
     }
-    let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
-    let scene = scene.input.scene;
-    let (cam, _) = put_on(design.shown()?.clone(), &scene).raise(py)?;
-    Ok((scene.machine, cam))
+    Ok(Scene::of_input(input).changed(py, changes)?.input.scene)
 }
 
 #[pymethods]
@@ -148,7 +164,9 @@ impl Run {
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {
         // A run follows from its question: that is what travels.
         let simulate = py.import("gaitcam")?.getattr("simulate")?;
-        let keywords = [("machine", self.machine.as_ref())].into_py_dict(py)?;
+        let keywords = PyDict::new(py);
+        keywords.set_item("machine", self.machine.as_ref())?;
+        keywords.set_item("force", self.force.as_ref())?;
         let partial = py.import("functools")?.getattr("partial")?;
         let question = partial.call((simulate,), Some(&keywords))?;
         Ok((question, (&self.design, self.asked.name())))

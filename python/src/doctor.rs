@@ -1,0 +1,116 @@
+//! Everything that is wrong with a scene or a recording.
+
+use std::path::{Path, PathBuf};
+
+use gaitcam::synth::{Search, sentences};
+use gaitcam::wording::{Language, catalogue};
+use gaitcam_app::doctor::{self as examine, Finding, Mark};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+use crate::convert;
+use crate::error::{self, Raise};
+use crate::interrupt::{self, Interrupt};
+use crate::scene::Scene;
+
+/// Examines a scene or a recording as ``gaitcam doctor`` does: every fault at once, not the first alone.
+///
+/// Parameters
+/// ----------
+/// given : Scene or path
+///     A scene, a scene file (``.toml``, ``.json``), the name of a built-in scene, or a recording.
+/// time_limit : float
+///     Seconds after which the search for the design ends.
+/// lang : str
+///     Language of the sentences, "en" or "es".
+///
+/// Returns
+/// -------
+/// list of dict
+///     Faults, notes, open questions and the verdict: ``mark`` ("good", "doubtful", "bad"), ``code``, ``key`` of the
+///     scene or ``None``, ``sentence``, ``help`` or ``None``. A sound recording without notes has none.
+///
+/// Raises
+/// ------
+/// InputError
+///     A file that cannot be read or is not TOML.
+#[pyfunction]
+#[pyo3(signature = (given, *, time_limit = 60.0, lang = "en"))]
+pub fn doctor<'py>(
+    py: Python<'py>,
+    given: &Bound<'py, PyAny>,
+    time_limit: f64,
+    lang: &str,
+) -> PyResult<Bound<'py, PyAny>> {
+    let language = crate::asked::language(py, lang)?;
+    let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
+    let search = Search::until(interrupt.halt());
+    let own = given
+        .cast::<Scene>()
+        .ok()
+        .map(|scene| scene.get().input.clone());
+    let path: PathBuf = match own {
+        Some(_) => PathBuf::new(),
+        None => given.extract()?,
+    };
+    let found = py.detach(|| {
+        let (table, files) = match own {
+            Some(input) => (input.table, input.files),
+            None if is_recording(&path) => return examine::recording_file(&path),
+            None => gaitcam_app::scene::named(&path)?,
+        };
+        let (mut findings, input) = examine::scene(table, files)?;
+        if let Some(input) = input {
+            findings.push(examine::design(&input, &search)?);
+        }
+        Ok(findings)
+    });
+    interrupt.result()?;
+    let rows: Vec<Value> = found
+        .raise(py)?
+        .iter()
+        .filter_map(|f| row(f, language))
+        .collect();
+    convert::json(py, &Value::from(rows))
+}
+
+/// Whether a path has the ending of a file that is not a scene.
+fn is_recording(path: &Path) -> bool {
+    let ending = path.extension().map(|e| e.to_ascii_lowercase());
+    ending.is_some_and(|e| e != "toml" && e != "json")
+}
+
+/// A finding that asks for something, or the verdict.
+fn row(finding: &Finding, language: Language) -> Option<Value> {
+    let words = catalogue(language);
+    let mark = match finding.mark() {
+        Mark::Good => "good",
+        Mark::Doubtful => "doubtful",
+        Mark::Bad => "bad",
+    };
+    let (code, key, sentence, help) = match finding {
+        Finding::Fault(fault) | Finding::NoCycle(fault) => {
+            let key = error::key(&fault.place);
+            (
+                fault.code(),
+                key,
+                fault.sentence(language),
+                fault.help(language),
+            )
+        }
+        Finding::Note(note) => {
+            let code = note.code().to_string();
+            (code, None, words.sentence("note", note), None)
+        }
+        Finding::Open(question) => {
+            let code = question.name().to_string();
+            (code, None, words.sentence("open", question), None)
+        }
+        Finding::Design(design) => {
+            let code = design.verdict.name().to_string();
+            (code, None, sentences(&design.reasons, language), None)
+        }
+        _ => return None,
+    };
+    Some(json!({"mark": mark, "code": code, "key": key, "sentence": sentence, "help": help}))
+}

@@ -1,0 +1,93 @@
+//! Measured points of a manufactured cam.
+
+use std::path::PathBuf;
+
+use gaitcam::sweep::MadeCam;
+use gaitcam_app::measured::{self, Points};
+use gaitcam_output::inspection_data;
+use pyo3::prelude::*;
+
+use crate::asked::length;
+use crate::convert::{self, Argument};
+use crate::design::Design;
+use crate::error::{Raise, argument};
+use crate::table::Table;
+
+/// Fits measured points to the profile of a design and predicts the force of the cam as manufactured.
+///
+/// Parameters
+/// ----------
+/// design : Design
+/// points : path, or array of shape (n, 2)
+///     Points in any order, with centre and zero angle as the measuring machine has them: a csv with the columns x_mm,y_mm
+///     or angle_deg,radius_mm (or m, in, rad), or x and y in m.
+/// ball : float (m) or str ("1 mm"), optional
+///     Radius of the probing ball whose centres the points are.
+///
+/// Returns
+/// -------
+/// Inspection
+///     ``summary``, a dict as in ``inspection.json``, and ``table``, the ``deviation_m`` along the normal over
+///     ``theta_rad``; ``line`` of the file, or row of the array from 1.
+///
+/// Raises
+/// ------
+/// InputError
+///     Points that are not those of this cam; a file or an array without points.
+/// NoSuchCam
+///     The design has no cam.
+#[pyfunction]
+#[pyo3(signature = (design, points, *, ball = None))]
+pub fn inspect<'py>(
+    py: Python<'py>,
+    design: &Bound<'py, PyAny>,
+    points: &Bound<'py, PyAny>,
+    ball: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let made = Design::given(design, "design")?;
+    let cam = made.get().cam(py)?;
+    let ball = ball.map(|b| length(b, "ball")).transpose()?.unwrap_or(0.0);
+    if !(ball >= 0.0 && ball.is_finite()) {
+        let what = format!("{ball} m is not a radius; give 0 or more");
+        return Err(argument(py, "ball", what));
+    }
+    let points = read(points)?;
+    let found = py.detach(|| {
+        let inspected = cam.cam.inspect(&points.xy, ball)?;
+        let made = MadeCam::of(cam, &inspected);
+        let json = inspection_data::json(cam, &inspected, made.as_ref(), &points.lines);
+        Ok((json, inspection_data::table(&inspected, &points.lines)))
+    });
+    let (json, records) = found.raise(py)?;
+    let class = py.import("gaitcam")?.getattr("Inspection")?;
+    class.call1((convert::json(py, &json)?, Table::new(records, Vec::new())))
+}
+
+/// Points of a file, or of an array of x and y in m.
+fn read(given: &Bound<'_, PyAny>) -> PyResult<Points> {
+    let py = given.py();
+    if let Ok(path) = given.extract::<PathBuf>() {
+        return py.detach(|| measured::read(&path)).raise(py);
+    }
+    let array = convert::array(given, "points")?;
+    let shape = array.getattr("shape")?;
+    if !matches!(shape.extract::<(usize, usize)>(), Ok((_, 2))) {
+        let what = format!("an array of shape {shape} is not one of points; give (n, 2)");
+        return Err(argument(py, "points", what));
+    }
+    let columns = array.getattr("T")?;
+    let [x, y] = [0, 1].map(|k| convert::numbers(&columns.get_item(k)?, "points"));
+    let (x, y) = (x?, y?);
+    let xy: Vec<[f64; 2]> = x
+        .as_array()
+        .iter()
+        .zip(y.as_array())
+        .map(|(x, y)| [*x, *y])
+        .collect();
+    if let Some(row) = xy.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
+        let what = format!("row {row} has a coordinate that is not finite");
+        return Err(argument(py, "points", what));
+    }
+    let lines = (1..=xy.len()).collect();
+    Ok(Points { xy, lines })
+}
