@@ -8,6 +8,7 @@ mod baseline;
 mod c3d;
 mod columns;
 mod critical_points;
+mod cross_talk;
 mod cycle_file;
 mod keys;
 mod mat;

@@ -85,38 +85,50 @@ pub(super) fn trim(b: &[u8]) -> &[u8] {
     &b[start..end]
 }
 
+/// Marks that group thousands besides the point and the comma: apostrophe, blank, and their typographic forms.
+const GROUPS: [&str; 5] = ["\u{2019}", "\u{202f}", "\u{a0}", "'", " "];
+
 /// Numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
 fn long(b: &[u8], comma: bool) -> Field {
-    if b.len() > LONGEST || !b.is_ascii() {
+    let Ok(text) = std::str::from_utf8(b) else {
+        return Field::Text;
+    };
+    if b.len() > LONGEST {
         return Field::Text;
     }
-    let group = if comma { b'.' } else { b',' };
-    if !is_grouped(b, group) {
+    let point = if comma { "." } else { "," };
+    let mut groups = std::iter::once(point).chain(GROUPS);
+    let group = groups.find(|group| text.contains(group)).unwrap_or(point);
+    if !is_grouped(text, group) {
         return Field::Text;
     }
-    let kept = b.iter().filter(|&&c| c != group);
-    let plain = kept.map(|&c| match c {
-        b',' if comma => '.',
-        b'D' | b'd' => 'e', // Fortran
-        c => char::from(c),
-    });
-    let text: String = plain.collect();
-    match text.parse::<f64>() {
+    let plain = text.replace(group, "");
+    let plain: String = plain
+        .chars()
+        .map(|c| match c {
+            ',' if comma => '.',
+            'D' | 'd' => 'e', // Fortran
+            c => c,
+        })
+        .collect();
+    match plain.parse::<f64>() {
         Ok(x) if x.is_finite() => Field::Number(x),
         Ok(_) => Field::Missing,
-        Err(_) if text.contains('#') || text.chars().all(|c| "-+.,".contains(c)) => Field::Missing,
+        Err(_) if plain.contains('#') || plain.chars().all(|c| "-+.,".contains(c)) => {
+            Field::Missing
+        }
         Err(_) => word(b),
     }
 }
 
 /// Whether thousands separators, if any, group three digits each and end before the decimal mark.
-fn is_grouped(b: &[u8], mark: u8) -> bool {
-    let mut groups = b.split(|&c| c == mark);
+fn is_grouped(text: &str, mark: &str) -> bool {
+    let mut groups = text.split(mark);
     let _leading = groups.next();
     let mut last = None;
     groups.all(|group| {
         let before_is_whole = last.replace(group.len() == 3).unwrap_or(true);
-        let digits = group.iter().take_while(|c| c.is_ascii_digit()).count();
+        let digits = group.bytes().take_while(u8::is_ascii_digit).count();
         before_is_whole && digits == 3
     })
 }

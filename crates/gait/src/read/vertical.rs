@@ -1,7 +1,8 @@
 //! Conversion of raw force columns to channels of upward force: component, unit and sign.
 
 use super::baseline;
-use super::columns::says_vertical;
+use super::columns::{says_vertical, words};
+use super::cross_talk;
 use super::timebase::TimeBase;
 use crate::error::{ReadError, Result};
 use crate::quantity::newtons;
@@ -76,6 +77,9 @@ pub(super) fn recording(
         channels.push(channel);
     }
     leave_copies(&mut channels, &mut notes);
+    if !facts.insole {
+        cross_talk::remove(&mut channels, base.rate_hz, &mut notes);
+    }
     if options.mass_kg.is_some() {
         notes.retain(|note| !matches!(note, Note::UnloadedDiffers { .. }));
     }
@@ -131,8 +135,9 @@ fn is_copy(channel: &Channel, original: &Channel) -> bool {
     let [a, b] = [channel, original].map(|c| sample(&c.force_n, 8192));
     let differences = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
     let all = b.iter().map(|x| x * x).sum::<f64>();
-    let is_named_so =
-        channel.name.contains(&original.name) || original.name.contains(&channel.name);
+    let [name, other] = [channel, original].map(|c| words(&c.name));
+    let holds = |a: &[String], b: &[String]| b.iter().all(|word| a.contains(word));
+    let is_named_so = holds(&name, &other) || holds(&other, &name);
     let least = if is_named_so { FILTERED } else { COPY };
     a.len() == b.len() && differences < least * least * all
 }

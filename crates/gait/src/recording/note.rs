@@ -109,6 +109,15 @@ pub enum Note {
         count: usize,
         first: Quantity,
     },
+    /// A share of the force on another plate was subtracted.
+    CrossTalkRemoved {
+        /// Name of the column.
+        column: String,
+        /// Name of the column of the other plate.
+        of: String,
+        /// Share of its force.
+        share: Quantity,
+    },
     /// The unloaded reading during the walk differs from that at both ends of the recording.
     UnloadedDiffers {
         column: String,

@@ -12,7 +12,7 @@ pub const SENTENCES: Sentences = Sentences {
     ],
     as_typed: &[
         "arrays", "channel", "channels", "column", "columns", "from", "known", "model", "movement",
-        "name", "near", "typed", "walker", "word",
+        "name", "near", "of", "typed", "walker", "word",
     ],
     shared: &["note"],
     ..Sentences::NONE

@@ -1,5 +1,5 @@
-//! Missing samples: between contacts they mean an unloaded plate, elsewhere they are bridged. Single samples far from
-//! both neighbours count as missing, and so do zeros in the middle of a load: lost packets.
+//! Missing samples: between contacts they mean an unloaded plate, elsewhere they are bridged. Single samples, or a
+//! few, far from both neighbours count as missing, and so do zeros in the middle of a load: lost packets.
 
 use std::ops::Range;
 
@@ -12,8 +12,10 @@ const EDGE: (f64, f64) = (0.015, 10.0);
 
 /// Minimum rate at which a sample must be near one of its neighbours, Hz: an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// Minimum difference of a spike from both neighbours, as a fraction of the highest level of two consecutive samples, and in N.
+/// Minimum difference of a spike from both neighbours, as a fraction of the highest level that lasts longer than a spike, and in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
+/// Maximum duration of a spike, s, and number of its samples; at a low rate one sample.
+const LASTS: (f64, usize) = (0.0061, 6);
 /// Maximum fraction of spikes among the samples; more are noise.
 const RARE: f64 = 0.005;
 
@@ -117,25 +119,49 @@ fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DENSE_HZ {
         return None;
     }
-    let pairs = force.windows(2).filter(|w| w[0] * w[1] > 0.0);
-    let held = pairs.fold(0.0, |m: f64, w| m.max(w[0].abs().min(w[1].abs())));
-    let least = SPIKE.1.max(SPIKE.0 * held);
-    let is_spike = |w: &[f64]| {
-        let (before, after) = (w[1] - w[0], w[1] - w[2]);
-        before.abs() > least && after.abs() > least && before * after > 0.0
+    let longest = ((LASTS.0 * rate_hz) as usize).clamp(1, LASTS.1);
+    let held = |w: &[f64]| {
+        let sign = w[0].signum();
+        w.iter().map(|x| x * sign).fold(f64::INFINITY, f64::min)
     };
-    let windows = force.windows(3).enumerate();
-    let places = windows.filter(|(_, w)| is_spike(w)).map(|(i, _)| i + 1);
+    let held = force.windows(longest + 1).map(held).fold(0.0, f64::max);
+    let least = SPIKE.1.max(SPIKE.0 * held);
     let most = (RARE * force.len() as f64) as usize;
-    let places: Vec<usize> = places.take(most + 1).collect();
-    let first = *places.first()?;
-    if places.len() > most {
+    let mut places = Vec::new();
+    let mut from = 1;
+    while from + 1 < force.len() && places.len() <= most {
+        let end = (force[from] - force[from - 1])
+            .abs()
+            .gt(&least)
+            .then(|| spike(&force[from - 1..], least, longest));
+        match end.flatten() {
+            Some(length) => {
+                places.push(from..from + length);
+                from += length;
+            }
+            None => from += 1,
+        }
+    }
+    let first = places.first()?.start;
+    if places.iter().map(Range::len).sum::<usize>() > most.max(longest) {
         return None;
     }
-    for &i in &places {
-        force[i] = f64::NAN;
+    for place in &places {
+        force[place.clone()].fill(f64::NAN);
     }
     Some((places.len(), first))
+}
+
+/// Number of samples of a spike that follows the first of some samples: all lie far from it and from the one behind them.
+fn spike(samples: &[f64], least: f64, longest: usize) -> Option<usize> {
+    let rises = samples[1] > samples[0];
+    let is_far = |x: f64, level: f64| (if rises { x - level } else { level - x }) > least;
+    (1..=longest.min(samples.len().saturating_sub(2))).find(|&n| {
+        let after = samples[n + 1];
+        samples[1..=n]
+            .iter()
+            .all(|x| is_far(*x, samples[0]) && is_far(*x, after))
+    })
 }
 
 #[cfg(test)]

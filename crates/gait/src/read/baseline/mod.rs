@@ -23,6 +23,9 @@ const LOADED: f64 = 0.15;
 /// Ratio of readings within twice the unloaded band to those within it, above which the band is too narrow.
 const BROAD: f64 = 1.2;
 
+/// Minimum duration of a span that shows the unloaded level, and duration of its ends that are left out, s.
+const REST: (f64, f64) = (0.2, 0.05);
+
 /// Duration of both ends of a recording that show the unloaded level, s, and the minimum difference, N.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
@@ -230,10 +233,23 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         Some(middle) if near.len() as f64 > BROAD * count as f64 => middle,
         _ => level,
     };
+    let level = resting_level(force, level, band, rate_hz).unwrap_or(level);
     let off = near.iter().map(|x| (x - level).abs());
     let off: Vec<f64> = off.filter(|d| *d <= band).collect();
     let middle = off.len() / 2;
     Some((level, 1.4826 * ranked(off, middle)?))
+}
+
+/// Mean reading of the spans that stay near a level for a fifth of a second, without their ends, where a foot lands or leaves; `None` without one.
+fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f64> {
+    let edge = (REST.1 * rate_hz) as usize;
+    let spans = force.chunk_by(|a, b| (a - level).abs() <= band && (b - level).abs() <= band);
+    let quiet = spans.filter(|span| span.len() as f64 > REST.0 * rate_hz + 2.0 * edge as f64);
+    let quiet: Vec<f64> = quiet
+        .flat_map(|s| &s[edge..s.len() - edge])
+        .copied()
+        .collect();
+    (!quiet.is_empty()).then(|| mean_and_deviation(&quiet).0)
 }
 
 /// Level and standard deviation of samples expected to be unloaded; `None` if they vary.

@@ -149,6 +149,12 @@ pub(crate) fn numbers(
             }
             continue;
         }
+        let is_cut = present < places.len() && !bytes.ends_with(b"\n");
+        if is_cut && lines.clone().next().is_none() {
+            // The file was cut within its last row.
+            note_line(&mut skipped, at.line);
+            break;
+        }
         absent += places.len() - present;
         if absent > rows.count() * places.len() / 2 + 64 * places.len().max(8) {
             return Err(ragged(table).at_line(file.path, at.line));
@@ -334,6 +340,22 @@ mod tests {
             e.to_string().starts_with("a.csv line 4: time decreases"),
             "{e}"
         );
+    }
+
+    #[test]
+    fn a_last_row_that_was_cut_is_left_out() {
+        for (end, kept) in [("0.1", 2), ("0.1\n", 2), ("0.21,3", 3), ("0.3,", 3)] {
+            let text = format!("time,f\n0.0,1\n0.2,2\n{end}");
+            let options = ReadOptions::default();
+            let file = TextFile::new(Path::new("a.csv"), text.as_bytes(), &options);
+            let t = next_table(text.as_bytes(), file.delimiters, Position::START).unwrap();
+            let read = numbers(&file, &t, &[0, 1], Some(0));
+            match end.ends_with('\n') {
+                // A whole row with an earlier time is not the end of a file that was cut.
+                true => assert!(read.is_err()),
+                false => assert_eq!(read.unwrap().columns[0].len(), kept, "{end}"),
+            }
+        }
     }
 
     #[test]

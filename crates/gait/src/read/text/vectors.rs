@@ -12,7 +12,9 @@ const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 /// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names get `_x`, `_y`, `_z`.
 pub(super) fn flattened(bytes: &[u8]) -> Option<Vec<u8>> {
     let head = text(&bytes[..bytes.len().min(HEAD)]);
-    let mut keys = head.lines().take_while(|line| !line.trim().eq_ignore_ascii_case("endheader"));
+    let mut keys = head
+        .lines()
+        .take_while(|line| !line.trim().eq_ignore_ascii_case("endheader"));
     keys.find(|line| line.replace(' ', "").eq_ignore_ascii_case("datatype=vec3"))?;
     let mut lines = Lines::new(bytes);
     lines.find(|(_, line)| line.trim_ascii().eq_ignore_ascii_case(b"endheader"))?;
@@ -22,7 +24,9 @@ pub(super) fn flattened(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut names = names.trim_end().split('\t');
     flat.extend(names.next()?.bytes());
     for name in names {
-        let is_short = ["_v", "_p", "_f", "_m"].iter().any(|end| name.ends_with(end));
+        let is_short = ["_v", "_p", "_f", "_m"]
+            .iter()
+            .any(|end| name.ends_with(end));
         let joint = if is_short { "" } else { "_" };
         for component in COMPONENTS {
             flat.extend(format!("\t{name}{joint}{component}").bytes());

@@ -107,6 +107,7 @@ note-drop-outs = { $column } lost samples { $count ->
        *[other] { $count } times, first at { $first }
     }: its readings are zero under load; stances with such gaps are not used
 note-unloaded-differs = { $column } reads { $level } between contacts and { $at-ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain
+note-cross-talk-removed = { $column } reads { $share } of the force of { $of } while nothing stands on it (cross-talk); this share was subtracted
 note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was left out
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
 note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed

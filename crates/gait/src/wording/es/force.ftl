@@ -107,6 +107,7 @@ note-drop-outs = { $column } perdió muestras { $count ->
        *[other] { $count } veces, la primera en { $first }
     }: sus lecturas son cero bajo carga; los apoyos con esos huecos no se usan
 note-unloaded-differs = { $column } lee { $level } entre contactos y { $at-ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa
+note-cross-talk-removed = { $column } lee un { $share } de la fuerza de { $of } cuando nada la pisa (diafonía); esta parte se restó
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
 note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
