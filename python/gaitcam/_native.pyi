@@ -16,6 +16,8 @@ _Verdict = Literal["acceptable", "not-for-high-speed", "unacceptable"]
 _Language = Literal["en", "es"]
 _Feet = Literal["both", "one", "left", "right", "total"]
 _Kind = Literal["walking", "running", "standing", "jumping", "sit-to-stand", "other"]
+_Log = _Path | Mapping[str, ArrayLike]
+_Logs = _Log | Sequence[_Log]
 _Question = Literal["kind", "clock", "mass", "clipped"]
 
 class InputError(ValueError):
@@ -184,8 +186,28 @@ class Design:
     def scene(self) -> Scene: ...
     @property
     def name(self) -> str: ...
-    def identify(self, log: _Path) -> dict[str, Any]: ...
-    def recut(self, log: _Path) -> Design: ...
+    def identify(
+        self,
+        logs: _Logs,
+        *,
+        time: str | None = None,
+        angle: str | None = None,
+        force: str | None = None,
+        speed: str | None = None,
+        torque: str | None = None,
+        counts_per_turn: float | None = None,
+    ) -> dict[str, Any]: ...
+    def recut(
+        self,
+        logs: _Logs,
+        *,
+        time: str | None = None,
+        angle: str | None = None,
+        force: str | None = None,
+        speed: str | None = None,
+        torque: str | None = None,
+        counts_per_turn: float | None = None,
+    ) -> Design: ...
     def save(
         self,
         folder: _Path,
@@ -235,6 +257,28 @@ def cover(
     time_limit: float = 60.0,
 ) -> Cover: ...
 def doctor(given: Scene | _Path, *, time_limit: float = 60.0, lang: _Language = "en") -> list[dict[str, Any]]: ...
+def identify(
+    design: Design,
+    logs: _Logs,
+    *,
+    time: str | None = None,
+    angle: str | None = None,
+    force: str | None = None,
+    speed: str | None = None,
+    torque: str | None = None,
+    counts_per_turn: float | None = None,
+) -> dict[str, Any]: ...
+def recut(
+    design: Design,
+    logs: _Logs,
+    *,
+    time: str | None = None,
+    angle: str | None = None,
+    force: str | None = None,
+    speed: str | None = None,
+    torque: str | None = None,
+    counts_per_turn: float | None = None,
+) -> Design: ...
 def inspect(design: Design, points: _Path | ArrayLike, *, ball: float | str | None = None) -> Inspection: ...
 
 class Run:

@@ -118,7 +118,7 @@ fn of_cover(
             time: Timing::default(),
             time_limit,
             recut: None,
-            log: None,
+            logs: Vec::new(),
         })
     };
     cover.cams.iter().enumerate().map(design).collect()

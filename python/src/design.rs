@@ -5,12 +5,10 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
-use gaitcam::identify::{Log, LogOptions, Recut, identify, recut};
-use gaitcam::scene::set_value;
-use gaitcam::synth::{Outcome, Search};
+use gaitcam::identify::Recut;
+use gaitcam::synth::Outcome;
 use gaitcam_app::design::{self, check_inputs_stay, finish};
 use gaitcam_app::files::{self, Source};
-use gaitcam_app::read::read_bytes;
 use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect};
@@ -25,7 +23,6 @@ use crate::convert::{self, Argument, Reduced};
 use crate::error::{NoSuchCam, Raise, argument};
 use crate::force::{FILE, Force};
 use crate::html;
-use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
 use crate::scene::Scene;
 use crate::synth::answer;
@@ -44,8 +41,8 @@ pub struct Design {
     pub(crate) time_limit: f64,
     /// Of a new cut.
     pub(crate) recut: Option<Recut>,
-    /// The log that it was made from.
-    pub(crate) log: Option<PathBuf>,
+    /// The logs that it was made from.
+    pub(crate) logs: Vec<PathBuf>,
 }
 
 impl Argument for Design {
@@ -203,77 +200,28 @@ impl Design {
         &self.input.scene.name
     }
 
-    /// What a log of the running machine shows of it, as ``gaitcam identify --json`` prints it.
-    ///
-    /// Parameters
-    /// ----------
-    /// log : path
-    ///     A csv with ``force_n`` and ``time_s`` or ``theta_rad`` (or both), and where there are such ``speed_rad_per_s`` and
-    ///     ``torque_n_m``.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    ///     ``parameters`` (each ``key``, ``value``, ``low``, ``high``, ``identifiable``), ``noise_rms_n``,
-    ///     ``repeatable_rms_n``, ``next_run``.
-    ///
-    /// Raises
-    /// ------
-    /// InputError
-    ///     The log is no steady run of this machine.
-    fn identify<'py>(&self, py: Python<'py>, log: PathBuf) -> PyResult<Bound<'py, PyAny>> {
-        let design = self.cam(py)?;
-        let found = py.detach(|| {
-            let log = Log::read(&log, &read_bytes(&log)?, &LogOptions::default())?;
-            identify(design, &self.input.scene, &[log])
-        });
-        let found = serde_json::json!(found.raise(py)?);
-        convert::json(py, &found)
+    /// :func:`identify` of this design.
+    #[pyo3(signature = (logs, **columns), text_signature = "(self, logs, *, time=None, angle=None, force=None, speed=None, \
+        torque=None, counts_per_turn=None)")]
+    fn identify<'py>(
+        slf: &Bound<'py, Self>,
+        logs: &Bound<'py, PyAny>,
+        columns: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let identify = slf.py().import("gaitcam")?.getattr("identify")?;
+        identify.call((slf, logs), columns)
     }
 
-    /// The next cam, for all that repeats in a log of the running machine beyond this design; ``summary["recut"]`` has the force
-    /// error before and the one that is predicted.
-    ///
-    /// Parameters
-    /// ----------
-    /// log : path
-    ///     As for :meth:`identify`.
-    ///
-    /// Raises
-    /// ------
-    /// InputError
-    ///     The log is no steady run of this machine.
-    /// NoSuchCam
-    ///     What the log has beyond the design is noise.
-    fn recut(&self, py: Python<'_>, log: PathBuf) -> PyResult<Design> {
-        let design = self.cam(py)?;
-        let interrupt = Interrupt::after(interrupt::limit(py, self.time_limit)?);
-        let found = py.detach(|| {
-            let log = Log::read(&log, &read_bytes(&log)?, &LogOptions::default())?;
-            let named = match &self.force {
-                Some(_) => None,
-                None => self.input.target()?,
-            };
-            let target = self.force.as_ref().map(|f| &f.curve).or(named.as_ref());
-            let search = Search::until(interrupt.halt());
-            recut(design, &self.input.scene, target, &[log], &search)
-        });
-        interrupt.result()?;
-        let (next, figures, _) = match found {
-            Err(why) if why.is_answer() => {
-                return Err(NoSuchCam::new_err(why.sentence(Language::En)));
-            }
-            found => found.raise(py)?,
-        };
-        let asked = &self.asked.input;
-        let mut table = asked.table.clone();
-        let learned = next.to_table()["machine"]["learned_force"].clone();
-        set_value(&mut table, "machine.learned_force", learned).raise(py)?;
-        let scene = Scene::of_table(py, table, asked.files.clone(), asked.file.clone())?;
-        let mut cut = answer(py, scene, self.force.clone(), self.time_limit)?;
-        cut.recut = Some(figures);
-        cut.log = Some(log);
-        Ok(cut)
+    /// :func:`recut` of this design.
+    #[pyo3(signature = (logs, **columns), text_signature = "(self, logs, *, time=None, angle=None, force=None, speed=None, \
+        torque=None, counts_per_turn=None)")]
+    fn recut<'py>(
+        slf: &Bound<'py, Self>,
+        logs: &Bound<'py, PyAny>,
+        columns: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let recut = slf.py().import("gaitcam")?.getattr("recut")?;
+        recut.call((slf, logs), columns)
     }
 
     /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.
@@ -325,7 +273,7 @@ impl Design {
         };
         let contents = asked.contents(py, self.input.title())?;
         let written = py.detach(|| {
-            check_inputs_stay(&folder, &self.input, self.log.as_deref())?;
+            check_inputs_stay(&folder, &self.input, &self.logs)?;
             let place = ResultFolder::open(&folder, PATIENCE)?;
             self.write(&contents, |name, bytes| place.write(name, bytes))?;
             let scene = self.input.resolved();

@@ -45,6 +45,8 @@ mod _native {
     #[pymodule_export]
     use crate::made::inspect::inspect;
     #[pymodule_export]
+    use crate::made::logs::{identify, recut};
+    #[pymodule_export]
     use crate::made::run::{Run, simulate};
     #[pymodule_export]
     use crate::scene::{Scene, keys};

@@ -106,7 +106,7 @@ pub(crate) fn answer(
         time,
         time_limit,
         recut: None,
-        log: None,
+        logs: Vec::new(),
     })
 }
 

@@ -31,6 +31,9 @@ cover: gaitcam.Cover = gaitcam.cover(scene, forces=[walker, force], cams=2)
 second: gaitcam.Design = cover.designs[1][0]
 found: dict[str, object] = gaitcam.inspect(design, np.zeros((9, 2)), ball="1 mm").summary
 sentences: list[str] = [finding["sentence"] for finding in gaitcam.doctor(scene)]
+log = {"time_s": np.zeros(9), "force_n": np.zeros(9)}
+found = gaitcam.identify(design, ["run1.csv", log], torque="M [N m]")
+next_: gaitcam.Design = gaitcam.recut(design, log)
 text: str = design.ecam("codesys")["text"]
 other: gaitcam.Run = gaitcam.simulate(design, force=walker)
 '''

@@ -144,13 +144,13 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Rejects a folder in which a design would replace one of its inputs; `more` is a further input that the scene does not name.
+/// Rejects a folder in which a design would replace one of its inputs; `more` are further inputs that the scene does not name.
 ///
 /// # Errors
 /// The input that would be replaced.
-pub fn check_inputs_stay(folder: &Path, input: &Input, more: Option<&Path>) -> Result<()> {
+pub fn check_inputs_stay(folder: &Path, input: &Input, more: &[PathBuf]) -> Result<()> {
     let paths = input.paths()?;
-    let paths = paths.iter().map(PathBuf::as_path).chain(more);
+    let paths = paths.iter().chain(more);
     let inputs: BTreeSet<PathBuf> = paths.filter_map(|p| p.canonicalize().ok()).collect();
     let names = of_design().into_iter().chain([SCENE_BESIDE_INPUT]);
     for name in names {

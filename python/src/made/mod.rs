@@ -1,4 +1,5 @@
-//! Manufactured cams: in motion, and as measured.
+//! Manufactured cams: in motion, as measured, and as a machine has logged them.
 
 pub mod inspect;
+pub mod logs;
 pub mod run;

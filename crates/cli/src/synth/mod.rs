@@ -179,7 +179,7 @@ fn folder(args: &SynthArgs, input: &Input) -> Result<Option<ResultFolder>> {
         return Ok(None);
     }
     let path = input::result_folder(input, args.out.as_deref(), "")?;
-    check_inputs_stay(&path, input, None)
+    check_inputs_stay(&path, input, &[])
         .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     ResultFolder::open(&path, args.time.patience()).map(Some)
 }

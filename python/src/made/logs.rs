@@ -1,0 +1,215 @@
+//! Logs of a running machine: its parameters, and the next cam.
+
+use std::path::{Path, PathBuf};
+
+use gaitcam::identify::{self as machine, Log, LogColumns, LogOptions};
+use gaitcam::scene::set_value;
+use gaitcam::synth::Search;
+use gaitcam::wording::Language;
+use gaitcam_app::read::read_bytes;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyTuple};
+
+use crate::convert::{self, Argument};
+use crate::design::Design;
+use crate::error::{NoSuchCam, Raise, argument};
+use crate::interrupt::{self, Interrupt};
+use crate::scene::Scene;
+use crate::synth::answer;
+
+/// Columns of a log from arrays.
+const COLUMNS: [&str; 5] = [
+    "time_s",
+    "theta_rad",
+    "force_n",
+    "speed_rad_per_s",
+    "torque_n_m",
+];
+
+/// What logs of the running machine show of it, as ``gaitcam identify --json`` prints it.
+///
+/// Parameters
+/// ----------
+/// design : Design
+/// logs : path, mapping of arrays, or a list of these
+///     Steady runs, also at several speeds. A file has columns of force and of time or cam angle (or both), and where there
+///     are such of speed and torque, with their units. A mapping has ``force_n`` and ``time_s`` or ``theta_rad``, and
+///     optionally ``speed_rad_per_s`` and ``torque_n_m``: arrays of shape (n,) in SI.
+/// time, angle, force, speed, torque : str
+///     Columns of the files by name or number, where they are not recognised.
+/// counts_per_turn : float
+///     Counts of the encoder per turn of the cam: the column of the angle holds counts.
+///
+/// Returns
+/// -------
+/// dict
+///     ``parameters`` (each ``key``, ``value``, ``low``, ``high``, ``identifiable``), ``noise_rms_n``,
+///     ``repeatable_rms_n``, ``next_run``.
+///
+/// Raises
+/// ------
+/// InputError
+///     A log without a steady run of this machine, with the reason.
+/// NoSuchCam
+///     The design has no cam.
+#[pyfunction]
+#[pyo3(signature = (design, logs, **columns), text_signature = "(design, logs, *, time=None, angle=None, force=None, \
+    speed=None, torque=None, counts_per_turn=None)")]
+pub fn identify<'py>(
+    py: Python<'py>,
+    design: &Bound<'py, PyAny>,
+    logs: &Bound<'py, PyAny>,
+    columns: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let made = Design::given(design, "design")?.get();
+    let cam = made.cam(py)?;
+    let (logs, _) = read(logs, columns)?;
+    let scene = &made.input.scene;
+    let found = py.detach(|| machine::identify(cam, scene, &logs));
+    convert::json(py, &serde_json::json!(found.raise(py)?))
+}
+
+/// The next cam, for all that repeats in logs of the running machine beyond its design.
+///
+/// Parameters
+/// ----------
+/// design : Design
+/// logs, time, angle, force, speed, torque, counts_per_turn
+///     As for :func:`identify`; the log nearest to the speed of the design corrects, the others identify.
+///
+/// Returns
+/// -------
+/// Design
+///     ``summary["recut"]`` has the force error before and the one that is predicted.
+///
+/// Raises
+/// ------
+/// InputError
+///     A log without a steady run of this machine.
+/// NoSuchCam
+///     What the logs have beyond the design is noise.
+#[pyfunction]
+#[pyo3(signature = (design, logs, **columns), text_signature = "(design, logs, *, time=None, angle=None, force=None, \
+    speed=None, torque=None, counts_per_turn=None)")]
+pub fn recut(
+    py: Python<'_>,
+    design: &Bound<'_, PyAny>,
+    logs: &Bound<'_, PyAny>,
+    columns: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Design> {
+    let made = Design::given(design, "design")?.get();
+    let cam = made.cam(py)?;
+    let (logs, files) = read(logs, columns)?;
+    let interrupt = Interrupt::after(interrupt::limit(py, made.time_limit)?);
+    let found = py.detach(|| {
+        let named = match &made.force {
+            Some(_) => None,
+            None => made.input.target()?,
+        };
+        let target = made.force.as_ref().map(|f| &f.curve).or(named.as_ref());
+        let search = Search::until(interrupt.halt());
+        machine::recut(cam, &made.input.scene, target, &logs, &search)
+    });
+    interrupt.result()?;
+    let (next, figures, _) = match found {
+        Err(why) if why.is_answer() => {
+            return Err(NoSuchCam::new_err(why.sentence(Language::En)));
+        }
+        found => found.raise(py)?,
+    };
+    let asked = &made.asked.input;
+    let mut table = asked.table.clone();
+    let learned = next.to_table()["machine"]["learned_force"].clone();
+    set_value(&mut table, "machine.learned_force", learned).raise(py)?;
+    let scene = Scene::of_table(py, table, asked.files.clone(), asked.file.clone())?;
+    let mut cut = answer(py, scene, made.force.clone(), made.time_limit)?;
+    cut.recut = Some(figures);
+    cut.logs = files;
+    Ok(cut)
+}
+
+/// The logs, and the files that were read.
+fn read(
+    given: &Bound<'_, PyAny>,
+    columns: Option<&Bound<'_, PyDict>>,
+) -> PyResult<(Vec<Log>, Vec<PathBuf>)> {
+    let options = options(columns)?;
+    let is_list = given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>();
+    let each: Vec<Bound<'_, PyAny>> = match is_list {
+        true => given.try_iter()?.collect::<PyResult<_>>()?,
+        false => vec![given.clone()],
+    };
+    let py = given.py();
+    if each.is_empty() {
+        return Err(argument(py, "logs", "an empty list of logs".to_string()));
+    }
+    let (mut logs, mut files) = (Vec::new(), Vec::new());
+    for (number, log) in (1..).zip(&each) {
+        let Ok(path) = log.extract::<PathBuf>() else {
+            let name = format!("log {number}");
+            logs.push(Log::new(Path::new(&name), arrays(log)?).raise(py)?);
+            continue;
+        };
+        let of_file = || Log::read(&path, &read_bytes(&path)?, &options);
+        logs.push(py.detach(of_file).raise(py)?);
+        files.push(path);
+    }
+    if files.is_empty() && options != LogOptions::default() {
+        let what = "columns are named in files; arrays have the names of their keys";
+        return Err(PyTypeError::new_err(what));
+    }
+    Ok((logs, files))
+}
+
+/// Columns of a file by name.
+fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<LogOptions> {
+    let mut out = LogOptions::default();
+    for (name, value) in given.into_iter().flatten().filter(|(_, v)| !v.is_none()) {
+        let place = match name.extract::<&str>()? {
+            "time" => &mut out.time,
+            "angle" => &mut out.angle,
+            "force" => &mut out.force,
+            "speed" => &mut out.speed,
+            "torque" => &mut out.torque,
+            "counts_per_turn" => {
+                out.counts_per_turn = Some(value.extract()?);
+                continue;
+            }
+            other => {
+                let what = format!(
+                    "unexpected keyword argument '{other}' (options: time, angle, force, speed, torque, counts_per_turn)"
+                );
+                return Err(PyTypeError::new_err(what));
+            }
+        };
+        *place = Some(value.extract()?);
+    }
+    Ok(out)
+}
+
+/// Columns in SI from a mapping of arrays.
+fn arrays(log: &Bound<'_, PyAny>) -> PyResult<LogColumns> {
+    let mut columns: [Option<Vec<f64>>; 5] = Default::default();
+    for name in convert::keys(log, "logs")? {
+        let Some(place) = COLUMNS.iter().position(|known| *known == name) else {
+            let names = COLUMNS.join(", ");
+            let what = format!("{name:?} is not a column of a log; the columns are {names}");
+            return Err(argument(log.py(), "logs", what));
+        };
+        let values = convert::numbers(&log.get_item(&name)?, &name)?;
+        columns[place] = Some(values.as_array().to_vec());
+    }
+    let [time, theta, force, speed, torque] = columns;
+    let Some(force) = force else {
+        let what = "a log without force_n".to_string();
+        return Err(argument(log.py(), "logs", what));
+    };
+    Ok(LogColumns {
+        time,
+        theta,
+        force,
+        speed,
+        torque,
+    })
+}
