@@ -186,28 +186,8 @@ class Design:
     def scene(self) -> Scene: ...
     @property
     def name(self) -> str: ...
-    def identify(
-        self,
-        logs: _Logs,
-        *,
-        time: str | None = None,
-        angle: str | None = None,
-        force: str | None = None,
-        speed: str | None = None,
-        torque: str | None = None,
-        counts_per_turn: float | None = None,
-    ) -> dict[str, Any]: ...
-    def recut(
-        self,
-        logs: _Logs,
-        *,
-        time: str | None = None,
-        angle: str | None = None,
-        force: str | None = None,
-        speed: str | None = None,
-        torque: str | None = None,
-        counts_per_turn: float | None = None,
-    ) -> Design: ...
+    def identify(self, logs: _Logs) -> dict[str, Any]: ...
+    def recut(self, logs: _Logs) -> Design: ...
     def save(
         self,
         folder: _Path,

@@ -11,6 +11,8 @@ def plot(design: Any, ax: Any = None, what: Literal["force", "law", "profile"] =
     """Draws force, law or profile of a design on ``ax``, by default on new axes; returns the axes."""
     if ax is None:
         ax = needed("matplotlib.pyplot", "matplotlib").subplots()[1]
+    if not hasattr(ax, "set_xlabel"):
+        raise TypeError(f"ax: axes of matplotlib, not {type(ax).__name__}")
     if what == "profile":
         profile = design.profile
         x, y = (1e3 * np.append(profile[name], profile[name][0]) for name in ("x_m", "y_m"))

@@ -2,58 +2,57 @@
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
-use gaitcam_app::{Contents, Workshop};
+use gaitcam_app::{Contents, ROWS, Workshop};
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_output::Language;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
+use crate::convert;
 use crate::error::{Raise, argument};
 
 /// Minimum number of rows.
 const FEWEST_ROWS: usize = 16;
 
 /// Options of the files of a design.
-pub struct Asked<'a> {
-    /// Number of rows of the tables.
-    pub points: usize,
-    /// Whether to write pictures as PNG too.
-    pub png: bool,
-    /// Whether to write solids, arcs and a workbook too.
-    pub solid: bool,
-    /// Radius of the cutter of a path, m or text with its unit.
-    pub tool: Option<&'a Bound<'a, PyAny>>,
-    /// Half a wire's diameter plus its spark gap, m or text with its unit.
-    pub wire: Option<&'a Bound<'a, PyAny>>,
-    /// Edges of profile.dxf: `arcs` or `splines`.
-    pub dxf: &'a str,
-    /// Whether to write only the layers that are cut.
-    pub cut_only: bool,
-    /// Language of report and pictures.
-    pub lang: &'a str,
-}
+const NAMES: [&str; 8] = [
+    "points", "png", "solid", "tool", "wire", "dxf", "cut_only", "lang",
+];
 
-impl Asked<'_> {
-    /// The options as the writers take them.
-    pub fn contents(&self, py: Python<'_>, title: Title) -> PyResult<Contents> {
-        Ok(Contents {
-            points: rows(py, self.points)?,
-            png: self.png,
-            language: language(py, self.lang)?,
-            workshop: Workshop {
-                solid: self.solid,
-                tool: self.tool.map(|t| length(t, "tool")).transpose()?,
-                wire: self.wire.map(|w| length(w, "wire")).transpose()?,
-                curves: curves(py, self.dxf)?,
-                drawn: match self.cut_only {
-                    true => Content::CutOnly,
-                    false => Content::All,
-                },
-                title,
-                ..Workshop::default()
+/// The options as the writers take them; `png` without the option.
+pub fn contents(
+    py: Python<'_>,
+    options: Option<&Bound<'_, PyDict>>,
+    png: bool,
+    title: Title,
+) -> PyResult<Contents> {
+    let given = convert::options(py, options, &NAMES)?;
+    let is = |name: &str| convert::option::<bool>(&given, name);
+    let text = |name: &str| convert::option::<String>(&given, name);
+    let radius = |name: &str| {
+        let value = given.get_item(name)?;
+        value.map(|value| length(&value, name)).transpose()
+    };
+    let points = given.get_item("points")?;
+    let points = points.map(|points| convert::whole(&points)).transpose()?;
+    Ok(Contents {
+        points: rows(py, points.unwrap_or(ROWS))?,
+        png: is("png")?.unwrap_or(png),
+        language: text("lang")?.map_or(Ok(Language::En), |tag| language(py, &tag))?,
+        workshop: Workshop {
+            solid: is("solid")?.unwrap_or(false),
+            tool: radius("tool")?,
+            wire: radius("wire")?,
+            curves: text("dxf")?.map_or(Ok(Curves::Arcs), |word| curves(py, &word))?,
+            drawn: match is("cut_only")? {
+                Some(true) => Content::CutOnly,
+                _ => Content::All,
             },
-        })
-    }
+            title,
+            ..Workshop::default()
+        },
+    })
 }
 
 /// A valid number of rows.

@@ -1,6 +1,6 @@
 //! Conversion of Python's values to TOML, and of JSON to Python's values.
 
-use gaitcam::error::Error;
+use gaitcam::error::{Error, nearest};
 use gaitcam::scene;
 use gaitcam::sweep::Key;
 use numpy::{AllowTypeChange, PyArrayLike1};
@@ -133,6 +133,43 @@ where
         }
         let what = format!("{given} is negative or too large; give a whole number from 0");
         raised(py, Error::own("python-argument", what))
+    })
+}
+
+/// The options of a call that are given.
+///
+/// # Errors
+/// `TypeError` with the known names at another one.
+pub fn options<'py>(
+    py: Python<'py>,
+    given: Option<&Bound<'py, PyDict>>,
+    known: &[&str],
+) -> PyResult<Bound<'py, PyDict>> {
+    let out = PyDict::new(py);
+    for (key, value) in given.into_iter().flatten().filter(|(_, v)| !v.is_none()) {
+        let name: String = key.extract()?;
+        if !known.contains(&name.as_str()) {
+            let near = nearest(&name, known.iter().copied());
+            let near = near.map_or(String::new(), |n| format!("; did you mean '{n}'?"));
+            let names = known.join(", ");
+            let what = format!("unexpected keyword argument '{name}'{near} (options: {names})");
+            return Err(PyTypeError::new_err(what));
+        }
+        out.set_item(key, value)?;
+    }
+    Ok(out)
+}
+
+/// One of the options of a call, if it is given.
+pub fn option<'py, T>(given: &Bound<'py, PyDict>, name: &str) -> PyResult<Option<T>>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    let value = given.get_item(name)?;
+    let extracted = value.map(|value| value.extract()).transpose();
+    extracted.map_err(|fault: PyErr| {
+        let what = format!("{name}: {}", fault.value(given.py()));
+        PyTypeError::new_err(what)
     })
 }
 

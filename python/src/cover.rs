@@ -4,7 +4,7 @@ use gaitcam::cover::{Cover, covers, folds};
 use gaitcam::error::{Placed, SynthError};
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::scene::set_value;
-use gaitcam::synth::{Outcome, Search};
+use gaitcam::synth::Outcome;
 use gaitcam_app::design::{MOST_CAMS, law_of_cam};
 use gaitcam_output::{Timing, cover_tables};
 use pyo3::prelude::*;
@@ -13,7 +13,7 @@ use crate::convert;
 use crate::design::Design;
 use crate::error::{Raise, argument};
 use crate::force::Force;
-use crate::interrupt::{self, Interrupt};
+use crate::interrupt;
 use crate::scene::Scene;
 use crate::synth::asked;
 use crate::table::Table;
@@ -60,9 +60,7 @@ pub fn cover<'py>(
         Some(force) => force.named_in(&scene.input).raise(py)?,
         None => scene.whole(py)?.clone(),
     };
-    let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
-    let search = Search::until(interrupt.halt());
-    let found = py.detach(|| {
+    let found = interrupt::run(py, time_limit, |search| {
         let target = match &force {
             Some(force) => Some(force.curve.clone()),
             None => input.target()?,
@@ -70,11 +68,10 @@ pub fn cover<'py>(
         let one = || SynthError::OneWalker.at_key("gait.file");
         let read = target.and_then(|t| t.population).ok_or_else(one)?;
         let whole = ForceCurve::of_walkers(read.walkers.clone())?;
-        let found = covers(&input.scene, &whole, cams, &search)?;
-        Ok((found, folds(&input.scene, &whole, cams, &search)?, read))
+        let found = covers(&input.scene, &whole, cams, search)?;
+        Ok((found, folds(&input.scene, &whole, cams, search)?, read))
     });
-    interrupt.result()?;
-    let (found, other, population) = found.raise(py)?;
+    let (found, other, population) = found?.raise(py)?;
     let error = input.scene.law.error;
     let designs: PyResult<Vec<Vec<Design>>> = (found.iter())
         .map(|cover| of_cover(py, &scene, cover, &population.walkers, time_limit))

@@ -13,12 +13,11 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{Contents, Input, PATIENCE, ROWS, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect};
 use gaitcam_output::{self as output, Language, Timing};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 use serde_json::Value;
 
-use crate::asked::{Asked, language, rows};
+use crate::asked::{self, language, rows};
 use crate::convert::{self, Argument, Reduced};
 use crate::error::{NoSuchCam, Raise, argument};
 use crate::force::{FILE, Force};
@@ -201,27 +200,16 @@ impl Design {
     }
 
     /// :func:`identify` of this design.
-    #[pyo3(signature = (logs, **columns), text_signature = "(self, logs, *, time=None, angle=None, force=None, speed=None, \
-        torque=None, counts_per_turn=None)")]
     fn identify<'py>(
         slf: &Bound<'py, Self>,
         logs: &Bound<'py, PyAny>,
-        columns: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let identify = slf.py().import("gaitcam")?.getattr("identify")?;
-        identify.call((slf, logs), columns)
+        (slf.py().import("gaitcam")?).call_method1("identify", (slf, logs))
     }
 
     /// :func:`recut` of this design.
-    #[pyo3(signature = (logs, **columns), text_signature = "(self, logs, *, time=None, angle=None, force=None, speed=None, \
-        torque=None, counts_per_turn=None)")]
-    fn recut<'py>(
-        slf: &Bound<'py, Self>,
-        logs: &Bound<'py, PyAny>,
-        columns: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let recut = slf.py().import("gaitcam")?.getattr("recut")?;
-        recut.call((slf, logs), columns)
+    fn recut<'py>(slf: &Bound<'py, Self>, logs: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        (slf.py().import("gaitcam")?).call_method1("recut", (slf, logs))
     }
 
     /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.
@@ -245,33 +233,15 @@ impl Design {
     ///     Only the layers that are cut in profile.dxf.
     /// lang : str
     ///     Language of report and pictures, "en" or "es".
-    #[pyo3(signature = (folder, *, points = 1440, png = true, solid = false, tool = None, wire = None, dxf = "arcs",
-                        cut_only = false, lang = "en"))]
-    #[allow(clippy::too_many_arguments)] // keywords of one call
+    #[pyo3(signature = (folder, **options), text_signature = "($self, folder, *, points=1440, png=True, solid=False, tool=None, wire=None, dxf='arcs', \
+        cut_only=False, lang='en')")]
     fn save(
         &self,
         py: Python<'_>,
         folder: PathBuf,
-        #[pyo3(from_py_with = convert::whole)] points: usize,
-        png: bool,
-        solid: bool,
-        tool: Option<&Bound<'_, PyAny>>,
-        wire: Option<&Bound<'_, PyAny>>,
-        dxf: &str,
-        cut_only: bool,
-        lang: &str,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<PathBuf> {
-        let asked = Asked {
-            points,
-            png,
-            solid,
-            tool,
-            wire,
-            dxf,
-            cut_only,
-            lang,
-        };
-        let contents = asked.contents(py, self.input.title())?;
+        let contents = asked::contents(py, options, true, self.input.title())?;
         let written = py.detach(|| {
             check_inputs_stay(&folder, &self.input, &self.logs)?;
             let place = ResultFolder::open(&folder, PATIENCE)?;
@@ -284,32 +254,14 @@ impl Design {
     }
 
     /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
-    #[pyo3(signature = (*, points = 1440, png = false, solid = false, tool = None, wire = None, dxf = "arcs",
-                        cut_only = false, lang = "en"))]
-    #[allow(clippy::too_many_arguments)] // keywords of one call
+    #[pyo3(signature = (**options), text_signature = "($self, *, points=1440, png=False, solid=False, tool=None, wire=None, dxf='arcs', \
+        cut_only=False, lang='en')")]
     fn files<'py>(
         &self,
         py: Python<'py>,
-        #[pyo3(from_py_with = convert::whole)] points: usize,
-        png: bool,
-        solid: bool,
-        tool: Option<&Bound<'_, PyAny>>,
-        wire: Option<&Bound<'_, PyAny>>,
-        dxf: &str,
-        cut_only: bool,
-        lang: &str,
+        options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = Asked {
-            points,
-            png,
-            solid,
-            tool,
-            wire,
-            dxf,
-            cut_only,
-            lang,
-        };
-        let contents = asked.contents(py, self.input.title())?;
+        let contents = asked::contents(py, options, false, self.input.title())?;
         let files = py.detach(|| {
             let mut files = BTreeMap::new();
             self.write(&contents, |name, bytes| {
@@ -389,12 +341,6 @@ impl Design {
         if !["force", "law", "profile"].contains(&what) {
             let what = format!("{what:?} is no diagram; give \"force\", \"law\" or \"profile\"");
             return Err(argument(py, "what", what));
-        }
-        if let Some(other) = ax.filter(|ax| !ax.hasattr("set_xlabel").unwrap_or(false)) {
-            let kind = other.get_type().name()?;
-            return Err(PyTypeError::new_err(format!(
-                "ax: axes of matplotlib, not {kind}"
-            )));
         }
         let module = py.import("gaitcam._plot")?;
         module.call_method1("plot", (slf, ax, what))

@@ -1,8 +1,8 @@
 //! Everything that is wrong with a scene or a recording.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use gaitcam::synth::{Search, sentences};
+use gaitcam::synth::sentences;
 use gaitcam::wording::{Language, catalogue};
 use gaitcam_app::doctor::{self as examine, Finding, Mark};
 use pyo3::prelude::*;
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::convert;
 use crate::error::{self, Raise};
-use crate::interrupt::{self, Interrupt};
+use crate::interrupt;
 use crate::scene::Scene;
 
 /// Examines a scene or a recording as ``gaitcam doctor`` does: every fault at once, not the first alone.
@@ -43,41 +43,26 @@ pub fn doctor<'py>(
     lang: &str,
 ) -> PyResult<Bound<'py, PyAny>> {
     let language = crate::asked::language(py, lang)?;
-    let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
-    let search = Search::until(interrupt.halt());
-    let own = given
-        .cast::<Scene>()
-        .ok()
-        .map(|scene| scene.get().input.clone());
+    let own = given.cast::<Scene>().ok().map(|s| s.get().input.clone());
     let path: PathBuf = match own {
         Some(_) => PathBuf::new(),
         None => given.extract()?,
     };
-    let found = py.detach(|| {
+    let found = interrupt::run(py, time_limit, |search| {
         let (table, files) = match own {
             Some(input) => (input.table, input.files),
-            None if is_recording(&path) => return examine::recording_file(&path),
+            None if examine::is_recording(&path) => return examine::recording_file(&path),
             None => gaitcam_app::scene::named(&path)?,
         };
-        let (mut findings, input) = examine::scene(table, files)?;
+        let (mut findings, input) = examine::scene("", table, files)?;
         if let Some(input) = input {
-            findings.push(examine::design(&input, &search)?);
+            findings.push(examine::design(&input, search)?);
         }
         Ok(findings)
     });
-    interrupt.result()?;
-    let rows: Vec<Value> = found
-        .raise(py)?
-        .iter()
-        .filter_map(|f| row(f, language))
-        .collect();
+    let found = found?.raise(py)?;
+    let rows: Vec<Value> = found.iter().filter_map(|f| row(f, language)).collect();
     convert::json(py, &Value::from(rows))
-}
-
-/// Whether a path has the ending of a file that is not a scene.
-fn is_recording(path: &Path) -> bool {
-    let ending = path.extension().map(|e| e.to_ascii_lowercase());
-    ending.is_some_and(|e| e != "toml" && e != "json")
 }
 
 /// A finding that asks for something, or the verdict.
@@ -110,7 +95,7 @@ fn row(finding: &Finding, language: Language) -> Option<Value> {
             let code = design.verdict.name().to_string();
             (code, None, sentences(&design.reasons, language), None)
         }
-        _ => return None,
+        Finding::Good(..) => return None,
     };
     Some(json!({"mark": mark, "code": code, "key": key, "sentence": sentence, "help": help}))
 }

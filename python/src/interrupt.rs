@@ -4,7 +4,9 @@ use std::sync::{Arc, Mutex};
 use std::thread::{ThreadId, current};
 use std::time::{Duration, Instant};
 
+use gaitcam::error::Result;
 use gaitcam::halt::Halt;
+use gaitcam::synth::Search;
 use pyo3::prelude::*;
 
 /// Time between two checks of Python's signals.
@@ -92,6 +94,20 @@ impl Interrupt {
     pub fn elapsed_s(&self) -> f64 {
         self.begun.elapsed().as_secs_f64()
     }
+}
+
+/// Runs a search without the interpreter's lock.
+///
+/// # Errors
+/// An invalid limit, s; an exception of a signal handler. A fault of the search is the inner result.
+pub fn run<T: Send>(
+    py: Python<'_>,
+    limit_s: f64,
+    work: impl FnOnce(&Search) -> Result<T> + Send,
+) -> PyResult<Result<T>> {
+    let interrupt = Interrupt::after(limit(py, limit_s)?);
+    let found = py.detach(|| work(&Search::until(interrupt.halt())));
+    interrupt.result().map(|()| found)
 }
 
 /// A time limit given by the user, s.

@@ -59,8 +59,10 @@ def test_a_file_without_points_is_refused(heel, tmp_path):
         with pytest.raises(gaitcam.InputError, match="measured.csv") as fault:
             gaitcam.inspect(heel, path)
         assert help_ in fault.value.help
-    with pytest.raises(TypeError, match="points"):
-        gaitcam.inspect(heel, [["a", "b"]])
+    for wrong in ([["a", "b"]], 3, None, np.ones((9, 2)) * 1j):
+        with pytest.raises(gaitcam.InputError) as fault:
+            gaitcam.inspect(heel, wrong)
+        assert fault.value.key == "points"
 
 
 SCENE = """

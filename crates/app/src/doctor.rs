@@ -2,13 +2,14 @@
 //!
 //! The same functions as in `synth` and `gait`, one step after another; a scene's faulty keys are set aside so that those behind them are found too.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, Interpretation, Note, OpenQuestion, ReadOptions};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Search, answer};
+use serde_json::{Value, json};
 use toml::Table;
 
 use crate::disk::{Disk, metadata};
@@ -21,18 +22,12 @@ const MOST: usize = 25;
 /// One result of an examination.
 #[derive(Debug, Clone)]
 pub enum Finding {
-    /// The text is a table with this number of values.
-    Table(usize),
+    /// What is in order: the message of the command, with its data.
+    Good(&'static str, Value),
     /// A fault of a key or of a file.
     Fault(Error),
     /// A recording without a cycle.
     NoCycle(Error),
-    /// Every key of the scene is known and in its range.
-    KeysRight,
-    /// The file is one cycle of this duration, s.
-    OneCycle(PathBuf, f64),
-    /// A recording with its numbers of force columns, of used contacts and of rejected ones.
-    Recording(PathBuf, usize, usize, usize),
     /// A guess, exclusion or implausible value.
     Note(Note),
     /// A question that only the user can answer.
@@ -63,9 +58,15 @@ impl Finding {
                 Verdict::NotForHighSpeed => Mark::Doubtful,
                 Verdict::Unacceptable => Mark::Bad,
             },
-            _ => Mark::Good,
+            Finding::Good(..) => Mark::Good,
         }
     }
+}
+
+/// Whether a path has the ending of a file that is not a scene.
+pub fn is_recording(path: &Path) -> bool {
+    let ending = path.extension().map(|e| e.to_ascii_lowercase());
+    ending.is_some_and(|e| e != "toml" && e != "json")
 }
 
 /// Findings on a recording on the disk.
@@ -85,8 +86,10 @@ pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
 /// # Errors
 /// An invalid cycle.
 pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Finding>> {
+    let file = path.display().to_string();
     if let Some(curve) = force::one_cycle(path, bytes, options)? {
-        return Ok(vec![Finding::OneCycle(path.into(), curve.period_s)]);
+        let data = json!({"file": file, "period": (1e3 * curve.period_s).round() / 1e3});
+        return Ok(vec![Finding::Good("one-cycle", data)]);
     }
     let recording = match force::read(path, bytes, options) {
         Ok(recording) => recording,
@@ -94,12 +97,12 @@ pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec
     };
     let stances = force::stances(&recording);
     let cycle = force::cycle(&recording, &stances, Feet::Both);
-    let file = path.display().to_string();
     let mean = cycle.as_ref().ok();
     let understood = Interpretation::of(&file, &recording, &stances, mean, Feet::Both);
     let (used, left_out) = understood.counts();
     let columns = understood.columns.len();
-    let mut out = vec![Finding::Recording(path.into(), columns, used, left_out)];
+    let data = json!({"file": file, "columns": columns, "used": used, "rejected": left_out});
+    let mut out = vec![Finding::Good("recording", data)];
     out.extend(understood.warnings.iter().cloned().map(Finding::Note));
     match cycle {
         Ok(_) => out.extend(understood.doubts().into_iter().map(Finding::Open)),
@@ -108,12 +111,13 @@ pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec
     Ok(out)
 }
 
-/// Findings on a scene, and the scene where there is nothing to correct before its design.
+/// Findings on a scene, `name` in messages, and the scene where there is nothing to correct before its design.
 ///
 /// # Errors
 /// Motions and recordings that cannot be read.
-pub fn scene(table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)> {
-    let mut out = vec![Finding::Table(leaves(&table))];
+pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)> {
+    let data = json!({"file": name, "keys": leaves(&table)});
+    let mut out = vec![Finding::Good("toml", data)];
     let whole = files.with_motions(&table)?;
     let (scene, faults) = read_what_is_right(&whole);
     let is_right = faults.is_empty();
@@ -121,7 +125,7 @@ pub fn scene(table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)>
     let Some(scene) = scene.filter(|_| is_right) else {
         return Ok((out, None));
     };
-    out.push(Finding::KeysRight);
+    out.push(Finding::Good("keys-right", Value::Null));
     let input = Input {
         scene,
         table,

@@ -167,7 +167,7 @@ impl Force {
     ) -> PyResult<Force> {
         let py = t_s.py();
         let origin = Origin::Recording {
-            gait: options::gait(options, &OF_ARRAYS, Path::new("recording.csv"))?,
+            gait: options::gait(py, options, &OF_ARRAYS, Path::new("recording.csv"))?,
             bytes: table_of_arrays(t_s, f_n)?.into_bytes().into(),
             metadata: None,
         };
@@ -377,7 +377,12 @@ pub fn read_gait(
     };
     let places: Vec<String> = paths.iter().map(place).collect();
     let origin = Origin::Recording {
-        gait: options::gait(options, &OF_FILE, Path::new(&places.join(BETWEEN_PLATES)))?,
+        gait: options::gait(
+            py,
+            options,
+            &OF_FILE,
+            Path::new(&places.join(BETWEEN_PLATES)),
+        )?,
         bytes: bytes.raise(py)?,
         metadata: paths.first().and_then(|path| disk::metadata(path)),
     };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::error::{Error, ForceError, Placed, nearest};
+use gaitcam::error::{Error, ForceError, Placed};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -25,18 +25,14 @@ pub const OF_ARRAYS: [&str; 10] = [
 ///
 /// # Errors
 /// `TypeError` with the accepted names at an unknown option, or at one quantity given twice.
-pub fn gait(options: Option<&Bound<'_, PyDict>>, known: &[&str], path: &Path) -> PyResult<Table> {
+pub fn gait(
+    py: Python<'_>,
+    options: Option<&Bound<'_, PyDict>>,
+    known: &[&str],
+    path: &Path,
+) -> PyResult<Table> {
     let mut gait = Table::new();
-    let given = options.into_iter().flatten().filter(|(_, v)| !v.is_none());
-    for (name, value) in given {
-        let name: String = name.extract()?;
-        if !known.contains(&name.as_str()) {
-            let near = nearest(&name, known.iter().copied());
-            let near = near.map_or(String::new(), |n| format!("; did you mean '{n}'?"));
-            let names = known.join(", ");
-            let what = format!("unexpected keyword argument '{name}'{near} (options: {names})");
-            return Err(PyTypeError::new_err(what));
-        }
+    for (name, value) in convert::options(py, options, known)? {
         let (key, value) = convert::entry(format!("gait.{name}"), &value)?;
         let key = key.trim_start_matches("gait.").to_string();
         let again = format!("{key}: one value, not one as text and one as a number");

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use gaitcam::sweep::MadeCam;
 use gaitcam_app::measured::{self, Points};
 use gaitcam_output::inspection_data;
+use numpy::{AllowTypeChange, PyArrayLike2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::asked::length;
@@ -70,24 +71,21 @@ fn read(given: &Bound<'_, PyAny>) -> PyResult<Points> {
         return py.detach(|| measured::read(&path)).raise(py);
     }
     let array = convert::array(given, "points")?;
-    let shape = array.getattr("shape")?;
-    if !matches!(shape.extract::<(usize, usize)>(), Ok((_, 2))) {
-        let what = format!("an array of shape {shape} is not one of points; give (n, 2)");
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    let array = match &*kind {
+        "f" | "i" | "u" => array
+            .extract::<PyArrayLike2<'_, f64, AllowTypeChange>>()
+            .ok(),
+        _ => None,
+    };
+    let array = array.filter(|a| a.shape()[1] == 2);
+    let finite = array.filter(|a| a.as_array().iter().all(|x| x.is_finite()));
+    let Some(array) = finite else {
+        let what = "not a file and not an array of finite numbers of shape (n, 2)".to_string();
         return Err(argument(py, "points", what));
-    }
-    let columns = array.getattr("T")?;
-    let [x, y] = [0, 1].map(|k| convert::numbers(&columns.get_item(k)?, "points"));
-    let (x, y) = (x?, y?);
-    let xy: Vec<[f64; 2]> = x
-        .as_array()
-        .iter()
-        .zip(y.as_array())
-        .map(|(x, y)| [*x, *y])
-        .collect();
-    if let Some(row) = xy.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
-        let what = format!("row {row} has a coordinate that is not finite");
-        return Err(argument(py, "points", what));
-    }
+    };
+    let rows = array.as_array();
+    let xy: Vec<[f64; 2]> = rows.rows().into_iter().map(|p| [p[0], p[1]]).collect();
     let lines = (1..=xy.len()).collect();
     Ok(Points { xy, lines })
 }

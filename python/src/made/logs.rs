@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use gaitcam::identify::{self as machine, Log, LogColumns, LogOptions};
 use gaitcam::scene::set_value;
-use gaitcam::synth::Search;
 use gaitcam::wording::Language;
 use gaitcam_app::read::read_bytes;
 use pyo3::exceptions::PyTypeError;
@@ -14,7 +13,7 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 use crate::convert::{self, Argument};
 use crate::design::Design;
 use crate::error::{NoSuchCam, Raise, argument};
-use crate::interrupt::{self, Interrupt};
+use crate::interrupt;
 use crate::scene::Scene;
 use crate::synth::answer;
 
@@ -25,6 +24,16 @@ const COLUMNS: [&str; 5] = [
     "force_n",
     "speed_rad_per_s",
     "torque_n_m",
+];
+
+/// Options of the columns of files.
+const OPTIONS: [&str; 6] = [
+    "time",
+    "angle",
+    "force",
+    "speed",
+    "torque",
+    "counts_per_turn",
 ];
 
 /// What logs of the running machine show of it, as ``gaitcam identify --json`` prints it.
@@ -101,18 +110,15 @@ pub fn recut(
     let made = Design::given(design, "design")?.get();
     let cam = made.cam(py)?;
     let (logs, files) = read(logs, columns)?;
-    let interrupt = Interrupt::after(interrupt::limit(py, made.time_limit)?);
-    let found = py.detach(|| {
+    let found = interrupt::run(py, made.time_limit, |search| {
         let named = match &made.force {
             Some(_) => None,
             None => made.input.target()?,
         };
         let target = made.force.as_ref().map(|f| &f.curve).or(named.as_ref());
-        let search = Search::until(interrupt.halt());
-        machine::recut(cam, &made.input.scene, target, &logs, &search)
+        machine::recut(cam, &made.input.scene, target, &logs, search)
     });
-    interrupt.result()?;
-    let (next, figures, _) = match found {
+    let (next, figures, _) = match found? {
         Err(why) if why.is_answer() => {
             return Err(NoSuchCam::new_err(why.sentence(Language::En)));
         }
@@ -134,13 +140,21 @@ fn read(
     given: &Bound<'_, PyAny>,
     columns: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<(Vec<Log>, Vec<PathBuf>)> {
-    let options = options(columns)?;
+    let py = given.py();
+    let named = convert::options(py, columns, &OPTIONS)?;
+    let options = LogOptions {
+        time: convert::option(&named, "time")?,
+        angle: convert::option(&named, "angle")?,
+        force: convert::option(&named, "force")?,
+        speed: convert::option(&named, "speed")?,
+        torque: convert::option(&named, "torque")?,
+        counts_per_turn: convert::option(&named, "counts_per_turn")?,
+    };
     let is_list = given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>();
     let each: Vec<Bound<'_, PyAny>> = match is_list {
         true => given.try_iter()?.collect::<PyResult<_>>()?,
         false => vec![given.clone()],
     };
-    let py = given.py();
     if each.is_empty() {
         return Err(argument(py, "logs", "an empty list of logs".to_string()));
     }
@@ -160,32 +174,6 @@ fn read(
         return Err(PyTypeError::new_err(what));
     }
     Ok((logs, files))
-}
-
-/// Columns of a file by name.
-fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<LogOptions> {
-    let mut out = LogOptions::default();
-    for (name, value) in given.into_iter().flatten().filter(|(_, v)| !v.is_none()) {
-        let place = match name.extract::<&str>()? {
-            "time" => &mut out.time,
-            "angle" => &mut out.angle,
-            "force" => &mut out.force,
-            "speed" => &mut out.speed,
-            "torque" => &mut out.torque,
-            "counts_per_turn" => {
-                out.counts_per_turn = Some(value.extract()?);
-                continue;
-            }
-            other => {
-                let what = format!(
-                    "unexpected keyword argument '{other}' (options: time, angle, force, speed, torque, counts_per_turn)"
-                );
-                return Err(PyTypeError::new_err(what));
-            }
-        };
-        *place = Some(value.extract()?);
-    }
-    Ok(out)
 }
 
 /// Columns in SI from a mapping of arrays.
