@@ -103,7 +103,7 @@ impl Cycles {
         }
         let order = carried.min(MOST);
         let mut out = Fitted::of(log, &phases, cycles, order)?.cycles(speed, log);
-        if log.theta.is_none() {
+        if log.columns.theta.is_none() {
             let mut phases = phases;
             for _ in 0..ROUNDS {
                 let slope = out.slope();
@@ -190,8 +190,8 @@ fn span(phases: &[f64]) -> f64 {
 
 /// Phase of every sample, rad, and mean speed, rad/s.
 fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
-    let Some(theta) = &log.theta else {
-        let time = log.time.as_deref().unwrap_or_default();
+    let Some(theta) = &log.columns.theta else {
+        let time = log.columns.time.as_deref().unwrap_or_default();
         let period = period(log, time, TAU / expected)?;
         let phase = |t: &f64| TAU * (t - time[0]) / period;
         return Ok((time.iter().map(phase).collect(), TAU / period));
@@ -201,10 +201,11 @@ fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
         let [a, b] = part.map(|k| k * (n - 1) / 3);
         let mean = |s: &Vec<f64>| s[a..b].iter().sum::<f64>() / (b - a) as f64;
         let of_time = |t: &Vec<f64>| (theta[b] - theta[a]) / (t[b] - t[a]);
-        log.time
+        log.columns
+            .time
             .as_ref()
             .map(of_time)
-            .or_else(|| log.speed.as_ref().map(mean))
+            .or_else(|| log.columns.speed.as_ref().map(mean))
     };
     let speed = third([0, 3]).unwrap_or(expected);
     if !(SPEEDS[0]..=SPEEDS[1]).contains(&(speed / expected)) {
@@ -271,7 +272,7 @@ fn basis(phase: f64, count: usize) -> Vec<f64> {
 
 /// Time in units of the period (2π), less the cam angle, if the log has both.
 fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
-    let (time, _) = log.time.as_ref().zip(log.theta.as_ref())?;
+    let (time, _) = log.columns.time.as_ref().zip(log.columns.theta.as_ref())?;
     let last = phases.len() - 1;
     let speed = (phases[last] - phases[0]) / (time[last] - time[0]);
     let of = |(t, x): (&f64, &f64)| speed * (t - time[0]) - (x - phases[0]);
@@ -289,9 +290,9 @@ impl Fitted {
         let count = 2 * order + 1;
         let lead = lead(log, phases);
         let columns = [
-            Some(&log.force),
-            log.speed.as_ref(),
-            log.torque.as_ref(),
+            Some(&log.columns.force),
+            log.columns.speed.as_ref(),
+            log.columns.torque.as_ref(),
             lead.as_ref(),
         ];
         let mut by_column: [Vec<Vec<f64>>; 4] = Default::default();
@@ -322,7 +323,11 @@ impl Fitted {
         }
         let force = Averaged::of(by_column[0].clone()).mean;
         let square = |(p, f): (&f64, &f64)| (f - value(&force, *p)).powi(2);
-        let sum: f64 = phases[..from].iter().zip(&log.force).map(square).sum();
+        let sum: f64 = phases[..from]
+            .iter()
+            .zip(&log.columns.force)
+            .map(square)
+            .sum();
         let noise_rms = (sum / from.saturating_sub(count).max(1) as f64).sqrt();
         Ok(Fitted {
             by_column,
@@ -334,11 +339,16 @@ impl Fitted {
         let [force, shaft, torque, lead] = self.by_column.map(Averaged::of);
         Cycles {
             speed,
-            by_angle: log.theta.is_some(),
+            by_angle: log.columns.theta.is_some(),
             force,
-            shaft: log.speed.as_ref().map(|_| shaft),
-            torque: log.torque.as_ref().map(|_| torque),
-            lead: log.theta.as_ref().and(log.time.as_ref()).map(|_| lead),
+            shaft: log.columns.speed.as_ref().map(|_| shaft),
+            torque: log.columns.torque.as_ref().map(|_| torque),
+            lead: log
+                .columns
+                .theta
+                .as_ref()
+                .and(log.columns.time.as_ref())
+                .map(|_| lead),
             noise_rms: self.noise_rms,
         }
     }

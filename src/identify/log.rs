@@ -28,7 +28,7 @@ const CLIPPED: f64 = 0.02;
 /// let time: Vec<f64> = (0..99).map(|i| 0.01 * f64::from(i)).collect();
 /// let force = time.iter().map(|t| 700.0 + 100.0 * (11.6 * t).sin()).collect();
 /// let columns = LogColumns { time: Some(time), force, ..LogColumns::default() };
-/// assert_eq!(Log::new("log 1".as_ref(), columns)?.force().len(), 99);
+/// assert_eq!(Log::new("log 1".as_ref(), columns)?.columns().force.len(), 99);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -45,6 +45,36 @@ pub struct LogColumns {
     pub torque: Option<Vec<f64>>,
 }
 
+impl LogColumns {
+    fn all(&self) -> [Option<&Vec<f64>>; 5] {
+        let LogColumns {
+            time,
+            theta,
+            force,
+            speed,
+            torque,
+        } = self;
+        [
+            time.as_ref(),
+            theta.as_ref(),
+            Some(force),
+            speed.as_ref(),
+            torque.as_ref(),
+        ]
+    }
+}
+
+/// Adds whole turns to angles that begin anew after each turn.
+fn unwrap(theta: &mut [f64]) {
+    let mut turns = 0.0;
+    for row in 1..theta.len() {
+        if theta[row] + turns < theta[row - 1] - PI {
+            turns += TAU;
+        }
+        theta[row] += turns;
+    }
+}
+
 /// A log of a running machine: finite numbers in columns of one length, time and angle in order.
 ///
 /// ```
@@ -53,7 +83,7 @@ pub struct LogColumns {
 /// let rows: String = (0..99).map(|i| format!("{},{}\n", 0.01 * f64::from(i), (0.3 * f64::from(i)).sin())).collect();
 /// let text = format!("time_s,force_n\n{rows}");
 /// let log = Log::read("log.csv".as_ref(), text.as_bytes(), &LogOptions::default())?;
-/// assert_eq!(log.force().len(), 99);
+/// assert_eq!(log.columns().force.len(), 99);
 /// // A number that is missing is refused with its line.
 /// let error = Log::read("log.csv".as_ref(), b"time_s,force_n\n0,1\n0.1,nan\n", &LogOptions::default()).unwrap_err();
 /// assert!(error.to_string().contains("line 3"));
@@ -61,12 +91,8 @@ pub struct LogColumns {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    pub(super) time: Option<Vec<f64>>,
-    /// Not wrapped, not decreasing.
-    pub(super) theta: Option<Vec<f64>>,
-    pub(super) force: Vec<f64>,
-    pub(super) speed: Option<Vec<f64>>,
-    pub(super) torque: Option<Vec<f64>>,
+    /// The angle is not wrapped and does not decrease.
+    pub(super) columns: LogColumns,
     path: PathBuf,
 }
 
@@ -81,27 +107,20 @@ impl Log {
     }
 
     /// A log from columns whose rows are in these lines of a file; without lines, of no file.
-    pub(super) fn checked(path: &Path, columns: LogColumns, lines: &[usize]) -> Result<Log> {
+    pub(super) fn checked(path: &Path, mut columns: LogColumns, lines: &[usize]) -> Result<Log> {
         let at = |row: usize, fault: LogError| match lines.get(row) {
             Some(line) => fault.at_line(path, *line),
             None => fault.in_file(path),
         };
-        let rows = columns.force.len();
-        let LogColumns {
-            time,
-            mut theta,
-            force,
-            speed,
-            torque,
-        } = columns;
-        if time.is_none() && theta.is_none() {
+        if columns.time.is_none() && columns.theta.is_none() {
             let columns = "force".to_string();
             return Err(LogError::NoColumn { columns }.in_file(path));
         }
-        let all = [&time, &theta, &Some(force.clone()), &speed, &torque];
-        for (column, name) in all.into_iter().zip(NAMES) {
-            let Some(values) = column else { continue };
-            let column = name.to_string();
+        let rows = columns.force.len();
+        for (values, name) in columns.all().into_iter().zip(NAMES) {
+            let (Some(values), column) = (values, name.to_string()) else {
+                continue;
+            };
             if values.len() != rows {
                 let count = values.len();
                 let fault = LogError::Lengths {
@@ -117,53 +136,36 @@ impl Log {
                 return Err(at(row, LogError::Value { column, typed }));
             }
         }
-        let mut turns = 0.0;
-        if let Some(theta) = &mut theta {
-            for row in 1..rows {
-                // An encoder may begin anew after each turn.
-                turns += if theta[row] + turns < theta[row - 1] - PI {
-                    TAU
-                } else {
-                    0.0
-                };
-                theta[row] += turns;
-            }
+        if let Some(theta) = &mut columns.theta {
+            unwrap(theta);
         }
-        let in_order = |column: &Option<Vec<f64>>, name: &str, is_strict: bool| {
-            let values = column.as_deref().unwrap_or_default();
-            let falls = |w: &[f64]| w[1] < w[0] || (is_strict && w[1] == w[0]);
-            let row = values.windows(2).position(falls)? + 1;
-            let (column, value, before) = (name.to_string(), values[row], values[row - 1]);
+        let has_time = columns.time.is_some();
+        let in_order = columns.all().into_iter().zip(NAMES).take(2);
+        let falls = in_order.filter_map(|(values, name)| {
+            let is_time = name == NAMES[0];
+            let falls = |w: &[f64]| w[1] < w[0] || (w[1] == w[0] && (is_time || !has_time));
+            let row = values?.windows(2).position(falls)? + 1;
+            Some((row, name, values?[row], values?[row - 1]))
+        });
+        if let Some((row, name, value, before)) = falls.min_by_key(|f| f.0) {
+            let column = name.to_string();
             let fault = LogError::Order {
                 column,
                 value,
                 before,
             };
-            Some((row, fault))
-        };
-        let faults = [
-            in_order(&time, NAMES[0], true),
-            in_order(&theta, NAMES[1], time.is_none()),
-        ];
-        if let Some((row, fault)) = faults.into_iter().flatten().min_by_key(|f| f.0) {
             return Err(at(row, fault));
         }
-        let log = Log {
-            time,
-            theta,
-            force,
-            speed,
-            torque,
-            path: path.to_path_buf(),
-        };
+        let path = path.to_path_buf();
+        let log = Log { columns, path };
         if rows < LEAST_ROWS {
             let least = LEAST_ROWS;
             return Err(log.refused(LogError::FewRows { rows, least }));
         }
-        if let Some([first, .., last]) = log.theta.as_deref()
-            && first == last
+        if let Some([angle, .., last]) = log.columns.theta.as_deref()
+            && angle == last
         {
-            return Err(log.refused(LogError::NoMotion { angle: *first }));
+            return Err(log.refused(LogError::NoMotion { angle: *angle }));
         }
         log.check_clipping()?;
         Ok(log)
@@ -175,19 +177,9 @@ impl Log {
         name.to_string_lossy().into_owned()
     }
 
-    /// Time of the samples, s.
-    pub fn time(&self) -> Option<&[f64]> {
-        self.time.as_deref()
-    }
-
-    /// Cam angle, rad; not wrapped.
-    pub fn theta(&self) -> Option<&[f64]> {
-        self.theta.as_deref()
-    }
-
-    /// Force of the load cell, N.
-    pub fn force(&self) -> &[f64] {
-        &self.force
+    /// The samples; the angle is not wrapped.
+    pub fn columns(&self) -> &LogColumns {
+        &self.columns
     }
 
     /// A fault of the log as a whole.
@@ -198,13 +190,13 @@ impl Log {
     /// Rejects a force that stays at its largest or smallest value.
     fn check_clipping(&self) -> Result<()> {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
-        let range = (self.force.iter()).fold(ends, |[l, h], f| [l.min(*f), h.max(*f)]);
+        let range = (self.columns.force.iter()).fold(ends, |[l, h], f| [l.min(*f), h.max(*f)]);
         if range[0] == range[1] {
             return Err(self.refused(LogError::NoForce { force: range[0] }));
         }
         for end in range {
-            let at = self.force.iter().filter(|f| **f == end).count();
-            let share = at as f64 / self.force.len() as f64;
+            let at = self.columns.force.iter().filter(|f| **f == end).count();
+            let share = at as f64 / self.columns.force.len() as f64;
             if share > CLIPPED {
                 let percent = 100.0 * share;
                 return Err(self.refused(LogError::Clipped {

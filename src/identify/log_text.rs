@@ -8,83 +8,32 @@ use crate::error::{LogError, Placed, Result};
 use crate::force::NumberTable;
 use crate::units::{Dimension, parse};
 
-/// Quantity of each column, in the order of [`NAMES`].
-const DIMENSIONS: [Dimension; 5] = [
-    Dimension::Time,
-    Dimension::Angle,
-    Dimension::Force,
-    Dimension::AngularSpeed,
-    Dimension::Torque,
+/// Option that names each column, in the order of [`NAMES`], and its quantity.
+const OPTIONS: [(&str, Dimension); 5] = [
+    ("time", Dimension::Time),
+    ("angle", Dimension::Angle),
+    ("force", Dimension::Force),
+    ("speed", Dimension::AngularSpeed),
+    ("torque", Dimension::Torque),
 ];
-/// Option that names each column.
-const OPTIONS: [&str; 5] = ["time", "angle", "force", "speed", "torque"];
-/// Units of each column; case, blanks, dots and the word `per` do not matter.
-const UNITS: [&[&str]; 5] = [
-    &["s", "ms", "us", "min"],
-    &["rad", "deg", "°", "rev", "revs", "turn", "turns"],
-    &["N", "kN", "lbf", "lb", "lbs", "kgf"],
-    &[
-        "rad/s", "deg/s", "°/s", "rpm", "rev/s", "rps", "1/min", "min^-1", "min⁻¹",
-    ],
-    &[
-        "N m", "N mm", "kN m", "lbf in", "in lbf", "lb in", "in lb", "lbf ft", "ft lbf", "lb ft",
-        "ft lb",
-    ],
+/// Units of each column; case, blanks, dots and `per` for `/` do not matter.
+const UNITS: [&str; 5] = [
+    "s, ms, us, min, sec, secs, seconds",
+    "rad, deg, °, rev, revs, turn, turns, degrees, revolutions",
+    "N, kN, lbf, lb, lbs, kgf",
+    "rad/s, deg/s, °/s, rpm, rev/s, rps, 1/min, min^-1, min⁻¹",
+    "N m, N mm, kN m, lbf in, in lbf, lb in, in lb, lbf ft, ft lbf, lb ft, ft lb",
 ];
-/// Other names of units.
-const ALIASES: [(&str, &str); 11] = [
-    ("sec", "s"),
-    ("secs", "s"),
-    ("seconds", "s"),
-    ("degrees", "deg"),
-    ("grados", "deg"),
-    ("radians", "rad"),
-    ("radianes", "rad"),
-    ("revolutions", "rev"),
-    ("vueltas", "rev"),
-    ("newton", "N"),
-    ("newtons", "N"),
-];
-/// Quantities that no column of a log holds.
-const OTHERS: [Dimension; 8] = [
-    Dimension::Length,
-    Dimension::Speed,
-    Dimension::Acceleration,
-    Dimension::AngularAcceleration,
-    Dimension::Mass,
-    Dimension::Pressure,
-    Dimension::Power,
-    Dimension::Frequency,
-];
-/// Words that a name of angle, speed or torque contains; time and force are those of recordings.
-const WORDS: [&[&str]; 5] = [
-    &[],
-    &[
-        "theta",
-        "angle",
-        "phi",
-        "master",
-        "position",
-        "winkel",
-        "angulo",
-        "ángulo",
-        "posicion",
-        "posición",
-    ],
-    &[],
-    &[
-        "speed",
-        "omega",
-        "velocity",
-        "velocidad",
-        "rpm",
-        "drehzahl",
-        "vitesse",
-    ],
-    &["torque", "moment", "momento", "par", "drehmoment", "couple"],
+/// Words in the names of angle, speed and torque; names of time and force are those of recordings.
+const WORDS: [&str; 5] = [
+    "",
+    "theta angle phi master position winkel angulo ángulo posicion posición",
+    "",
+    "speed omega velocity velocidad rpm drehzahl vitesse",
+    "torque moment momento par drehmoment couple",
 ];
 /// Words for an angle in counts of an encoder.
-const COUNTS: [&str; 6] = ["counts", "ticks", "pulses", "encoder", "cuentas", "pulsos"];
+const COUNTS: &str = "counts ticks pulses encoder cuentas pulsos";
 const ANGLE: usize = 1;
 const FORCE: usize = 2;
 
@@ -97,8 +46,8 @@ const FORCE: usize = 2;
 /// let text = format!("t_ms;Encoder;Cell [kN]\n{rows}");
 /// let options = LogOptions { counts_per_turn: Some(1000.0), ..LogOptions::default() };
 /// let log = Log::read("plc.csv".as_ref(), text.as_bytes(), &options)?;
-/// assert_eq!(log.force()[1], 1500.0);
-/// assert!((log.theta().unwrap()[50] - std::f64::consts::TAU).abs() < 1e-12);
+/// assert_eq!(log.columns().force[1], 1500.0);
+/// assert!((log.columns().theta.as_ref().unwrap()[50] - std::f64::consts::TAU).abs() < 1e-12);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -132,16 +81,19 @@ impl Log {
             table: &table,
             options,
         };
+        let counts = options.counts_per_turn;
+        if let Some(counts) = counts.filter(|c| !(c.is_finite() && *c > 0.0)) {
+            return Err(LogError::BadCounts { counts }.in_file(path));
+        }
         let mut places = [None; 5];
         for (which, place) in places.iter_mut().enumerate() {
             *place = names.column(which)?;
         }
+        let columns = names.listed();
         if places[FORCE].is_none() || (places[0].is_none() && places[ANGLE].is_none()) {
-            let columns = names.listed();
             return Err(names.refused(LogError::NoColumn { columns }));
         }
-        if options.counts_per_turn.is_some() && places[ANGLE].is_none() {
-            let columns = names.listed();
+        if counts.is_some() && places[ANGLE].is_none() {
             return Err(names.refused(LogError::NoCounts { columns }));
         }
         let mut columns: [Vec<f64>; 5] = Default::default();
@@ -179,7 +131,6 @@ impl Log {
 enum Unit {
     /// The quantity, as index in [`NAMES`], and its SI value.
     Known(usize, f64),
-    Counts,
     /// Of another quantity than those of a log.
     Other(String),
     Unknown(String),
@@ -203,13 +154,17 @@ impl Names<'_> {
         named.map_or_else(|| (place + 1).to_string(), |n| n.trim().to_string())
     }
 
-    /// The columns as a message lists them; without a header their numbers.
-    fn listed(&self) -> String {
-        let width = match self.table.names().len() {
+    /// Number of columns.
+    fn width(&self) -> usize {
+        match self.table.names().len() {
             0 => self.table.rows().next().map_or(0, |(_, row)| row.len()),
             count => count,
-        };
-        let all = (0..width.min(40)).map(|i| self.name(i));
+        }
+    }
+
+    /// The columns as a message lists them; without a header their numbers.
+    fn listed(&self) -> String {
+        let all = (0..self.width().min(40)).map(|i| self.name(i));
         all.collect::<Vec<_>>().join(", ")
     }
 
@@ -227,19 +182,15 @@ impl Names<'_> {
             return Ok(Some((place, 1.0)));
         }
         let of_unit = |i: &usize| matches!(self.unit(*i), Unit::Known(q, _) if q == which);
-        let of_name = |i: &usize| {
-            let fits = match self.unit(*i) {
-                Unit::Known(quantity, _) => quantity == which,
-                // A position in millimetres is not an angle.
-                Unit::Other(_) => [0, FORCE].contains(&which),
-                Unit::Counts => which == ANGLE,
-                Unit::Unknown(_) | Unit::None => true,
-            };
-            fits && self.means(which, *i)
+        let of_name = |i: &usize| match self.unit(*i) {
+            Unit::Known(quantity, _) if quantity != which => false,
+            // A position in millimetres is not an angle.
+            Unit::Other(_) if which != 0 && which != FORCE => false,
+            _ => self.means(which, *i),
         };
         let both = |i: &usize| of_unit(i) && of_name(i);
-        let counts = |i: &usize| which == ANGLE && matches!(self.unit(*i), Unit::Counts);
-        let all = 0..names.len();
+        let counts = |i: &usize| which == ANGLE && self.is_in_counts(*i);
+        let all = 0..self.width();
         let kinds: [&dyn Fn(&usize) -> bool; 4] = match o.counts_per_turn {
             Some(_) => [&counts, &both, &of_name, &of_unit],
             None => [&both, &of_name, &of_unit, &counts],
@@ -251,7 +202,7 @@ impl Names<'_> {
             Some([place]) => Ok(Some((*place, self.factor(which, *place, f64::NAN)?))),
             Some(several) => {
                 let columns: Vec<String> = several.iter().map(|i| self.name(*i)).collect();
-                let (option, columns) = (OPTIONS[which].to_string(), columns.join(", "));
+                let (option, columns) = (OPTIONS[which].0.to_string(), columns.join(", "));
                 Err(self.refused(LogError::ManyColumns { option, columns }))
             }
         }
@@ -259,61 +210,63 @@ impl Names<'_> {
 
     /// Whether the name of a column means a quantity.
     fn means(&self, which: usize, place: usize) -> bool {
-        match OPTIONS[which] {
-            "time" => self.table.means_time(place),
-            "force" => self.table.means_force(place),
-            _ => {
-                let words = self.table.words(place);
-                words.iter().any(|w| WORDS[which].contains(&w.as_str()))
-            }
+        match which {
+            0 => self.table.means_time(place),
+            FORCE => self.table.means_force(place),
+            _ => self.has_word(place, WORDS[which]),
+        }
+    }
+
+    fn has_word(&self, place: usize, list: &str) -> bool {
+        let words = self.table.words(place);
+        words.iter().any(|w| list.split(' ').any(|l| l == w))
+    }
+
+    fn is_in_counts(&self, place: usize) -> bool {
+        match self.unit(place) {
+            Unit::Known(..) | Unit::Other(_) => false,
+            Unit::Unknown(unit) => COUNTS.split(' ').any(|c| c == unit.to_lowercase()),
+            Unit::None => self.has_word(place, COUNTS),
         }
     }
 
     /// Factor of a column to SI; `default` for a column without unit, which is refused where it is NaN.
     fn factor(&self, which: usize, place: usize, default: f64) -> Result<f64> {
-        let column = self.name(place);
-        let units = || UNITS[which].join(", ");
+        let (column, (option, dimension)) = (self.name(place), OPTIONS[which]);
         let counts = self.options.counts_per_turn.filter(|_| which == ANGLE);
-        let refused = match (self.unit(place), counts) {
-            (Unit::Known(quantity, factor), None) if quantity == which => return Ok(factor),
-            (Unit::Counts | Unit::None, Some(counts)) if counts.is_finite() && counts > 0.0 => {
-                return Ok(TAU / counts);
+        let unit = match (self.unit(place), counts) {
+            (Unit::Known(ANGLE, _), Some(_)) => {
+                let columns = self.listed();
+                return Err(self.refused(LogError::NoCounts { columns }));
             }
-            (Unit::None, None) if default.is_finite() => return Ok(default),
-            (Unit::Counts, None) if which == ANGLE => LogError::Counts { column },
-            (Unit::Counts | Unit::None, Some(counts)) => LogError::BadCounts { counts },
-            (Unit::Known(ANGLE, _), Some(_)) => LogError::NoCounts {
-                columns: self.listed(),
-            },
-            (Unit::None, None) => LogError::NoUnit {
-                unit: DIMENSIONS[which].si().to_string(),
-                option: OPTIONS[which].to_string(),
-                column,
-            },
-            (Unit::Unknown(unit) | Unit::Other(unit), _) => LogError::UnknownUnit {
-                units: units(),
-                column,
-                unit,
-            },
-            (Unit::Known(other, _), _) => LogError::UnknownUnit {
-                units: units(),
-                column,
-                unit: DIMENSIONS[other].si().to_string(),
-            },
-            (Unit::Counts, _) => LogError::UnknownUnit {
-                units: units(),
-                column,
-                unit: "counts".to_string(),
-            },
+            (_, Some(counts)) => return Ok(TAU / counts),
+            (Unit::Known(quantity, factor), _) if quantity == which => return Ok(factor),
+            _ if which == ANGLE && self.is_in_counts(place) => {
+                return Err(self.refused(LogError::Counts { column }));
+            }
+            (Unit::None, _) if default.is_finite() => return Ok(default),
+            (Unit::None, _) => {
+                let (unit, option) = (dimension.si().to_string(), option.to_string());
+                return Err(self.refused(LogError::NoUnit {
+                    column,
+                    unit,
+                    option,
+                }));
+            }
+            (Unit::Known(other, _), _) => OPTIONS[other].1.si().to_string(),
+            (Unit::Other(unit) | Unit::Unknown(unit), _) => unit,
         };
-        Err(self.refused(refused))
+        let units = UNITS[which].to_string();
+        Err(self.refused(LogError::UnknownUnit {
+            column,
+            unit,
+            units,
+        }))
     }
 
     /// The unit of a column, from the row of units, the brackets of its name or its last words.
     fn unit(&self, place: usize) -> Unit {
-        let Some(whole) = self.table.names().get(place).map(|n| n.trim()) else {
-            return Unit::None;
-        };
+        let whole = self.table.names().get(place).map_or("", |n| n.trim());
         let (name, stated) = self.table.name_and_unit(place);
         let is_apart = whole.contains(['[', '(']) || name == whole.to_lowercase();
         let stated = stated.filter(|_| is_apart);
@@ -323,14 +276,11 @@ impl Names<'_> {
         if let Some((which, factor)) = stated.iter().cloned().chain(last).find_map(|u| known(&u)) {
             return Unit::Known(which, factor);
         }
-        let mut all = self.table.words(place);
-        all.extend(stated.as_ref().map(|u| u.to_lowercase()));
-        if all.iter().any(|w| COUNTS.contains(&w.as_str())) {
-            return Unit::Counts;
-        }
         let is_other = |unit: &&str| {
+            use Dimension::{Acceleration, Length, Mass, Power, Pressure, Speed};
+            let others = [Acceleration, Length, Mass, Power, Pressure, Speed];
             let text = format!("1 {unit}");
-            OTHERS.iter().any(|d| parse(&text, *d).is_ok())
+            others.iter().any(|d| parse(&text, *d).is_ok())
         };
         let last = words.last().copied().filter(|_| words.len() > 1);
         let other = stated.as_deref().or(last).filter(is_other);
@@ -345,19 +295,17 @@ impl Names<'_> {
 /// The quantity of a unit and its SI value.
 fn known(typed: &str) -> Option<(usize, f64)> {
     let plain = |unit: &str| -> String {
-        let lower = unit
-            .to_lowercase()
-            .replace("per", "/")
-            .replace(['µ', 'μ'], "u");
+        let lower = unit.to_lowercase().replace("per", "/");
         let kept = |c: &char| c.is_alphanumeric() || "°/".contains(*c);
-        lower.chars().filter(kept).collect()
+        let letters = lower.chars().filter(kept);
+        letters
+            .map(|c| if "µμ".contains(c) { 'u' } else { c })
+            .collect()
     };
     let typed = plain(typed);
-    let alias = ALIASES.iter().find(|a| a.0 == typed);
-    let typed = alias.map_or(typed, |a| plain(a.1));
     let find = |which: usize| {
-        let unit = UNITS[which].iter().find(|u| plain(u) == typed)?;
-        let factor = parse(&format!("1 {unit}"), DIMENSIONS[which]).ok()?;
+        let unit = UNITS[which].split(", ").find(|u| plain(u) == typed)?;
+        let factor = parse(&format!("1 {unit}"), OPTIONS[which].1).ok()?;
         Some((which, factor))
     };
     (0..UNITS.len()).find_map(find)
@@ -370,8 +318,8 @@ mod tests {
     #[test]
     fn every_unit_is_one_of_the_units_of_scenes_and_of_one_quantity() {
         for (which, units) in UNITS.iter().enumerate() {
-            for unit in *units {
-                let factor = parse(&format!("1 {unit}"), DIMENSIONS[which]).unwrap();
+            for unit in units.split(", ") {
+                let factor = parse(&format!("1 {unit}"), OPTIONS[which].1).unwrap();
                 assert_eq!(known(unit), Some((which, factor)), "{unit}");
             }
         }

@@ -129,14 +129,18 @@ fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) ->
     let cycles = fitted.fit.measured.iter().map(|m| m.each.len() - 1).sum();
     let variances = fitted.fit.measured.iter().flat_map(|m| m.variance());
     let noise = t95(cycles) * variances.fold(0.0_f64, f64::max).sqrt();
-    let doubt = t95(fitted.fit.harmonics) * fitted.fit.component.sqrt();
-    let delay = fitted.has_delay().then_some("log.delay");
-    let names = fitted.terms.iter().map(|t| t.key).chain(delay);
-    let narrow = names.enumerate().filter_map(|(j, key)| {
-        let parameter = open.iter().find(|p| p.key == key)?;
+    // The residual of a further run has as many harmonics as those of the logs.
+    let runs = fitted.runs.len();
+    let harmonics = fitted.fit.harmonics * (runs + 1) / runs;
+    let doubt = t95(harmonics) * fitted.fit.component.sqrt();
+    let terms = fitted.terms.iter().map(|t| t.key).zip(&fitted.fit.each);
+    let delay = fitted.has_delay().then(|| &fitted.fit.shifts[0]);
+    let all = terms.chain(delay.map(|d| ("log.delay", d)));
+    let narrow = all.enumerate().filter_map(|(j, (key, found))| {
+        let is_open = open.iter().any(|p| p.key == key);
         let half = noise.hypot(doubt) * inverse[(j, j)].sqrt() * scale[j];
-        let is_narrow = 2.0 * half <= SAFE * WIDEST * parameter.value.abs();
-        (is_narrow && half.is_finite()).then_some(parameter.key)
+        let is_narrow = 2.0 * half <= SAFE * WIDEST * found.value.abs();
+        (is_open && is_narrow && half.is_finite()).then_some(key)
     });
     narrow.collect()
 }

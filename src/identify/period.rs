@@ -44,7 +44,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
         return Err(none());
     }
     let step = expected / CELLS as f64;
-    let cells = cells(time, &log.force, step);
+    let cells = cells(time, &log.columns.force, step);
     let near = |cells: &[f64]| {
         let [least, most] = RANGE.map(|r| (r * CELLS as f64) as usize);
         repeats(cells, least..=most.min(cells.len() * 2 / 3))

@@ -30,7 +30,6 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("s", 1.0, [0, 0, 1, 0]),
     ("ms", 1e-3, [0, 0, 1, 0]),
     ("us", 1e-6, [0, 0, 1, 0]),
-    ("µs", 1e-6, [0, 0, 1, 0]),
     ("min", 60.0, [0, 0, 1, 0]),
     ("kg", 1.0, [0, 1, 0, 0]),
     ("g", 1e-3, [0, 1, 0, 0]),
@@ -254,7 +253,9 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
     let unit = match unit {
         "\"" | "″" | "inch" | "inches" => "in",
         "'" | "′" | "foot" | "feet" => "ft",
-        "r" | "revs" | "turns" => "rev",
+        "r" | "revs" | "turns" | "revolutions" => "rev",
+        "degrees" => "deg",
+        "sec" | "secs" | "seconds" => "s",
         "RPM" => "rpm",
         _ => unit,
     };

@@ -90,17 +90,20 @@ impl<'a> NumberTable<'a> {
 
     /// Whether the name of a column means a time, in several languages.
     pub fn means_time(&self, column: usize) -> bool {
-        role(&self.table.names[column]) == Role::Time
+        let name = self.table.names.get(column);
+        name.is_some_and(|n| role(n) == Role::Time)
     }
 
     /// Whether the name of a column means a force, in several languages.
     pub fn means_force(&self, column: usize) -> bool {
-        matches!(role(&self.table.names[column]), Role::Force { .. })
+        let name = self.table.names.get(column);
+        name.is_some_and(|n| matches!(role(n), Role::Force { .. }))
     }
 
     /// Words of the name of a column, lower case, without its unit in brackets: `cam` and `angle` of `CamAngle [deg]`.
     pub fn words(&self, column: usize) -> Vec<String> {
-        words(&self.table.names[column])
+        let name = self.table.names.get(column);
+        name.map_or_else(Vec::new, |n| words(n))
     }
 
     /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.

@@ -56,7 +56,7 @@ impl Table {
 
     /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
     pub fn name_and_unit(&self, i: usize) -> (String, Option<String>) {
-        let whole = self.names[i].trim();
+        let whole = self.names.get(i).map_or("", |n| n.trim());
         if let Some(unit) = self.unit(i) {
             return (whole.to_lowercase(), Some(unit.to_string()));
         }

@@ -1,6 +1,9 @@
 //! Identification: logs that are no steady run of the machine are refused with what they show; what a log holds is found, what it
 //! does not hold is not told; the next cam cancels what repeats.
 
+mod columns;
+mod several;
+
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
