@@ -57,9 +57,9 @@ enum Command {
     Simulate(simulate::SimulateArgs),
     /// Fit measured points of a made cam to its design: deviations, and what this very cam does
     Inspect(inspect::InspectArgs),
-    /// Identify the machine from a log of its run: mass, stiffness, damping, friction, with intervals
+    /// Identify the machine from logs of its runs: mass, stiffness, damping, friction, with intervals
     Identify(identify::IdentifyArgs),
-    /// Design the next cam for what a log shows of the machine: all that repeats in it is corrected
+    /// Design the next cam: it corrects every force error that repeats in logs of the machine
     Recut(identify::RecutArgs),
     /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
     Ecam(ecam::EcamArgs),

@@ -220,9 +220,9 @@ fn the_same_log_in_every_unit_and_layout_gives_the_same_machine() {
     }
 }
 
-/// A log of 40 rows with three columns.
+/// A log of 60 rows with three columns.
 fn short(header: &str) -> String {
-    let rows = (0..40).map(|i| format!("{},{},{}\n", 0.01 * f64::from(i), 3 * i, 700 + i % 7));
+    let rows = (0..60).map(|i| format!("{},{},{}\n", 0.01 * f64::from(i), 3 * i, 700 + i));
     format!("{header}\n{}", rows.collect::<String>())
 }
 

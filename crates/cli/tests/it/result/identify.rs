@@ -115,6 +115,56 @@ fn what_repeats_is_corrected_and_noise_is_refused() {
 }
 
 #[test]
+fn options_name_the_columns_of_a_log_and_several_logs_count_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let design = path("design");
+    gaitcam(&["synth", "footbridge", "--out", &design, "--no-png"]);
+    let plain = log(Path::new(&design), 9.0);
+    fs::write(path("plain.csv"), &plain).unwrap();
+    // The second log has twice the force that repeats, in the units of a controller.
+    let other = log(Path::new(&design), 18.0);
+    let rows = other.lines().skip(1).map(|row| {
+        let cells: Vec<f64> = row.split(',').map(|c| c.parse().unwrap()).collect();
+        let counts = (4096.0 * cells[1] / TAU).round();
+        format!("{};{counts};{}", 1e3 * cells[0], 1e-3 * cells[2]).replace('.', ",")
+    });
+    let rows: Vec<String> = rows.collect();
+    let controller = format!("t;Encoder;Cell\nms;counts;kN\n{}\n", rows.join("\n"));
+    fs::write(path("plc.csv"), controller).unwrap();
+    let run = |logs: &[&str], options: &[&str]| {
+        let logs: Vec<String> = logs.iter().map(|name| path(name)).collect();
+        let logs = logs.iter().map(String::as_str);
+        let begin = ["identify", design.as_str()].into_iter();
+        let all: Vec<&str> = begin
+            .chain(logs)
+            .chain(options.iter().copied())
+            .chain(["--json"])
+            .collect();
+        gaitcam(&all)
+    };
+    let counts = ["--counts-per-turn", "4096"];
+    let refused = run(&["plc.csv"], &[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        stderr(&refused).contains("counts-per-turn"),
+        "{}",
+        stderr(&refused)
+    );
+    let one = object(&run(&["plc.csv"], &counts));
+    let named = ["--time", "1", "--angle", "encoder", "--force", "Cell"];
+    let named = [&counts[..], &named[..]].concat();
+    assert_eq!(object(&run(&["plc.csv"], &named)), one);
+    let copies = run(&["plain.csv", "plain.csv"], &[]);
+    assert_eq!(copies.status.code(), Some(2));
+    assert!(stderr(&copies).contains("copy of plain.csv"));
+    fs::write(path("second.csv"), other).unwrap();
+    let both = object(&run(&["plain.csv", "second.csv"], &[]));
+    assert_eq!(both["logs"].as_array().unwrap().len(), 2, "{both}");
+    assert_eq!(both["cycles"], 36, "{both}");
+}
+
+#[test]
 fn bad_logs_end_with_code_2_and_write_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
