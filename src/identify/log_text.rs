@@ -42,7 +42,7 @@ const FORCE: usize = 2;
 /// ```
 /// use gaitcam::identify::{Log, LogOptions};
 ///
-/// let rows: String = (0..99).map(|i| format!("{};{};{},5\n", 4 * i, 20 * i, i % 7)).collect();
+/// let rows: String = (0..99).map(|i| format!("{};{};{i},5\n", 4 * i, 20 * i)).collect();
 /// let text = format!("t_ms;Encoder;Cell [kN]\n{rows}");
 /// let options = LogOptions { counts_per_turn: Some(1000.0), ..LogOptions::default() };
 /// let log = Log::read("plc.csv".as_ref(), text.as_bytes(), &options)?;
