@@ -353,9 +353,10 @@ fn columns_that_cannot_be_read_are_refused_by_name_with_the_option_that_settles_
 
 #[test]
 fn arrays_that_are_no_log_are_refused() {
+    type Change = fn(&mut LogColumns);
     let time: Vec<f64> = (0..60).map(|i| 0.01 * f64::from(i)).collect();
     let force: Vec<f64> = (0..60).map(|i| 700.0 + f64::from(i)).collect();
-    let with = |change: fn(&mut LogColumns)| {
+    let with = |change: Change| {
         let mut columns = LogColumns {
             time: Some(time.clone()),
             force: force.clone(),
@@ -365,7 +366,7 @@ fn arrays_that_are_no_log_are_refused() {
         Log::new("log 1".as_ref(), columns).map_err(|e| e.code().to_string())
     };
     assert!(with(|_| ()).is_ok());
-    let cases: [(&str, fn(&mut LogColumns)); 9] = [
+    let cases: [(&str, Change); 9] = [
         ("log-no-column", |c| c.time = None),
         ("log-lengths", |c| c.theta = Some(vec![0.0; 39])),
         ("log-lengths", |c| c.force.clear()),
