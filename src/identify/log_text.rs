@@ -177,9 +177,10 @@ impl Names<'_> {
             return Ok(Some((place, self.factor(which, place, 1.0)?)));
         }
         let names = self.table.names();
-        let is_si = |n: &String| n.trim().eq_ignore_ascii_case(NAMES[which]);
+        let in_counts = which == ANGLE && o.counts_per_turn.is_some();
+        let is_si = |n: &String| !in_counts && n.trim().eq_ignore_ascii_case(NAMES[which]);
         if let Some(place) = names.iter().position(is_si) {
-            return Ok(Some((place, 1.0)));
+            return Ok(Some((place, self.factor(which, place, 1.0)?)));
         }
         let of_unit = |i: &usize| matches!(self.unit(*i), Unit::Known(q, _) if q == which);
         let of_name = |i: &usize| match self.unit(*i) {

@@ -233,7 +233,7 @@ fn columns_that_cannot_be_read_are_refused_by_name_with_the_option_that_settles_
         counts_per_turn: Some(n),
         ..none()
     };
-    let cases: [(&str, LogOptions, &str, &[&str]); 18] = [
+    let cases: [(&str, LogOptions, &str, &[&str]); 19] = [
         (
             "t_s,x,weight",
             none(),
@@ -301,6 +301,12 @@ fn columns_that_cannot_be_read_are_refused_by_name_with_the_option_that_settles_
             counts(4096.0),
             "log-no-counts",
             &["time_s, x, F_N"],
+        ),
+        (
+            "time_s,theta_rad,F_N",
+            counts(4096.0),
+            "log-no-counts",
+            &["theta_rad"],
         ),
         (
             "time_s,angle_deg,F_N",
