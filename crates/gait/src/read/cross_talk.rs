@@ -12,8 +12,8 @@ const UNLOADED: (f64, f64) = (0.15, 0.06);
 /// Shares that are cross-talk.
 const SHARES: std::ops::RangeInclusive<f64> = 0.012..=0.15;
 /// Minimum part of the variation that the share explains, and minimum duration of the readings that show it, s.
-const EXPLAINED: f64 = 0.5;
-const SHORTEST_S: f64 = 0.2;
+const EXPLAINED: f64 = 0.3;
+const SHORTEST_S: f64 = 0.5;
 /// Minimum variation of the disturbing force, as a fraction of its highest value: that of single support.
 const VARIES: f64 = 0.03;
 /// Maximum number of plates whose pairs are examined, and of readings of each.

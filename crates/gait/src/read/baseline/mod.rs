@@ -233,7 +233,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         Some(middle) if near.len() as f64 > BROAD * count as f64 => middle,
         _ => level,
     };
-    let level = resting_level(force, level, band, rate_hz).unwrap_or(level);
+    let level = resting_level(force, level, 2.0 * band, rate_hz).unwrap_or(level);
     let off = near.iter().map(|x| (x - level).abs());
     let off: Vec<f64> = off.filter(|d| *d <= band).collect();
     let middle = off.len() / 2;
