@@ -24,12 +24,13 @@ impl Problem {
         self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
     }
 
-    /// Force error, N RMS, above which a design fails: the required accuracy, otherwise 0.5 % of the mean or the step-to-step spread of the
-    /// recording, whichever is larger. `None` without a target force, or if the scene does not judge it.
+    /// Force error, N RMS, above which a design fails: the required accuracy, otherwise 0.5 % of the mean beside the sensor noise or the
+    /// step-to-step spread of the recording, whichever is larger. `None` without a target force, or if the scene does not judge it.
     pub fn largest_error(&self) -> Option<f64> {
         let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
         let asked = self.asked_error();
-        Some(self.accuracy.map_or(asked.max(force.spread_n), |_| asked))
+        let automatic = || asked.hypot(self.sensor_noise()).max(force.spread_n);
+        Some(self.accuracy.map_or_else(automatic, |_| asked))
     }
 
     /// Default minimum contact force that is judged, N: 0 if only force closes the contact, as on a moving axis.
@@ -45,10 +46,18 @@ impl Problem {
         (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
     }
 
-    /// The error, N, if the spread of the recording determines the size of the law, not an accuracy.
+    /// The error, N, if spread or noise of the recording determines the size of the law, not an accuracy.
     pub fn error_at_noise(&self) -> Option<f64> {
-        let noise = self.noise();
-        (self.accuracy.is_none() && noise > self.asked_error()).then_some(noise)
+        let asked = self.asked_error();
+        let error = asked.max(self.noise()).hypot(self.sensor_noise());
+        (self.accuracy.is_none() && error > asked).then_some(error)
+    }
+
+    /// Sensor noise, N RMS, in the samples of a single cycle: no law that is smooth comes closer to them. The spread of several cycles
+    /// includes it.
+    fn sensor_noise(&self) -> f64 {
+        let single = self.force.filter(|force| force.spread_n == 0.0);
+        single.map_or(0.0, |force| force.noise_n)
     }
 
     /// Absolute mean of the target force, N; 0 without one.

@@ -38,6 +38,7 @@ impl Scaling {
         MeanForce {
             mean_n: self.at(force.mean_n),
             spread_n: self.factor * force.spread_n,
+            noise_n: self.factor * force.noise_n,
             ..force
         }
     }

@@ -11,6 +11,8 @@ pub struct MeanForce {
     pub period_s: f64,
     /// Root mean square of its step-to-step spread, N; 0 if unknown.
     pub spread_n: f64,
+    /// Root mean square of the sensor noise in its samples, N; 0 if unknown.
+    pub noise_n: f64,
 }
 
 impl MeanForce {
@@ -20,6 +22,7 @@ impl MeanForce {
             mean_n: curve.mean_n(),
             period_s: curve.period_s,
             spread_n: curve.spread_rms_n().unwrap_or(0.0),
+            noise_n: curve.noise_n.unwrap_or(0.0),
         }
     }
 
@@ -28,6 +31,7 @@ impl MeanForce {
         MeanForce {
             mean_n: factor * self.mean_n,
             spread_n: factor * self.spread_n,
+            noise_n: factor * self.noise_n,
             ..self
         }
     }

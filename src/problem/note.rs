@@ -124,7 +124,7 @@ pub fn remarks(scene: &Scene, force: Option<&ForceCurve>) -> Vec<Note> {
         && gait.is_recording()
     {
         let doubts = implausible(force, gait.feet).into_iter();
-        let doubts = doubts.chain(force.clock_note());
+        let doubts = doubts.chain(force.notes.iter().cloned());
         let doubts = doubts.chain(force.warnings().cloned());
         out.extend(doubts.map(|note| Note::Recording { note }));
     }

@@ -51,6 +51,8 @@ pub struct Interpretation {
     pub period: Option<Period>,
     /// Mass, kg, and its source.
     pub mass: Option<(f64, MassSource)>,
+    /// Interval that holds a computed mass in 95 of 100 recordings, kg.
+    pub mass_interval_kg: Option<(f64, f64)>,
     /// Method of the cycle.
     pub cycle: Option<CycleSource>,
     /// Notes on guesses, exclusions and doubts.
@@ -313,6 +315,8 @@ impl Interpretation {
             "period_s": self.period.map(|p| p.seconds), "period_from": self.period.map(|p| p.from),
             "period_spread_s": self.period.and_then(|p| p.spread_s),
             "mass_kg": self.mass.map(|m| m.0), "mass_from": self.mass.map(|m| m.1),
+            "mass_low_kg": self.mass_interval_kg.map(|m| m.0),
+            "mass_high_kg": self.mass_interval_kg.map(|m| m.1),
             "contacts": contacts, "doubts": self.doubts(),
             "warnings": self.warnings.iter().map(coded).collect::<Vec<_>>(),
         })

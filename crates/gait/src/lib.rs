@@ -46,15 +46,14 @@ pub use population::{
     read_rows as population_rows, read_table as read_population, write_table as population_csv,
 };
 pub use read::{
-    Cell, NumberTable, PlateFile, joined_plates, metadata_name, of_arrays, one_cycle, plate_of,
-    read,
+    Cell, NumberTable, PlateFile, joined_plates, metadata_name, of_arrays, plate_of, read,
 };
 pub use recording::{
     Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Heels,
     Idle, Kind, MassSource, Note, OpenQuestion, PeriodSource, Processor, ReadOptions, Recording,
     Row, SeparatorName, Storage, Strike, UnitSource, WeightShare,
 };
-pub use source::force_curve;
+pub use source::{force_curve, one_cycle};
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};
 pub use step_table::{StepRow, steps_csv};
 

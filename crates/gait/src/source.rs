@@ -4,12 +4,45 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::curve::ForceCurve;
-use crate::cycle::cycle;
+use crate::cycle::{cycle, stance_in_span};
 use crate::error::{Placed, Result};
 use crate::interpretation::Interpretation;
-use crate::read::{one_cycle, read};
+use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
+
+/// A file that is one cycle: a text marked as one, as written by [`ForceCurve::to_csv`], or any table if a period or a span is given;
+/// `None` for any other file. With a span, the stance that is found in a recording fills it.
+///
+/// # Errors
+/// A line that is not a number, too few samples, several forces, a phase without a period.
+pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+    if let (Some(span), false) = (options.span_rad, is_marked_cycle(bytes)) {
+        let raw = ReadOptions {
+            period_s: None,
+            span_rad: None,
+            ..options.clone()
+        };
+        // A table that is not a recording covers the span as it is.
+        if let Ok(recording) = read(path, bytes, &raw) {
+            let found = stances(&recording);
+            let file = name(path);
+            let curve = stance_in_span(file, &recording, &found, span, options.period_s);
+            if let Some(mut curve) = curve.map_err(|e| e.in_file(path))? {
+                curve.noise_n = options.noise_n.or(curve.noise_n);
+                return Ok(Some(curve));
+            }
+        }
+    }
+    marked_cycle(path, bytes, options)
+}
+
+/// Name of a file, for reports.
+fn name(path: &Path) -> &str {
+    path.file_name()
+        .and_then(|n| n.to_str())
+        .unwrap_or("recording")
+}
 
 /// Reads one cycle of force from any file that [`read`](crate::read()) takes.
 ///
@@ -30,12 +63,10 @@ pub fn force_curve(
     let recording = read(path, bytes, options)?;
     let stances = stances(&recording);
     let mean = cycle(&recording, &stances, feet).map_err(|e| e.in_file(path))?;
-    let file = path
-        .file_name()
-        .and_then(|n| n.to_str())
-        .unwrap_or("recording");
+    let file = name(path);
     let understood = Interpretation::of(file, &recording, &stances, Some(&mean), feet);
     let mut curve = mean.curve;
+    curve.noise_n = options.noise_n.or(curve.noise_n);
     curve.name = format!("{file}, {}", mean.source);
     curve.recording = Some(Arc::new(understood));
     Ok(curve)

@@ -80,6 +80,7 @@ impl ForceCycle {
             mean_n: force.mean_n(),
             period_s: force.period_s(),
             spread_n: 0.0,
+            noise_n: 0.0,
         };
         ForceCycle::of(Samples::of_series(force), mean)
     }

@@ -52,6 +52,7 @@ pub static KEYS: &[Key] = &[
     row("gait.mass",            number(Mass, Positive),               "auto",  field!(gait?.mass)).idle_when(over_models),
     row("gait.period",          number(Time, Positive),               "auto",  field!(gait?.period)).idle_when(over_models),
     row("gait.span",            number(Angle, Between(0.0, TAU)),    "auto",  field!(gait?.span)).idle_when(over_models),
+    row("gait.noise",           number(Force, NotNegative),           "auto",  field!(gait?.noise)).idle_when(over_models),
     row("gait.kind",            words::<Movement>(),                  "",      field!(gait?.kind)).idle_when(over_models),
     row("gait.accept",          TEXT,                                 "",      field!(gait?.accept)).idle_when(over_models),
     row("gait.leave_out",       TEXTS,                                "",      field!(gait?.leave_out)).idle_when(over_models),

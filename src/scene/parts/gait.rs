@@ -82,6 +82,8 @@ pub struct Gait {
     pub period: Option<f64>,
     /// Fraction of the turn covered by the file, rad; the force is zero in the rest.
     pub span: Option<f64>,
+    /// Recordings: root mean square of the noise of the readings, N; `None` = estimated from unloaded samples.
+    pub noise: Option<f64>,
     /// Scaling of the target force to the moved mass of a moving axis.
     pub scale: ForceScale,
     /// Whether to keep the force inside a band about the target instead of minimising the error.
@@ -137,6 +139,7 @@ impl Gait {
             kind: self.kind,
             period_s: self.period,
             span_rad: self.span,
+            noise_n: self.noise,
             metadata,
         })
     }

@@ -11,6 +11,7 @@ key-gait-unit = Unidad de las columnas de fuerza: N, daN, kN, lbf, kgf, N/kg, BW
 key-gait-rate = Muestras por segundo de un registro sin tiempos.
 key-gait-mass = Masa de la persona, para registros en N/kg o en pesos corporales.
 key-gait-period = Duración del ciclo que contiene el archivo, de cualquier máquina: es exactamente un ciclo y no se buscan apoyos.
+key-gait-noise = Ruido eficaz de las lecturas de un registro; auto lo estima de las muestras sin carga. Una exactitud automática y un número automático de tramos no lo siguen.
 key-gait-span = Parte de la vuelta que cubre el archivo; en el resto de la vuelta la fuerza es cero.
 key-gait-kind = Qué contiene el registro; el ciclo medio se calcula para walking (marcha) y running (carrera), los demás tipos se rechazan. Omítalo para que se reconozca.
 key-gait-accept = Cuestiones abiertas del registro que usted da por resueltas: kind (tipo), clock (tiempo), mass (masa), en una lista como "clock, mass".

@@ -198,6 +198,7 @@ fn options(args: &GaitArgs) -> Result<ReadOptions> {
         kind: input::parsed("--kind", args.kind.as_deref())?,
         period_s: input::positive("--period", args.period.as_deref(), Dimension::Time)?,
         span_rad: input::positive("--span", args.span.as_deref(), Dimension::Angle)?,
+        noise_n: None,
         metadata: None,
     })
 }

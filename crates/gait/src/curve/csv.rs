@@ -21,6 +21,9 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
     if let Some(m) = curve.mass_kg {
         writeln!(out, "# mass_kg = {m}")?;
     }
+    if let Some(noise) = curve.noise_n {
+        writeln!(out, "# noise_n = {noise}")?;
+    }
     for line in comments.iter().flat_map(|c| c.lines()) {
         writeln!(out, "# {line}")?;
     }

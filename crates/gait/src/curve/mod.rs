@@ -45,9 +45,11 @@ pub struct ForceCurve {
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, if known.
     pub mass_kg: Option<f64>,
-    /// Duration of the cycle by the clock of the file, s, if it differs from the given period by more than a sample.
+    /// Root mean square of the noise of the sensors that is left in the samples, N, if known.
+    pub noise_n: Option<f64>,
+    /// Notes on a file that is one cycle, or a part of one.
     #[serde(skip)]
-    pub clock_s: Option<f64>,
+    pub notes: Vec<Note>,
     /// Interpretation of the averaged recording.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
@@ -87,7 +89,8 @@ impl ForceCurve {
             force_n,
             spread_n: None,
             mass_kg: None,
-            clock_s: None,
+            noise_n: None,
+            notes: Vec::new(),
             recording: None,
             population: None,
         })
@@ -119,12 +122,6 @@ impl ForceCurve {
         };
         let all = self.recording.iter().flat_map(|r| &r.warnings);
         all.filter(move |n| !on_mass(n))
-    }
-
-    /// The note that the clock of the file differs from the given period.
-    pub fn clock_note(&self) -> Option<Note> {
-        let (clock, period) = (seconds(self.clock_s?), seconds(self.period_s));
-        Some(Note::ClockDiffers { clock, period })
     }
 
     /// Smallest and largest sample, N.

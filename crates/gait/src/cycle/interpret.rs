@@ -43,6 +43,7 @@ impl Interpretation {
             strides: recorded_strides(r, stances, averages_strides(cycle)),
             period: cycle.map(|c| c.period),
             mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
+            mass_interval_kg: cycle.and_then(|c| c.mass_interval_kg),
             cycle: cycle.map(|c| c.source),
             warnings: match cycle {
                 Some(c) => notes.chain(&c.notes).cloned().collect(),

@@ -94,7 +94,8 @@ impl FourierForce {
             force_n: phases().map(at).collect(),
             spread_n: None,
             mass_kg: None,
-            clock_s: None,
+            noise_n: None,
+            notes: Vec::new(),
             recording: None,
             population: None,
         }

@@ -18,7 +18,7 @@ use super::timebase::polyline;
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
-use crate::recording::{ForceUnit, ReadOptions};
+use crate::recording::{ForceUnit, Note, ReadOptions};
 
 /// Number of lines at the start of a text that may hold the mark.
 const HEAD: usize = 40;
@@ -33,16 +33,25 @@ enum Kind {
     CriticalPoints,
 }
 
+/// Comments at the start of a text.
+fn comments(bytes: &[u8]) -> Vec<String> {
+    let lines = Lines::new(bytes).take(HEAD);
+    let marked = lines.filter(|(_, l)| l.first() == Some(&b'#'));
+    let text = |l: &[u8]| text(l).trim_start_matches('#').trim().to_string();
+    marked.map(|(_, l)| text(l)).collect()
+}
+
+/// Whether a file is a text marked as one cycle.
+pub fn is_marked(bytes: &[u8]) -> bool {
+    comments(&plain(bytes)).iter().any(|c| kind(c).is_some())
+}
+
 /// Reads a text marked as one cycle; `None` for any other file.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
     let is_mat = mat::is_level_5(bytes);
     let text_bytes = (!is_mat).then(|| plain(bytes));
     let bytes = text_bytes.as_deref().unwrap_or(bytes);
-    let comments: Vec<String> = Lines::new(bytes)
-        .take(HEAD)
-        .filter(|(_, l)| l.first() == Some(&b'#'))
-        .map(|(_, l)| text(l).trim_start_matches('#').trim().to_string())
-        .collect();
+    let comments = comments(bytes);
     let asked = options.period_s.is_some() || options.span_rad.is_some();
     let said = comments.iter().find_map(|c| kind(c));
     let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
@@ -81,11 +90,11 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     }
     let said = comments.iter().find_map(|c| period(c));
     let period = options.period_s.or(said);
-    let mut clock_s = None;
+    let mut clock = None;
     if let Some(column) = samples.phase {
         times = of_phase(column, times, period, options).map_err(|e| e.in_file(path))?;
     } else if kind == Kind::Cycle && asked {
-        clock_s = time_unit.and_then(|_| other_clock(&times, options));
+        clock = time_unit.and_then(|_| other_clock(&times, options));
         times = stretched(times, options);
     }
     let name = path.file_name().and_then(|n| n.to_str());
@@ -108,7 +117,12 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         curve.spread_n = Some(spread.force_n);
     }
     curve.mass_kg = mass_kg;
-    curve.clock_s = clock_s;
+    curve.noise_n = options.noise_n.or(keys.noise_n);
+    let differs = |clock| Note::ClockDiffers {
+        clock: seconds(clock),
+        period: seconds(curve.period_s),
+    };
+    curve.notes.extend(clock.map(differs));
     Ok(Some(curve))
 }
 
@@ -367,8 +381,8 @@ mod tests {
                     .unwrap()
             };
             assert!((open(None).period_s - 0.4).abs() < 1e-12, "{column}");
-            assert!(open(Some(0.4)).clock_note().is_none(), "{column}");
-            assert!(open(Some(10.0)).clock_note().is_some(), "{column}");
+            assert!(open(Some(0.4)).notes.is_empty(), "{column}");
+            assert!(!open(Some(10.0)).notes.is_empty(), "{column}");
         }
     }
 
@@ -399,7 +413,7 @@ mod tests {
         assert_eq!(half.period_s, 2.0);
         assert!((half.force_n[n / 4]).abs() < 1e-9 && half.force_n[3 * n / 4] == 0.0);
         // Rows that say 1 s fill the period that is given, with a note where it is another by more than a sample.
-        let is_noted = |period, span| open(Some(period), span).clock_note().is_some();
+        let is_noted = |period, span| !open(Some(period), span).notes.is_empty();
         for (period, noted) in [
             (0.5, true),
             (0.98, true),
@@ -416,7 +430,7 @@ mod tests {
                 "half of {period} s"
             );
         }
-        assert!(open(None, Some(0.25 * TAU)).clock_note().is_none());
+        assert!(open(None, Some(0.25 * TAU)).notes.is_empty());
         // Without a period the rows take as long as they say.
         assert!((open(None, Some(0.25 * TAU)).period_s - 4.0).abs() < 1e-9);
     }

@@ -8,6 +8,8 @@ use crate::units::G;
 pub(super) struct Keys {
     pub rate_hz: Option<f64>,
     pub mass_kg: Option<f64>,
+    /// Root mean square of the noise, N.
+    pub noise_n: Option<f64>,
     /// Number of rows announced in the header.
     pub rows: Option<usize>,
 }
@@ -50,6 +52,8 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
             keys.rate_hz.get_or_insert(x);
         } else if says(MASS) && x > 0.0 {
             keys.mass_kg = keys.mass_kg.or(mass(key, value, x));
+        } else if key == "noise_n" && x >= 0.0 {
+            keys.noise_n = Some(x);
         } else if says("nrows datarows numberofsamples") {
             keys.rows = (x >= 0.0).then_some(x as usize);
         }

@@ -85,11 +85,17 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     (!wide && 20 * controls > head.len()).then_some(FileKind::Binary)
 }
 
-/// A text marked as one cycle, as written by [`ForceCurve::to_csv`]; `None` for any other file.
+pub use cycle_file::is_marked as is_marked_cycle;
+
+/// A text marked as one cycle, or any text if a period or a span is given; `None` for any other file.
 ///
 /// # Errors
 /// A line that is not a number, or too few samples.
-pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+pub fn marked_cycle(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<Option<ForceCurve>> {
     check(options)?;
     if c3d::is_c3d(bytes) {
         return Ok(None);

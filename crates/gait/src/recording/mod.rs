@@ -54,6 +54,8 @@ pub struct ReadOptions {
     pub period_s: Option<f64>,
     /// Fraction of a turn covered by the file, rad; the force is zero in the rest.
     pub span_rad: Option<f64>,
+    /// Root mean square of the noise of the readings, N; estimated from unloaded samples if not given.
+    pub noise_n: Option<f64>,
     /// The bytes of the table of subjects that belongs to a table of stances
     /// (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,

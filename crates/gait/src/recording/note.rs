@@ -109,6 +109,15 @@ pub enum Note {
         count: usize,
         first: Quantity,
     },
+    /// The stances of a recording fill the span of the turn.
+    StanceFillsSpan {
+        /// Number of stances.
+        stances: usize,
+        /// Start of the first.
+        from: Quantity,
+        /// Its end.
+        to: Quantity,
+    },
     /// A share of the force on another plate was subtracted.
     CrossTalkRemoved {
         /// Name of the column.

@@ -95,10 +95,11 @@ fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
 
 /// A file that is one cycle as JSON, with the keys of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
-    let notes: Vec<String> = curve.clock_note().iter().map(Note::to_string).collect();
+    let notes: Vec<String> = curve.notes.iter().map(Note::to_string).collect();
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
+        "mass_low_kg": null, "mass_high_kg": null,
         "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
         "notes": notes, "warnings": [], "channels": [], "stances": [], "strides": [],
         "cycle": {

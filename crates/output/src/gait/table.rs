@@ -60,7 +60,7 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     if let Some(spread) = curve.spread_rms_n() {
         out.row("gait-spread", format_args!("{} N", words.fixed(spread, 1)));
     }
-    out.notes("gait-note", curve.clock_note().as_slice());
+    out.notes("gait-note", &curve.notes);
     out.text.pop();
     out.text
 }
@@ -105,7 +105,11 @@ impl Lines {
         );
         let mass = understood.mass.map(|(kg, from)| {
             let from = words.sentence("mass-from", &from);
-            format!("{} kg ({from})", words.fixed(kg, 1))
+            let [kg, low, high] = match understood.mass_interval_kg {
+                Some((low, high)) => [kg, low, high].map(|m| words.fixed(m, 1)),
+                None => return format!("{} kg ({from})", words.fixed(kg, 1)),
+            };
+            format!("{kg} kg, 95 %: {low} … {high} kg ({from})")
         });
         let unknown = || words.text("gait-mass-unknown");
         self.row("gait-mass", mass.unwrap_or_else(unknown));

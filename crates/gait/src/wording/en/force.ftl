@@ -106,7 +106,11 @@ note-drop-outs = { $column } lost samples { $count ->
         [one] once, at { $first }
        *[other] { $count } times, first at { $first }
     }: its readings are zero under load; stances with such gaps are not used
-note-unloaded-differs = { $column } reads { $level } between contacts and { $at-ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain
+note-unloaded-differs = { $column } reads { $level } between contacts and { $at-ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain: give it (option mass)
+note-stance-fills-span = { $stances ->
+        [one] the stance from { $from } to { $to } fills the span
+       *[other] the mean of { $stances } stances, the first from { $from } to { $to }, fills the span
+    }; the rest of the turn is unloaded
 note-cross-talk-removed = { $column } reads { $share } of the force of { $of } while nothing stands on it (cross-talk); this share was subtracted
 note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was left out
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
@@ -116,7 +120,7 @@ note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
-note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride
+note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the part of the turn that the stance fills (options mass, period, span)
 note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
 note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
 note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
@@ -138,7 +142,7 @@ note-kind-differs = kind { $typed } is given, but the contacts are those of { $m
     }
 note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
 note-few-alike = only { $used } of { $stances } contacts of a steady walk last alike; the others carry a part of a foot, or of the other one too, and are left out
-note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk or two feet on one plate
+note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk, two feet on one plate, or feet that differ: give the mass (option mass), or name the columns of whole stances (option force)
 note-total-column = the column is taken as the total force of both feet
 note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time
 note-several-masses = the recordings are of walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }

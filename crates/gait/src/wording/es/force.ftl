@@ -106,7 +106,11 @@ note-drop-outs = { $column } perdió muestras { $count ->
         [one] una vez, en { $first }
        *[other] { $count } veces, la primera en { $first }
     }: sus lecturas son cero bajo carga; los apoyos con esos huecos no se usan
-note-unloaded-differs = { $column } lee { $level } entre contactos y { $at-ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa
+note-unloaded-differs = { $column } lee { $level } entre contactos y { $at-ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa: indíquela (opción mass)
+note-stance-fills-span = { $stances ->
+        [one] el apoyo de { $from } a { $to } ocupa la parte de la vuelta
+       *[other] la media de { $stances } apoyos, el primero de { $from } a { $to }, ocupa la parte de la vuelta
+    }; en el resto no hay carga
 note-cross-talk-removed = { $column } lee un { $share } de la fuerza de { $of } cuando nada la pisa (diafonía); esta parte se restó
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
@@ -116,7 +120,7 @@ note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
-note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada
+note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o la parte de la vuelta que ocupa el apoyo (opciones mass, period, span)
 note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
 note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
 note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
@@ -138,7 +142,7 @@ note-kind-differs = se indica kind { $typed }, pero los contactos son de { $move
     }
 note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
 note-few-alike = solo { $used } de { $stances } contactos de una marcha regular duran lo mismo; los demás llevan parte de un pie, o también del otro, y no se usan
-note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía o dos pies en una plataforma
+note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía, dos pies en una plataforma o pies distintos: indique la masa (opción mass) o nombre las columnas de apoyos enteros (opción force)
 note-total-column = la columna se toma como la fuerza total de ambos pies
 note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
 note-several-masses = los registros son de personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
