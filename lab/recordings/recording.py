@@ -13,8 +13,8 @@ CASES = []
 
 
 def options(names):
-    """Pattern of the name of an option as messages write it: `option mass`, `--mass`, `gait.mass`."""
-    return rf"(option |--|gait\.)({names})\b|\b({names}) = "
+    """Pattern of the name of an option as messages write it: `option mass`, `options period and mass`, `--mass`, `gait.mass`."""
+    return rf"(options? ([a-z]+(, | and ))*|--|gait\.)({names})\b|\b({names}) = "
 
 
 # Words that name what was seen, and words that name what settles it.

@@ -74,6 +74,8 @@ class Force:
         period_s: float | None = None,
         span: str | None = None,
         span_rad: float | None = None,
+        noise: str | None = None,
+        noise_n: float | None = None,
     ) -> Force: ...
     @property
     def force_n(self) -> NDArray[np.float64]: ...
@@ -123,6 +125,8 @@ def read_gait(
     period_s: float | None = None,
     span: str | None = None,
     span_rad: float | None = None,
+    noise: str | None = None,
+    noise_n: float | None = None,
 ) -> Force: ...
 
 class Table:

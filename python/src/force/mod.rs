@@ -158,7 +158,8 @@ impl Force {
     /// are those of :func:`read_gait` without names of columns and rate.
     #[staticmethod]
     #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
-        mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None)")]
+        mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None, noise=None,
+        noise_n=None)")]
     fn from_recording(
         t_s: &Bound<'_, PyAny>,
         f_n: &Bound<'_, PyAny>,
@@ -348,6 +349,7 @@ impl Force {
 /// period : str ("0.5 s"), period_s : float
 ///     The file is one cycle, of any machine.
 /// span : str ("256 deg"), span_rad : float
+/// noise : str ("8 N" or "auto"), noise_n : float
 ///     Part of the turn that the file covers.
 ///
 /// Raises
@@ -357,7 +359,8 @@ impl Force {
 #[pyfunction]
 #[pyo3(signature = (path, name = None, **options), text_signature = "(path, name=None, *, feet=None, rate=None, rate_hz=None, \
     mass=None, mass_kg=None, unit=None, kind=None, accept=None, time=None, force=None, period=None, period_s=None, \
-    span=None, span_rad=None)")]
+    span=None, span_rad=None, noise=None,
+        noise_n=None)")]
 pub fn read_gait(
     py: Python<'_>,
     path: Paths,

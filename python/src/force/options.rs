@@ -12,13 +12,14 @@ use crate::convert;
 use crate::error::{Raise, argument};
 
 /// Options of a file; a quantity is text, or a number under the name with its SI unit.
-pub const OF_FILE: [&str; 14] = [
+pub const OF_FILE: [&str; 16] = [
     "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
-    "period", "period_s", "span", "span_rad",
+    "period", "period_s", "span", "span_rad", "noise", "noise_n",
 ];
 /// Options of arrays, whose columns have times, units and no names.
-pub const OF_ARRAYS: [&str; 10] = [
+pub const OF_ARRAYS: [&str; 12] = [
     "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
+    "noise", "noise_n",
 ];
 
 /// The `[gait]` section of a file with the options of a call.

@@ -53,7 +53,7 @@ impl Files for Origin {
 }
 
 /// Keys of `[gait]` that specify a force.
-const OF_SOURCE: [&str; 12] = [
+const OF_SOURCE: [&str; 13] = [
     "file",
     "model",
     "step_frequency",
@@ -66,6 +66,7 @@ const OF_SOURCE: [&str; 12] = [
     "kind",
     "period",
     "span",
+    "noise",
 ];
 
 impl Origin {

@@ -24,11 +24,12 @@ use gaitcam::units::Dimension;
 use gaitcam_app::folder::write_whole;
 use gaitcam_app::inputs;
 use places::Places;
-use reading::{Read, of_files, read, together, write_picture};
+use reading::{Read, of_files, read, together, write_cycle, write_picture};
 
 const EXAMPLES: &str = "Examples:
   gaitcam gait walk.c3d
   gaitcam gait walk.mot --out curve.csv
+  gaitcam gait walk.c3d --out walk.mot
   gaitcam gait trials/ --out mean.csv
   gaitcam gait walk.c3d --stances
   gaitcam gait walk.c3d --stances stances.csv
@@ -44,9 +45,9 @@ pub struct GaitArgs {
     /// joint mean
     #[arg(required = true, value_name = "FILE|FOLDER")]
     files: Vec<PathBuf>,
-    /// Write the mean cycle (of several recordings the joint mean) as csv, with pictures (svg, png); in a folder,
-    /// the cycle of each recording too
-    #[arg(long, value_name = "CURVE.csv|DIR")]
+    /// Write the mean cycle (of several recordings the joint mean) as csv or for OpenSim (.mot), with pictures
+    /// (svg, png); in a folder, the cycle of each recording too
+    #[arg(long, value_name = "CURVE.csv|CURVE.mot|DIR")]
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]

@@ -32,9 +32,10 @@ impl Places {
         let Some(out) = out else {
             return Ok(Places::default());
         };
-        let csv = out
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        let ending = out.extension().unwrap_or_default();
+        let csv = ["csv", "mot"]
+            .iter()
+            .any(|e| ending.eq_ignore_ascii_case(e));
         if !csv && !out.is_dir() && out.extension().is_some() {
             let file = out.display().to_string();
             return Err(CliError::CycleEnding { file }.at_argument("--out"));
@@ -59,7 +60,8 @@ impl Places {
         };
         let all = places.each.iter().chain(&places.joint);
         for place in all {
-            for ending in ["csv", "svg", "png"] {
+            inputs::check(place)?;
+            for ending in ["svg", "png"] {
                 inputs::check(&place.with_extension(ending))?;
             }
         }

@@ -8,7 +8,7 @@ use crate::console::error::CliError;
 use crate::console::language;
 use crate::console::words;
 use gaitcam::error::{Error, Place, Placed, Result};
-use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, ReadOptions};
+use gaitcam::force::{self, Cycle, Feet, Foot, ForceCurve, Interpretation, ReadOptions};
 use gaitcam::scene::{BETWEEN_PLATES, content};
 use gaitcam_app::Disk;
 use gaitcam_app::disk::metadata;
@@ -126,12 +126,13 @@ impl Read {
     pub(super) fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.shown());
-            write_whole(place, curve.to_csv(&[&from]).as_bytes())?;
+            write_cycle(place, curve, None, &[&from])?;
         }
         if let Some(cycle) = &self.cycle {
             let from = of_files("gait-mean-cycle-of", &self.shown());
-            let csv = cycle.curve.to_csv(&[&from, &cycle.source.to_string()]);
-            write_whole(place, csv.as_bytes())?;
+            let feet = self.understood.as_ref().and_then(|u| u.feet.foot());
+            let source = cycle.source.to_string();
+            write_cycle(place, &cycle.curve, feet, &[&from, &source])?;
         }
         let Some(understood) = &self.understood else {
             return Ok(());
@@ -140,6 +141,23 @@ impl Read {
         let picture = output::recording::recording(understood, curve, language::current());
         write_picture(place, &picture)
     }
+}
+
+/// Writes a cycle as csv, or in OpenSim's layout if its file ends in `.mot`.
+pub(super) fn write_cycle(
+    place: &Path,
+    curve: &ForceCurve,
+    foot: Option<Foot>,
+    comments: &[&str],
+) -> Result<()> {
+    let is_mot = place
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("mot"));
+    let text = match is_mot {
+        true => curve.to_mot(foot, comments),
+        false => curve.to_csv(comments),
+    };
+    write_whole(place, text.as_bytes())
 }
 
 /// The path of a picture: that of the csv with `.svg` or `.png` for `.csv`.

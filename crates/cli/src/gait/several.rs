@@ -1,7 +1,7 @@
 //! Several recordings: a table of all, and their joint mean.
 
 use super::places::Places;
-use super::{Read, held_against, of_files, together, write_picture};
+use super::{Read, held_against, of_files, together, write_cycle, write_picture};
 use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
@@ -11,7 +11,6 @@ use gaitcam_output::gait::{TrialRow, trials_json, trials_table};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
 
 /// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether a recording was named by the user; those found in a
@@ -75,7 +74,7 @@ pub fn describe(
         let used = names.iter().zip(&left_out).filter(|(_, out)| out.is_none());
         let used: Vec<&str> = used.map(|(name, _)| name.as_str()).collect();
         let from = of_files("gait-joint-mean-of", &used.join(", "));
-        write_whole(place, mean.curve.to_csv(&[&from]).as_bytes())?;
+        write_cycle(place, &mean.curve, None, &[&from])?;
         let picture = output::recording::joint_mean(mean, &used, language::current());
         write_picture(place, &picture)?;
     }

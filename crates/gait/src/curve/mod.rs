@@ -1,6 +1,7 @@
 //! One cycle of vertical force.
 
 mod csv;
+mod mot;
 mod slopes;
 
 use serde::{Serialize, Serializer};

@@ -114,6 +114,12 @@ pub enum ReadError {
 
     /// A MAT file without an array of numbers that can be a force.
     MatWithoutForce { arrays: Vec<String> },
+    /// An array of a MAT file with fewer values than announced.
+    MatCut {
+        array: String,
+        announced: usize,
+        found: usize,
+    },
     /// The only time column of a cycle is its phase, and the duration of the cycle is not given.
     PhaseWithoutPeriod { column: String },
     /// The phase of a cycle is that of a stance, and the part of the turn that it covers is not given.

@@ -83,9 +83,9 @@ pub(super) fn role(name: &str) -> Role {
     // A leading `%` of a header line is taken for a comment mark: `% of gait cycle` may arrive without it.
     let is_bare = words
         .iter()
-        .all(|w| is(w, "of") || is(w, CYCLE) || is(w, STANCE));
+        .all(|w| is(w, "of") || is(w, CYCLE) || is(w, STANCE) || is(w, PERCENT));
     let is_percent = name.contains('%') || has(PERCENT) || is_bare;
-    if has(PHASE) || is_percent && (has(CYCLE) || has(STANCE)) {
+    if has(PHASE) || is_percent && (has(CYCLE) || has(STANCE) || is_bare) {
         let of_stance = has(STANCE);
         return Role::Phase { of_stance };
     }
@@ -259,6 +259,8 @@ mod tests {
             ("Gait cycle (%)", false),
             ("percent_stride", false),
             ("of gait cycle", false),
+            ("percent", false),
+            ("GC [%]", false),
             ("stance", true),
             ("phase", false),
             ("% stance phase", true),

@@ -136,7 +136,7 @@ fn found(
     let share = product / (spread_x * spread_x);
     let explained = (product / (spread_x * spread_y)).powi(2);
     let is_found = SHARES.contains(&share) && explained > EXPLAINED;
-    is_found.then(|| Share {
+    is_found.then_some(Share {
         of: j,
         share,
         level_n: mean_y - share * mean_x,

@@ -12,9 +12,10 @@ use super::keys;
 use super::mat::{self, Mat};
 use super::text::{
     ForceColumn, Lines, LongTable, Position, Samples, Table, TextFile, check_unit, choose,
-    next_table, plain, text,
+    next_table, no_force, plain, text,
 };
 use super::timebase::polyline;
+use super::vertical::keep_vertical;
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
@@ -70,8 +71,11 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
             (table, samples, 1)
         }
         None => {
-            let table = next_table(bytes, file.delimiters, Position::START)
-                .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
+            let table =
+                next_table(bytes, file.delimiters, Position::START).ok_or_else(|| match said {
+                    Some(_) => ReadError::CycleWithoutTable.in_file(path),
+                    None => no_force(file, &[]),
+                })?;
             let samples = samples(file, &table)?;
             (table, samples, 1)
         }
@@ -117,6 +121,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         curve.spread_n = Some(spread.force_n);
     }
     curve.mass_kg = mass_kg;
+    curve.notes.extend(samples.notes);
     curve.noise_n = options.noise_n.or(keys.noise_n);
     let differs = |clock| Note::ClockDiffers {
         clock: seconds(clock),
@@ -179,7 +184,14 @@ fn is_spread(name: &str) -> bool {
 ///
 /// # Errors
 /// Several forces.
-fn one_force(file: &TextFile, table: &Table, samples: Samples) -> Result<(Samples, Option<f64>)> {
+fn one_force(
+    file: &TextFile,
+    table: &Table,
+    mut samples: Samples,
+) -> Result<(Samples, Option<f64>)> {
+    if file.options.force.is_empty() {
+        keep_vertical(&mut samples.forces, &mut samples.notes);
+    }
     let names = samples.forces.iter().map(|f| f.name.clone());
     let columns: Vec<String> = names.filter(|name| !is_spread(name)).collect();
     if columns.len() > 1 {

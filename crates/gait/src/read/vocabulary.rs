@@ -26,7 +26,7 @@ pub(super) const FRAME: &str =
 /// Words for a share in hundredths, for a cycle and for a stance.
 pub(super) const PERCENT: &str = "percent percentage pct perc prozent porcentaje pourcentage";
 pub(super) const CYCLE: &str =
-    "gait cycle stride gang gangzyklus zyklus ciclo marcha zancada marche";
+    "gait cycle gc stride gang gangzyklus zyklus ciclo marcha zancada marche";
 pub(super) const STANCE: &str = "stance apoyo stand standphase appui";
 /// Words for the phase of a cycle.
 pub(super) const PHASE: &str = "phase fase";

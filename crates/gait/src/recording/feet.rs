@@ -78,6 +78,15 @@ impl Feet {
         }
     }
 
+    /// The foot of a force of one side.
+    pub fn foot(self) -> Option<Foot> {
+        match self {
+            Feet::Left => Some(Foot::Left),
+            Feet::Right => Some(Foot::Right),
+            Feet::Both | Feet::One | Feet::Total => None,
+        }
+    }
+
     /// The name used in scenes: `both`, `one`, `left`, `right`, `total`.
     pub fn name(self) -> &'static str {
         self.into()

@@ -11,8 +11,8 @@ pub const SENTENCES: Sentences = Sentences {
         [include_str!("en/read.ftl"), include_str!("es/read.ftl")],
     ],
     as_typed: &[
-        "arrays", "channel", "channels", "column", "columns", "from", "known", "model", "movement",
-        "name", "near", "of", "typed", "walker", "word",
+        "array", "arrays", "channel", "channels", "column", "columns", "from", "known", "model",
+        "movement", "name", "near", "of", "typed", "walker", "word",
     ],
     shared: &["note"],
     ..Sentences::NONE

@@ -23,8 +23,9 @@ const LOADED: f64 = 0.15;
 /// Ratio of readings within twice the unloaded band to those within it, above which the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Minimum duration of a span that shows the unloaded level, and duration of its ends that are left out, s.
-const REST: (f64, f64) = (0.2, 0.05);
+/// Minimum duration of a span that shows the unloaded level, and duration of its ends that are left out, s; minimum
+/// difference of their mean from the densest level, N.
+const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
 /// Duration of both ends of a recording that show the unloaded level, s, and the minimum difference, N.
 const ENDS: (f64, f64) = (0.2, 8.0);
@@ -233,7 +234,10 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         Some(middle) if near.len() as f64 > BROAD * count as f64 => middle,
         _ => level,
     };
-    let level = resting_level(force, level, 2.0 * band, rate_hz).unwrap_or(level);
+    let rest = resting_level(force, level, 2.0 * band, rate_hz);
+    let level = rest
+        .filter(|rest| (rest - level).abs() > REST.2)
+        .unwrap_or(level);
     let off = near.iter().map(|x| (x - level).abs());
     let off: Vec<f64> = off.filter(|d| *d <= band).collect();
     let middle = off.len() / 2;

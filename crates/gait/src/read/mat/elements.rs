@@ -25,8 +25,12 @@ const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 /// A numeric array, or the words of a list of texts.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
-    /// Values in the order of columns, with the number of rows.
-    Numbers { rows: usize, values: Vec<f64> },
+    /// Values in the order of columns, with the number of rows and of columns.
+    Numbers {
+        rows: usize,
+        columns: usize,
+        values: Vec<f64>,
+    },
     /// Texts of a cell, of the rows of a character array, or one text.
     Texts(Vec<String>),
 }
@@ -44,6 +48,20 @@ impl Array {
     pub fn owner(&self) -> &[String] {
         &self.path[..self.path.len().saturating_sub(1)]
     }
+
+    /// Name, announced and found number of values of an array that is not whole.
+    pub fn lacking(&self) -> Option<(String, usize, usize)> {
+        let Content::Numbers {
+            rows,
+            columns,
+            values,
+        } = &self.content
+        else {
+            return None;
+        };
+        let announced = rows.saturating_mul(*columns);
+        (announced != values.len()).then(|| (self.path.join("."), announced, values.len()))
+    }
 }
 
 /// Whether bytes start as a MAT file of level 5.
@@ -55,11 +73,11 @@ pub(in crate::read) fn is_level_5(bytes: &[u8]) -> bool {
 pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     let big = bytes.get(126..128) == Some(b"MI");
     let mut found = Vec::new();
-    let mut rest = Elements {
+    let variables = Elements {
         bytes: bytes.get(HEADER..).unwrap_or(&[]),
         big,
     };
-    while let Some((kind, data)) = rest.next() {
+    for (kind, data) in variables {
         let inflated: Vec<u8>;
         let mut inner = match kind {
             COMPRESSED => {
@@ -184,7 +202,12 @@ fn matrix(
         }
         class if NUMERIC.contains(&class) => {
             let values = numbers(elements.next()?, big)?;
-            let content = Content::Numbers { rows, values };
+            let columns = sizes.iter().skip(1).product::<f64>() as usize;
+            let content = Content::Numbers {
+                rows,
+                columns,
+                values,
+            };
             found.push(Array { path, content });
         }
         _ => (),

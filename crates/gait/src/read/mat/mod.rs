@@ -62,9 +62,17 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
 /// Chooses the columns of a MAT file of level 5.
 ///
 /// # Errors
-/// No array of numbers that can be a force; a column named by the user that it does not have.
+/// A file that was cut; no array of numbers that can be a force; a column named by the user that it does not have.
 pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Mat> {
     let arrays = arrays(bytes);
+    if let Some((array, announced, found)) = arrays.iter().find_map(Array::lacking) {
+        let fault = ReadError::MatCut {
+            array,
+            announced,
+            found,
+        };
+        return Err(fault.in_file(path));
+    }
     let without_force = || {
         let names = arrays.iter().map(|a| a.path.join(".")).take(40);
         let arrays = names.collect();
@@ -126,7 +134,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
 
 /// The series of an array: one of a vector, one for each of the shorter dimension of a matrix.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
-    let Content::Numbers { rows, values } = &array.content else {
+    let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();
     };
     let name = array.path.join(".");

@@ -8,7 +8,7 @@ use super::header::Table;
 use super::table::{Numbers, numbers};
 use super::units::check_unit;
 use crate::error::{Placed, ReadError, Result, nearest};
-use crate::read::columns::{Role, foot, role, words};
+use crate::read::columns::{Role, foot, role, says_vertical, words};
 use crate::read::vocabulary::{INSOLE, is};
 use crate::recording::{Axis, Foot, ForceUnit, Note};
 
@@ -69,14 +69,19 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
     leave_zones(table, force);
+    // A plate has components and no foot, an insole the total force of a foot.
+    let is_plate = |f: &ForceColumn| f.axis != Axis::Vertical && f.foot.is_none();
+    let has_plate = force.iter().any(is_plate);
     let of_insole = |f: &ForceColumn| {
-        table
-            .names
-            .get(f.place)
-            .is_some_and(|n| is_insole(table, n))
+        let name = table.names.get(f.place);
+        let is_total = has_plate && f.axis == Axis::Vertical && f.foot.is_some();
+        name.is_some_and(|n| is_insole(table, n) || is_total && says_vertical(n))
     };
     if options.force.is_empty() {
-        let (insole, plate): (Vec<_>, Vec<_>) = force.iter().partition(|f| of_insole(f));
+        let (mut insole, plate): (Vec<_>, Vec<_>) = force.iter().partition(|f| of_insole(f));
+        let unnamed = (0..table.names.len()).filter(|i| force.iter().all(|f| f.place != *i));
+        let unnamed = unnamed.filter(|&i| is_newtons(table, i));
+        insole.extend(unnamed.map(|i| vertical(table, i)).filter(of_insole));
         if !insole.is_empty() && !plate.is_empty() {
             let name = |f: &ForceColumn| table.names[f.place].trim().to_string();
             columns.notes.push(Note::InsoleBesidePlate {

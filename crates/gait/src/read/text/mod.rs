@@ -77,7 +77,7 @@ fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
 }
 
 /// The error of a text without a force column; `seen` are the column names of its tables.
-fn no_force(file: &TextFile, seen: &[String]) -> Error {
+pub(super) fn no_force(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);

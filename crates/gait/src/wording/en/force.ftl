@@ -120,7 +120,7 @@ note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
-note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the part of the turn that the stance fills (options mass, period, span)
+note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the part of the turn that the stance fills (options mass, period and span)
 note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
 note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
 note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)

@@ -120,7 +120,7 @@ note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
-note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o la parte de la vuelta que ocupa el apoyo (opciones mass, period, span)
+note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o la parte de la vuelta que ocupa el apoyo (opciones mass, period y span)
 note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
 note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
 note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
