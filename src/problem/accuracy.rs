@@ -55,7 +55,7 @@ impl Problem {
 
     /// Sensor noise, N RMS, in the samples of a single cycle: no law that is smooth comes closer to them. The spread of several cycles
     /// includes it.
-    fn sensor_noise(&self) -> f64 {
+    pub fn sensor_noise(&self) -> f64 {
         let single = self.force.filter(|force| force.spread_n == 0.0);
         single.map_or(0.0, |force| force.noise_n)
     }

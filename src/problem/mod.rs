@@ -35,7 +35,7 @@ pub(crate) use walkers::Walkers;
 
 use std::sync::{Arc, OnceLock};
 
-use crate::drive::Drive;
+use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
 use crate::force::{self, ForceCurve, OpenQuestion};
@@ -182,6 +182,7 @@ impl Problem {
             Phase::Free => 0.0,
         };
         let (target, band) = (unturned.as_ref()).map_or((None, None), |c| c.at_phase(at));
+        let has_speed = scene.drive.speed.is_some() && scene.drive.kind != DriveKind::MovingAxis;
         let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
         Ok(Problem {
             name: scene.name.clone(),
@@ -201,7 +202,7 @@ impl Problem {
             phase: at,
             phase_is_free: unturned.is_some() && phase == Phase::Free,
             machine: scene.machine.clone(),
-            open_questions: open_questions(gait, curve),
+            open_questions: open_questions(gait, curve, has_speed),
             weight_n,
             walkers: walkers.map(|all| match at {
                 0.0 => all,
@@ -301,18 +302,25 @@ fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     law
 }
 
-/// What is open about a recording and was not accepted by the scene, with what opens it.
+/// What is open about a recording and was not accepted by the scene, with what opens it. `has_speed`: the drive has a speed of its own,
+/// as no moving axis has.
 fn open_questions(
     gait: Option<&Gait>,
     force: Option<&ForceCurve>,
+    has_speed: bool,
 ) -> Vec<(OpenQuestion, Vec<force::Note>)> {
     let recording = force.and_then(|f| f.recording.as_ref());
     let (Some(gait), Some(recording)) = (gait, recording) else {
         return Vec::new();
     };
-    let mut open = recording.doubts();
-    open.retain(|d| !gait.accept.contains(d));
-    open.into_iter()
-        .map(|question| (question, recording.opened_by(question)))
-        .collect()
+    let opened = |question: OpenQuestion| (question, recording.opened_by(question));
+    let is_assumed = |note: &force::Note| matches!(note, force::Note::StrideAssumed { .. });
+    let open = recording.doubts().into_iter().map(opened);
+    open.filter(|(question, notes)| {
+        // With its own speed the machine needs no stride time.
+        let is_settled =
+            has_speed && *question == OpenQuestion::Clock && notes.iter().all(is_assumed);
+        !is_settled && !gait.accept.contains(question)
+    })
+    .collect()
 }

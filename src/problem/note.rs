@@ -64,6 +64,14 @@ pub enum Note {
     Phase { phase: Quantity },
     /// The automatic size of the law is limited by the noise of the recording.
     Noise { size: &'static str, error: Quantity },
+    /// The sensor noise of the recording is part of the automatic accuracy.
+    SensorNoise {
+        size: &'static str,
+        noise: Quantity,
+        error: Quantity,
+    },
+    /// The accuracy takes a large number of spans.
+    ManySpans { spans: usize, error: Quantity },
     /// Rounded rows of a segment's table can cause a large part of its acceleration.
     RoundedTable { segment: usize, share: Quantity },
     /// The caller stopped the search.

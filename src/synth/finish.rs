@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::attempt::Attempt;
 use super::design::Design;
-use super::families::stopped_at_noise;
+use super::families::notes_on_size;
 use super::report::end::End;
 use super::report::limited::Relaxation;
 use super::report::reason::Reason;
@@ -56,7 +56,7 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
     if out_of_time && infeasible.is_some() {
         notes.push(Note::OutOfTime);
     }
-    notes.extend(stopped_at_noise(problem, law.family));
+    notes.extend(notes_on_size(problem, law.family, law.spans));
     notes.extend(sizing::notes(problem, &cam.cam, cam.pressing()));
     let end = reports.end.as_ref();
     notes.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed)));

@@ -11,7 +11,7 @@ mod solved;
 mod spline;
 
 pub use solved::SolvedLaw;
-pub use spline::{TELLING, WORTHWHILE, larger, stopped_at_noise};
+pub use spline::{TELLING, WORTHWHILE, larger, notes_on_size};
 
 use super::optimum::Sought;
 use super::search::Search;

@@ -178,24 +178,36 @@ fn solve(problem: &Problem, search: &Search, spans: usize) -> Sought<Optimum> {
     Ok(optimum::solve(problem, search, formulation))
 }
 
-/// The note that the spread, not the accuracy, limited the number of spans (or harmonics in closed form).
-pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
+/// Relative increase of the accuracy by sensor noise that is worth a note.
+const NOTED: f64 = 1.05;
+/// Number of automatic spans above which the reason is stated.
+const MANY: usize = 100;
+
+/// The notes on an automatic number of spans (or of harmonics in closed form): that spread or noise of the recording, not the
+/// accuracy, limited it, or that the accuracy takes many.
+pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
+    let is_spline = family == Family::Spline;
     let auto = match problem.law.family {
         Family::Spline => problem.law.spans.is_none(),
         asked => asked == Family::Auto,
     };
-    let size = if family == Family::Spline {
-        "spans"
-    } else {
-        "harmonics"
-    };
-    let noise = problem
-        .error_at_noise()
-        .filter(|_| auto && problem.objective() == Minimise::ForceError)?;
-    Some(Note::Noise {
-        size,
-        error: Quantity::force(noise),
-    })
+    if !auto || problem.objective() != Minimise::ForceError {
+        return Vec::new();
+    }
+    let size = if is_spline { "spans" } else { "harmonics" };
+    let error = Quantity::force(problem.wanted_error());
+    let noise = problem.sensor_noise();
+    let limited = problem.error_at_noise().map(|limit| match noise > 0.0 {
+        true => (limit > NOTED * problem.asked_error()).then_some(Note::SensorNoise {
+            size,
+            noise: Quantity::force(noise),
+            error,
+        }),
+        false => Some(Note::Noise { size, error }),
+    });
+    let many = is_spline && spans > MANY && problem.law.spans.is_none();
+    let many = many.then_some(Note::ManySpans { spans, error });
+    limited.flatten().into_iter().chain(many).collect()
 }
 
 #[cfg(test)]

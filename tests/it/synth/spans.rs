@@ -1,5 +1,6 @@
 //! Many spans and few: proofs that keep their digits, and searches that do not end with the first few spans.
 
+use gaitcam::criterion::Criterion;
 use gaitcam::scene::{self, Minimise};
 use gaitcam::synth::{Binding, Design, Tier, synthesise};
 use gaitcam_test_support::{scene_of, young};
@@ -233,4 +234,52 @@ fn more_than_400_spans_are_refused_with_the_reason() {
     let error = gaitcam_test_support::scene(scene::DEFAULT, &["law.spans=401"]).unwrap_err();
     let said = error.to_string();
     assert!(said.contains("400") && said.contains("optimum"), "{said}");
+}
+
+/// A noisy force of one cycle is followed to its noise; without the noise many spans are taken, and the design says why.
+#[test]
+fn noise_is_part_of_the_accuracy_and_many_spans_have_a_reason() {
+    let mut force = young();
+    let mut state = 7_u64;
+    let mut uniform = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    // Uniform numbers of a deviation of 8 N.
+    let half = 8.0 * 3.0_f64.sqrt();
+    for f in &mut force.force_n {
+        *f += half * (2.0 * uniform() - 1.0);
+    }
+    let scene = scene_of(scene::DEFAULT, &["law.family=spline", "accuracy.rms=auto"]);
+    let designed = |noise_n: f64| {
+        force.noise_n = Some(noise_n);
+        synthesise(&scene, Some(&force)).unwrap()
+    };
+    let [known, unknown] = [8.0, 0.0].map(designed);
+    let has = |design: &Design, code: &str| {
+        let notes = design.notes.iter().map(|n| format!("{n:?}"));
+        notes.filter(|n| n.starts_with(code)).count()
+    };
+    assert!(
+        known.coefficients.len() < 60,
+        "{}",
+        known.coefficients.len()
+    );
+    assert_eq!(
+        (has(&known, "SensorNoise"), has(&known, "ManySpans")),
+        (1, 0)
+    );
+    assert!(
+        unknown.coefficients.len() > 100,
+        "{}",
+        unknown.coefficients.len()
+    );
+    assert_eq!(
+        (has(&unknown, "SensorNoise"), has(&unknown, "ManySpans")),
+        (0, 1)
+    );
+    let error = known.checks.iter().find(|c| c.name == Criterion::RmsError);
+    assert!(error.unwrap().pass, "{error:?}");
 }

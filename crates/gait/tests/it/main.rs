@@ -6,6 +6,7 @@ mod cycle;
 mod damaged_files;
 mod doubtful;
 mod hard;
+mod in_span;
 mod joint;
 mod laboratories;
 mod layouts;
