@@ -124,6 +124,8 @@ pub enum ReadError {
     PhaseWithoutPeriod { column: String },
     /// The phase of a cycle is that of a stance, and the part of the turn that it covers is not given.
     PhaseOfStance { column: String },
+    /// A C3D file is said to be one cycle.
+    CycleInC3d,
     /// Several forces in a file of one cycle.
     CycleForces { columns: Vec<String> },
 

@@ -98,7 +98,9 @@ pub fn marked_cycle(
 ) -> Result<Option<ForceCurve>> {
     check(options)?;
     if c3d::is_c3d(bytes) {
-        return Ok(None);
+        let asked = options.period_s.is_some() || options.span_rad.is_some();
+        let refused = || ReadError::CycleInC3d.in_file(path);
+        return if asked { Err(refused()) } else { Ok(None) };
     }
     cycle_file::read(path, bytes, options)
 }

@@ -167,3 +167,25 @@ fn a_channel_counts_from_one_to_the_last_of_the_file() {
         assert_eq!(fault(&named), "c.c3d: read-no-channel");
     }
 }
+
+#[test]
+fn a_stance_of_a_c3d_file_fills_a_span_and_a_period_alone_is_refused() {
+    let bytes = build(&plain(Processor::Intel, true, 2), |i| one_stance(i, RATE));
+    let path = Path::new("made.c3d");
+    let with = |period_s, span_rad| {
+        let options = ReadOptions {
+            period_s,
+            span_rad,
+            ..ReadOptions::default()
+        };
+        gaitcam_gait::one_cycle(path, &bytes, &options)
+    };
+    let curve = with(None, Some(4.0)).unwrap().unwrap();
+    assert!(matches!(
+        curve.notes.last(),
+        Some(Note::StanceFillsSpan { stances: 1, .. })
+    ));
+    let refused = with(Some(1.1), None).unwrap_err();
+    assert_eq!(refused.fault(), Some(&ReadError::CycleInC3d));
+    assert!(with(None, None).unwrap().is_none());
+}
