@@ -4,6 +4,7 @@ use super::{Value, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
+use gaitcam::scene;
 use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
 use std::f64::consts::TAU;
@@ -51,6 +52,7 @@ fn at_degrees(law: &Law, order: usize) -> (f64, f64) {
 
 pub(super) fn values() -> Result<Vec<Value>> {
     let mut values = kinematics()?;
+    values.extend(arm()?.map(Value::from));
     values.extend(rollers()?.map(Value::from));
     values.extend(faces()?.map(Value::from));
     values.push((MM * eight_segments()?.curvature().convex.value).into());
@@ -80,17 +82,41 @@ fn kinematics() -> Result<Vec<Value>> {
         (Rise::Dwell, 0.0, 63.0),
         (Rise::Poly4567, -20.0, 45.0),
     ])?;
-    let printed = [(1, false), (2, true), (2, false), (3, true), (3, false)];
+    let falls = [(1, false), (2, true), (2, false), (3, true), (3, false)];
+    let printed = [(1, true)].into_iter().chain(falls);
     values.extend(printed.map(|(order, is_high)| extreme(&law, order, is_high)));
     for (rise, lift) in [(Rise::Poly345, 60.0), (Rise::Poly4567, -60.0)] {
         values.push((lift * rise.factors()?.cv / 60f64.to_radians()).into());
     }
+    let law = turn(&[
+        (Rise::Poly345, 60.0, 60.0),
+        (Rise::Dwell, 0.0, 120.0),
+        (Rise::Poly4567, -60.0, 60.0),
+        (Rise::Dwell, 0.0, 120.0),
+    ])?;
+    let printed = [(2, true), (2, false), (3, true), (3, false)];
+    values.extend(printed.map(|(order, is_high)| extreme(&law, order, is_high)));
     Ok(values)
 }
 
 /// Rise and return of the same lift, m, in a turn.
 fn there_and_back(motion: Rise, lift: f64) -> Result<Law> {
     turn(&[(motion.clone(), lift, 180.0), (motion, -lift, 180.0)])
+}
+
+/// Pressure angles and smallest convex pitch radius of Ejemplo11 under the arm whose three lengths give those of fig. 7.19.
+fn arm() -> Result<[f64; 3]> {
+    let cam = scene::built_in("camdas_11_oscillating_roller")?
+        .scene()?
+        .design()?
+        .cam;
+    let (least, most) = cam.pressure_angle_extremes();
+    let pitch = cam.curvature().convex.value + cam.follower.roller_radius();
+    Ok([
+        most.value.to_degrees(),
+        least.value.to_degrees(),
+        MM * pitch,
+    ])
 }
 
 /// Ejemplo1RT under a roller on a base circle of 50 mm.

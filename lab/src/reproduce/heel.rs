@@ -56,6 +56,25 @@ pub(super) fn values() -> Result<Vec<Value>> {
     let (law, coefficients) = law()?;
     let exact = 4.0 * PI;
     let mut values: Vec<Value> = (3..=8).map(|k| (coefficients[k] / INCH).into()).collect();
+    // Equations 8 to 10: the factors of v, a and j in powers of θ/β.
+    let mut factors: Vec<f64> = coefficients.iter().map(|c| c / INCH).collect();
+    for _ in 1..=3 {
+        factors = factors
+            .iter()
+            .enumerate()
+            .skip(1)
+            .map(|(k, c)| k as f64 * c / END.to_radians())
+            .collect();
+        values.extend(
+            factors
+                .iter()
+                .filter(|c| c.abs() > 1e-6)
+                .map(|c| Value::from(*c)),
+        );
+    }
+    // Equation 11: the force over the time as a part of β.
+    let force = |k: usize| coefficients[k] * drive(SPEED).spring_rate / LBF * SPEED.powi(k as i32);
+    values.extend((3..=8).map(|k| Value::from(force(k))));
     values.extend(forces(&law));
     values.extend(motion(&law, exact));
     let peak = pounds(&law, law.extremes(0).1.at);
