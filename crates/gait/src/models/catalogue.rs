@@ -106,7 +106,7 @@ pub(super) const CATALOGUE: &[ModelInfo] = &[
     ModelInfo {
         name: "young-design",
         formula: "a1 = 0.41 (f - 0.95) <= 0.56, a2 = 0.069 + 0.0056 (2f), a3 = 0.033 + 0.0064 (3f), a4 = 0.013 + 0.0065 (4f); phases not given, taken as those of sci-p354",
-        source: "Young 2001, CCIP-016, design values (25 % chance of exceedance)",
+        source: "Young 2001, CCIP-016, design values (25 % chance of exceedance); also in three public programs",
         status: Status::Recalled,
         frequency_hz: (1.0, 2.8),
         single_foot: false,
