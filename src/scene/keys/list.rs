@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::{KEYS, Key, Kind, Range};
-use crate::wording::{Language, catalogue, key_doc};
+use crate::wording::{Language, catalogue, key_doc, range};
 
 /// Every key as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
 pub fn json() -> Value {
@@ -57,7 +57,7 @@ pub fn takes(key: &Key, language: Language) -> String {
             Range::Any => String::new(),
             Range::Positive => " > 0".to_string(),
             Range::NotNegative => " ≥ 0".to_string(),
-            Range::Between(low, high) => format!(" {low} … {high}"),
+            Range::Between(low, high) => format!(" {}", range(language, low, high)),
             Range::Acute => " < 90 deg".to_string(),
         };
         let word = word.map_or(String::new(), |w| format!("{or}{w}"));
