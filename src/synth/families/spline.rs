@@ -100,7 +100,7 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
         let (program, force) = formulation::unlimited(problem, search, spans)?;
         match qp::solve_equalities(&program) {
             Ok(u) if force.root(&u.x) <= wanted => break,
-            _ => spans += 1 + spans / 40,
+            _ => spans = (spans + 1 + spans / 40).min(MOST_AUTO_SPANS),
         }
     }
     Ok(spans)
