@@ -56,7 +56,12 @@ const SENTENCES: Sentences = Sentences {
         "path",
     ],
     shared: &["demand", "reason", "scene"],
-    notes: &["design", "model", "run"],
+    notes: &["design", "model", "reason", "run"],
+    typed_back: &[
+        "reason-base-radius-works",
+        "reason-change",
+        "reason-preload-above-target",
+    ],
 };
 
 /// The messages of the library and of the crates below it.

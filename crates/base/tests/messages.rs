@@ -37,12 +37,12 @@ enum Message {
 }
 
 #[test]
-fn quantities_of_notes_have_four_digits_and_those_of_reasons_six() {
-    const ENGLISH: &str =
-        "design-forces = { $mean }, { $weight }\nreason-forces = { $mean }, { $weight }\n";
+fn quantities_of_notes_have_four_digits_and_those_typed_back_six() {
+    const ENGLISH: &str = "design-forces = { $mean }, { $weight }\nreason-forces = { $mean }, { $weight }\nscene-forces = { $mean }, { $weight }\n";
     static WORDS: Catalogue = Catalogue::new(&[Sentences {
         files: &[[ENGLISH, ENGLISH]],
-        notes: &["design"],
+        notes: &["design", "reason"],
+        typed_back: &["reason-forces"],
         ..Sentences::NONE
     }]);
     let say = |language, area, mean, weight| {
@@ -55,6 +55,7 @@ fn quantities_of_notes_have_four_digits_and_those_of_reasons_six() {
     assert_eq!(say(en, "design", a, b), "4.952 N, 25.44 N");
     assert_eq!(say(es, "design", a, b), "4,952 N, 25,44 N");
     assert_eq!(say(en, "reason", a, b), "4.95179 N, 25.4382 N");
+    assert_eq!(say(en, "scene", a, b), "4.95179 N, 25.4382 N");
     // Two that four digits would show as one number.
     assert_eq!(say(en, "design", 700.0, 700.042), "700 N, 700.042 N");
 }

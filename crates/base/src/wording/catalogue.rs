@@ -36,8 +36,10 @@ pub struct Sentences {
     pub as_typed: &'static [&'static str],
     /// Areas whose messages appear as arguments of messages of other areas.
     pub shared: &'static [&'static str],
-    /// Areas of notes on a result. Their quantities have four digits; those of errors and reasons have six, because users type them back.
+    /// Areas of notes on a result and of reasons. Their quantities have four digits; those of errors have six, because users type them back.
     pub notes: &'static [&'static str],
+    /// Messages of these areas whose quantities users type back, with six digits.
+    pub typed_back: &'static [&'static str],
 }
 
 impl Sentences {
@@ -47,6 +49,7 @@ impl Sentences {
         as_typed: &[],
         shared: &[],
         notes: &[],
+        typed_back: &[],
     };
 }
 

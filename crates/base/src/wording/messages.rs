@@ -13,7 +13,7 @@ use unic_langid::LanguageIdentifier;
 use super::number::{EXACT, exact, fixed, quantity_to_digits};
 use super::{Language, Sentences};
 
-/// Significant digits of a quantity in a note.
+/// Significant digits of a quantity in a note or reason.
 const NOTE_DIGITS: usize = 4;
 
 /// Messages of one language.
@@ -185,7 +185,7 @@ impl Messages {
         part: impl for<'m> FnOnce(&FluentMessage<'m>) -> Option<&'m Pattern<&'m str>>,
     ) -> Option<String> {
         self.text_of(key)?;
-        let arguments = self.arguments(area, fields);
+        let arguments = self.arguments(key, area, fields);
         let all = self.messages(key)?;
         let message = all.get_message(key)?;
         let mut faults = Vec::new();
@@ -195,11 +195,13 @@ impl Messages {
     }
 
     /// The fields of a message as Fluent arguments. A field may itself be a message.
-    fn arguments(&self, area: &str, fields: &Value) -> FluentArgs<'static> {
+    fn arguments(&self, key: &str, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
-            let is_note = (self.crates.iter()).any(|own| own.notes.contains(&area));
-            let digits = match is_note {
+            let is_of = |area: &&str| key.strip_prefix(area).is_some_and(|k| k.starts_with('-'));
+            let is_short =
+                |own: &Sentences| own.notes.iter().any(is_of) && !own.typed_back.contains(&key);
+            let digits = match self.crates.iter().any(is_short) {
                 true => note_digits(fields.values()),
                 false => EXACT,
             };
