@@ -8,7 +8,7 @@
 //!     .help = lengthen or add segments until they cover the turn
 //! ```
 //!
-//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the customary unit with six significant digits (four in a note), a plain number with
+//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the customary unit with six significant digits (four in a note or reason), a plain number with
 //! six, a list joined by commas; a unit variant (a follower, a limit, a law) by the message `name-…` of that variant, where there is one, otherwise
 //! as it is typed in scenes. `None` is the word `none`, which selectors can match.
 
@@ -20,7 +20,7 @@ mod number;
 pub use catalogue::{Catalogue, File, Sentences};
 pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
-pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded};
+pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded, walker};
 
 /// Messages of this crate: names of quantities, faults of quantities.
 pub const SENTENCES: Sentences = Sentences {

@@ -26,7 +26,7 @@ const SHOWN: &[(&str, &str, f64)] = &[
 
 /// Maximum number of significant digits for display.
 pub const DIGITS: usize = 4;
-/// Significant digits of a number that users type back, in an error, a reason or a suggested change.
+/// Significant digits of a number that users type back, in an error or a suggested change.
 pub(super) const EXACT: usize = 6;
 
 /// A number for display: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
@@ -129,6 +129,20 @@ pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let zero = text.starts_with('-') && text.chars().all(|c| "-0.".contains(c));
     localised(language, if zero { &text[1..] } else { &text })
+}
+
+/// The name of a walker for display; a walker of a load model is named by the step frequency.
+///
+/// ```
+/// use gaitcam_base::wording::{Language, walker};
+/// assert_eq!(walker(Language::Es, "2.4 Hz"), "2,4 Hz");
+/// assert_eq!(walker(Language::Es, "trial 2.4"), "trial 2.4");
+/// ```
+pub fn walker(language: Language, name: &str) -> String {
+    match name.strip_suffix(" Hz").map(str::parse::<f64>) {
+        Some(Ok(_)) => localised(language, name),
+        _ => name.to_string(),
+    }
 }
 
 fn short(text: &str) -> &str {

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::cover::{of_unit, reason};
 use crate::console::error::CliError;
+use crate::console::language;
 use crate::console::table::{
     Side::{Left, Right},
     table,
@@ -15,6 +16,7 @@ use gaitcam::cover::{Assigned, served_by};
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::synth::{Search, answer};
+use gaitcam::wording::walker;
 use gaitcam_app::Input;
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
@@ -56,7 +58,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
                 "rms_error_percent": served.error.rms_error_percent, "rms_error_n": served.error.rms_error_n}));
             let error = number(served.error.measured(measure));
             rows.push(vec![
-                served.error.walker.clone(),
+                walker(language::current(), &served.error.walker),
                 cams.to_string(),
                 file,
                 error,

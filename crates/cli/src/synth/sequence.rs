@@ -18,14 +18,14 @@ pub fn text(design: &Design) -> String {
         format!("  {}", words::text("synth-step-head")),
     ];
     for (i, step) in solver.steps.iter().enumerate() {
-        out.push(format!(
+        out.push(words::decimal(format!(
             "  {:>4} {:>11.6} mm {:>18.10e} {:>20.3e} {:>13.4}",
             i + 1,
             1e3 * step.prime_radius,
             step.merit,
             step.clearance,
             step.taken
-        ));
+        )));
     }
     if let Some(ended) = solver.ended() {
         let why = json!({"why": ended.sentence(language::current())});

@@ -21,7 +21,7 @@ use gaitcam::cam::{Measures, Verdict};
 use gaitcam::dynamics::Outcome;
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::{Conflicting, Design, Figure, Figures, in_units};
-use gaitcam::wording::Language;
+use gaitcam::wording::{Language, walker};
 use gaitcam_base::text::escaped;
 
 const STYLE: &str = include_str!("page.css");
@@ -260,7 +260,8 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
                 [all.mean_n, all.worst_n].map(|x| format!("{}\u{a0}{unit}", words.number(x)))
             }
         };
-        let who = [("walker", all.worst_walker.as_str()), ("mean", &mean)];
+        let worst_walker = walker(words.language(), &all.worst_walker);
+        let who = [("walker", worst_walker.as_str()), ("mean", &mean)];
         cards.push((
             words.text("report-force-error-worst"),
             worst,

@@ -10,6 +10,7 @@ use crate::console::table::{
 use crate::console::words::{self, number};
 use gaitcam::cover::{Assigned, Cover, Fold};
 use gaitcam::scene::{ErrorMeasure, Robust};
+use gaitcam::wording::walker;
 use gaitcam_app::Input;
 use gaitcam_output::Picture;
 use gaitcam_output::cover::{CoverWords, Curve, cover as cover_picture};
@@ -85,7 +86,11 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
             shown(most.map(|f| f.out_mean)),
             shown(most.map(|f| f.out_worst)),
             worst.map_or(String::new(), |w| {
-                format!("{} ({})", w.error.walker, reason(w))
+                format!(
+                    "{} ({})",
+                    walker(language::current(), &w.error.walker),
+                    reason(w)
+                )
             }),
         ]);
     }
