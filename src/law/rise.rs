@@ -11,8 +11,8 @@ mod user;
 pub use ends::{End, Ends, Factors};
 
 use super::{Condition, Law, Svaj, hermite_birkhoff};
-use crate::error::{Error, LawError, Result, nearest};
-use crate::wording::called_in_spanish;
+use crate::error::{Error, LawError, Result};
+use crate::wording::{called_in_spanish, nearest_in_languages};
 use std::f64::consts::PI;
 use std::mem::discriminant;
 
@@ -296,7 +296,7 @@ fn unknown(word: &str) -> LawError {
     names.push("table");
     LawError::UnknownMotion {
         motion,
-        nearest: nearest(word, names.iter().copied()).map(str::to_string),
+        nearest: nearest_in_languages(word, &names).map(str::to_string),
         catalogue: names.iter().map(|n| (*n).to_string()).collect(),
     }
 }

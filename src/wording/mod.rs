@@ -6,9 +6,11 @@ mod words;
 
 use serde::Serialize;
 
+use gaitcam_base::error::nearest;
+
 pub use gaitcam_base::wording::{
     Catalogue, DIGITS, Language, Messages, Sentences, exact, fixed, number, people, quantity,
-    range, rounded,
+    range, rounded, walker,
 };
 pub(crate) use gaitcam_base::wording::{InLanguages, code, degrees};
 pub use words::Words;
@@ -72,23 +74,66 @@ pub(crate) static WORDS: Catalogue = Catalogue::new(&[
 ]);
 
 /// Spanish words for values of a scene beside their names in the messages.
-const SPANISH: [(&str, &str); 5] = [
+const SPANISH: [(&str, &str); 6] = [
     ("reposo", "dwell"),
     ("rodillo", "roller-translating"),
     ("cara plana", "flat-translating"),
     ("puntual", "knife-translating"),
     ("hongo", "mushroom-translating"),
+    ("trapecio modificado", "modified-trapezoid"),
 ];
 
 /// The one of some words that Spanish calls so, whatever its accents and capitals.
 pub(crate) fn called_in_spanish(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     let typed = without_accents(typed);
-    let other = SPANISH.iter().find(|(spanish, _)| *spanish == typed);
-    let is_meant = |word: &&'static str| {
-        let name = catalogue(Language::Es).name(word);
-        without_accents(&name) == typed || other.is_some_and(|(_, own)| own == word)
+    let mut names = spanish_names(known).into_iter();
+    names.find_map(|(name, word)| (name == typed).then_some(word))
+}
+
+/// The Spanish names of some words, in small letters without accents, each with its word.
+fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
+    let name = |word: &&'static str| (without_accents(&catalogue(Language::Es).name(word)), *word);
+    let others = SPANISH.iter().filter(|(_, word)| known.contains(word));
+    let others = others.map(|(spanish, word)| ((*spanish).to_string(), *word));
+    known.iter().map(name).chain(others).collect()
+}
+
+/// The one of some words whose name is nearest to a typed one: its own, then by its parts in both languages, then the Spanish one.
+pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
+    if let Some(word) = nearest(typed, known.iter().copied()) {
+        return Some(word);
+    }
+    let typed = without_accents(typed);
+    let spanish = spanish_names(known);
+    let own = known.iter().map(|word| (*word, *word));
+    let names: Vec<(&str, &'static str)> = own
+        .chain(spanish.iter().map(|(name, word)| (&**name, *word)))
+        .collect();
+    let every = || names.iter().flat_map(|(name, _)| parts(name));
+    let meant: Vec<&str> = parts(&typed)
+        .filter_map(|part| nearest(part, every()))
+        .collect();
+    // Per thousand of the parts of a name.
+    let alike = |name: &str| {
+        let found = parts(name).filter(|part| meant.contains(part)).count();
+        1000 * found / parts(name).count().max(1)
     };
-    known.iter().copied().find(|word| is_meant(word))
+    let counted = names.iter().rev().map(|(name, word)| (alike(name), *word));
+    let most = counted
+        .max_by_key(|(count, _)| *count)
+        .filter(|(count, _)| *count > 0);
+    let whole = || {
+        let found = nearest(&typed, names.iter().map(|(name, _)| *name))?;
+        names.iter().find(|(name, _)| *name == found)
+    };
+    most.or_else(|| whole().map(|(_, word)| (0, *word)))
+        .map(|(_, word)| word)
+}
+
+/// The parts of a name that distinguish it.
+fn parts(name: &str) -> impl Iterator<Item = &str> {
+    let apart = name.split([' ', '-', '_']);
+    apart.filter(|part| part.chars().count() > 4)
 }
 
 /// Small letters without accents.

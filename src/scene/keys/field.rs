@@ -3,13 +3,14 @@
 use super::value::Value;
 use crate::cam::{FollowerKind, Hardness};
 use crate::drive::DriveKind;
-use crate::error::{Result, SceneError, nearest};
+use crate::error::{Result, SceneError};
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::law::Rise;
 use crate::scene::{
     Adjust, Band, ErrorMeasure, Family, ForceScale, KeywaySpec, Minimise, Phase, Robust, Scene,
     ShaftSpeed,
 };
+use crate::wording::nearest_in_languages;
 
 /// Getter and setter of a key; the number is the index of a list entry from 0.
 #[derive(Clone, Copy)]
@@ -200,7 +201,7 @@ fn named<T: Words>(word: &str) -> Result<T> {
 pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> SceneError {
     SceneError::UnknownWord {
         word: word.to_string(),
-        nearest: nearest(word, known.iter().copied()).map(str::to_string),
+        nearest: nearest_in_languages(word, known).map(str::to_string),
         known: known.join(", "),
     }
 }

@@ -1,7 +1,7 @@
 //! `gaitcam keys`: every key of a scene file; `gaitcam scenes`: the scenes that come with the program.
 
 use clap::Args;
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::Result;
 use gaitcam::scene::keys::schema;
 use gaitcam::scene::keys::{self, KEYS};
 use gaitcam::scene::{SCENES, built_in};
@@ -77,7 +77,7 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
     if !any {
         let pattern = args.pattern.as_deref().unwrap_or("");
         let pattern = pattern.to_string();
-        return Err(CliError::NoKeyContains { pattern }.at_argument("PATTERN"));
+        return Err(CliError::NoKeyContains { pattern }.into());
     }
     Ok(BUILT)
 }

@@ -3,13 +3,12 @@
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::console::error::CliError;
 use crate::console::exit_code::BUILT;
 use crate::console::language;
 use crate::console::table::{Side, table};
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
-use gaitcam::error::{Placed, Result, nearest};
+use gaitcam::error::Result;
 use gaitcam::law::{End, Ends, Factors, Rise};
 
 const EXAMPLES: &str = "Examples:
@@ -41,25 +40,14 @@ fn joined(ends: &Ends) -> String {
 
 /// Prints the catalogue as a table, or as a list of objects.
 pub fn run(args: &LawsArgs) -> Result<u8> {
-    let all = Rise::catalogue();
     // As scenes name it, in both languages.
-    let named = args.name.as_deref().map(Rise::from_name);
-    let asked = |rise: &Rise| match &named {
-        None => true,
-        Some(named) => named.as_ref().is_ok_and(|n| n.name() == rise.name()),
+    let laws = match &args.name {
+        Some(name) => vec![Rise::from_name(name)?],
+        None => Rise::catalogue(),
     };
     let mut rows = Vec::new();
-    for rise in all.iter().filter(|rise| asked(rise)) {
+    for rise in laws {
         rows.push((rise.clone(), rise.factors()?, rise.ends()?));
-    }
-    if let (Some(typed), true) = (&args.name, rows.is_empty()) {
-        let known: Vec<String> = all.iter().map(|rise| rise.name().to_string()).collect();
-        let fault = CliError::NoLaw {
-            typed: typed.clone(),
-            nearest: nearest_law(typed, &all).unwrap_or("none").to_string(),
-            known: known.join(", "),
-        };
-        return Err(fault.at_argument("NAME"));
     }
     if args.json {
         print_json(&rows.iter().map(object).collect());
@@ -67,20 +55,6 @@ pub fn run(args: &LawsArgs) -> Result<u8> {
         print(&text(&rows));
     }
     Ok(BUILT)
-}
-
-/// The law with the name nearest to a word, as in scenes or as in the language.
-fn nearest_law<'a>(typed: &str, all: &'a [Rise]) -> Option<&'a str> {
-    let called: Vec<String> = all.iter().map(|r| words::name(r.name())).collect();
-    let names = all
-        .iter()
-        .map(Rise::name)
-        .chain(called.iter().map(String::as_str));
-    let found = nearest(typed, names)?;
-    let is_it = |(rise, called): (&'a Rise, &String)| {
-        (rise.name() == found || called == found).then(|| rise.name())
-    };
-    all.iter().zip(&called).find_map(is_it)
 }
 
 type Row = (Rise, Factors, Ends);
