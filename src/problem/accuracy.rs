@@ -6,7 +6,7 @@ use super::Problem;
 use super::target::weight_at;
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
-use crate::scene::Minimise;
+use crate::scene::{LimitKind, Minimise};
 
 /// Default RMS force error, relative to the mean force, that is small enough.
 const USUAL_ACCURACY: f64 = 0.005;
@@ -68,6 +68,12 @@ impl Problem {
     /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N. It adds 2 % to the walker's own variation.
     fn noise(&self) -> f64 {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
+    }
+
+    /// Whether a positive contact force is asked of a drive whose mean over a turn is zero: without a spring and a force at rest.
+    pub(crate) fn presses_too_little(&self) -> bool {
+        let asked = self.limits[LimitKind::ForceMin].is_some_and(|least| least > 0.0);
+        asked && self.drive.spring_rate <= 0.0 && self.drive.rest_force <= 0.0
     }
 
     /// [`Problem::largest_error`], unless a band replaces the accuracy.

@@ -214,6 +214,9 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
         Criterion::Limit(LimitKind::ForceMin) if problem.limits[LimitKind::ForceMin].is_none() => {
             lifts_off(problem, cam, force, check)
         }
+        Criterion::Limit(LimitKind::ForceMin) if problem.presses_too_little() => {
+            Reason::NothingPresses
+        }
         Criterion::RmsError => match preload_above(problem) {
             Some([preload, least]) => Reason::PreloadAboveTarget {
                 error: value,

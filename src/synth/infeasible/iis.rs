@@ -46,6 +46,10 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
                 let conflict = members(&demands);
                 return because(Reason::DemandsInfeasible { demands }, conflict);
             }
+            if problem.presses_too_little() && limits == [Criterion::from(LimitKind::ForceMin)] {
+                let conflict = vec![Conflicting::Limit(limits[0])];
+                return because(Reason::NothingPresses, conflict);
+            }
             let relaxations = limits
                 .iter()
                 .filter_map(|&name| {

@@ -64,6 +64,7 @@ impl Design {
                     | Reason::LiftJumps { .. }
                     | Reason::VelocityJumps { .. }
                     | Reason::LimitUnbounded { .. }
+                    | Reason::NothingPresses
                     | Reason::SolverStopped { .. }
             )
         });

@@ -117,8 +117,18 @@ impl Relaxable {
     pub fn step(self, value: f64) -> f64 {
         match self.key.range {
             Range::Acute => 1e-2_f64.to_radians(),
-            _ => 10_f64.powi(-decimals(value)),
+            _ => 10_f64.powi(-self.decimals(value)),
         }
+    }
+
+    /// Number of decimals of a value with four digits; negative above 10 000. A force is rounded to micronewtons at most.
+    fn decimals(self, value: f64) -> i32 {
+        let least = if self.key.range == Range::Any {
+            1e-3
+        } else {
+            1e-9
+        };
+        3 - value.abs().max(least).log10().floor() as i32
     }
 
     /// The value rounded to whole steps, towards the weaker limit; values within this fraction of a step remain.
@@ -132,15 +142,10 @@ impl Relaxable {
         match self.key.range {
             // The decimal number itself: a product with a step below 1 would miss its last digit.
             Range::Acute => whole * self.step(value),
-            _ if decimals(value) > 0 => whole / 10_f64.powi(decimals(value)),
+            _ if self.decimals(value) > 0 => whole / 10_f64.powi(self.decimals(value)),
             _ => whole * self.step(value),
         }
     }
-}
-
-/// Number of decimals of a value with four digits; negative above 10 000.
-fn decimals(value: f64) -> i32 {
-    3 - value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32
 }
 
 #[cfg(test)]
@@ -172,6 +177,7 @@ mod tests {
         }
         assert_eq!(force.rounded(512.37).to_string(), "512.3");
         assert_eq!(force.after(512.3).to_string(), "512.2");
+        assert_eq!([0.0, 1.9e-7].map(|f| force.rounded(f)), [0.0, 0.0]);
         let angle = of("limits.pressure_angle");
         let degrees = angle.rounded(33.281_f64.to_radians()).to_degrees();
         assert!((degrees - 33.29).abs() < 1e-9, "{degrees}");

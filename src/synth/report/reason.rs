@@ -163,6 +163,8 @@ pub enum Reason {
     DemandsInfeasible { demands: Vec<Demand> },
     /// One limit that is infeasible with the conditions.
     LimitInfeasible { limit: Criterion },
+    /// A minimum contact force, although the drive has neither a spring nor a force at rest.
+    NothingPresses,
     /// Limits that are infeasible together.
     LimitsInfeasible { limits: Vec<Criterion> },
     /// Limits for which no common law was found; some are nonconvex, so this does not prove infeasibility.

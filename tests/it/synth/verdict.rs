@@ -156,6 +156,16 @@ fn the_least_force_is_zero_where_a_force_holds_the_follower_and_no_other_is_writ
         Verdict::Acceptable,
         "reason-all-hold",
     );
+    // No limit is to blame where nothing presses; where a spring does, the smallest force reached is suggested.
+    let pressed = programme("3-4-5", FLAT, &["drive.mass=1 kg", "limits.force_min=1 N"]);
+    judged(&pressed, Verdict::Unacceptable, "reason-nothing-presses");
+    assert!(pressed.relaxed().relaxations.is_empty());
+    let sprung = programme(
+        "3-4-5",
+        FLAT,
+        &["drive.spring_rate=1000 N/m", "limits.force_min=1 N"],
+    );
+    assert_eq!(sprung.relaxed().relaxations[0].to, Some(0.0));
     let off = programme("3-4-5", FLAT, &["drive.mass=1 kg", "limits.force_min=none"]);
     judged(&off, Verdict::Acceptable, "reason-all-hold");
     let note = Note::NotJudged {
