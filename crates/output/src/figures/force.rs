@@ -82,6 +82,9 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
         if band.is_some() {
             entries.insert(1, (ORANGE.mix(0.22), 14.0, &around));
         }
+        if tolerance.is_none() {
+            entries.push((QUIET, 1.2, "± RMS"));
+        }
         f.key(legend, e, &entries)
     })
 }
@@ -143,7 +146,9 @@ impl Achieved {
 
     fn marks(&self, panel: &Panel) -> Drawn {
         panel.mark(self.high, true, BLUE, false)?;
-        if self.high.1 - self.low.1 > 1e-9 * self.high.1.abs() {
+        // Zero is on the axis already.
+        let [low, high] = [self.low.1, self.high.1];
+        if high - low > 1e-9 * high.abs() && low.abs() > 1e-6 * high.abs() {
             panel.mark(self.low, false, BLUE, false)?;
         }
         Ok(())

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use plotters::style::{Color, RGBAColor};
 
+use super::force::force_frame;
 use crate::plot::axes::{Panel, padded, ticks};
 use crate::plot::layout::{Figure, Layout, strips};
 use crate::plot::palette::{BLUE, GREEN, ORANGE, PURPLE, RED};
@@ -81,7 +82,7 @@ pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Langua
         ];
         let used: Vec<Strip> = used.iter().filter(|s| s.1).map(|s| s.0).collect();
         let shares: Vec<f64> = used.iter().map(|s| s.share()).collect();
-        let frames = strips(layout.frame(), &shares, 0.9 * f.e);
+        let frames = strips(force_frame(layout), &shares, 0.9 * f.e);
         let mut last = None;
         for (strip, frame) in used.iter().zip(frames) {
             last = Some(shown.strip(*strip, &f, frame)?);
@@ -196,7 +197,7 @@ impl Shown<'_> {
             entries.push((RED.mix(0.3), 8.0, self.words.text("figure-contact-lost")));
         }
         let entries: Vec<_> = entries.iter().map(|(c, w, n)| (*c, *w, &**n)).collect();
-        let frame = f.layout.frame();
+        let frame = force_frame(f.layout);
         f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)
     }
 }

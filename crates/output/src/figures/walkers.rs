@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use plotters::style::Color;
 
+use super::force::force_frame;
 use crate::plot::axes::{angle_ticks, padded};
 use crate::plot::layout::Layout;
 use crate::plot::palette::{BLUE, ORANGE};
@@ -12,7 +13,7 @@ use crate::words::{self, Words};
 use gaitcam::problem::Served;
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
-use gaitcam::wording::Language;
+use gaitcam::wording::{Language, walker};
 
 /// Number of steps of a turn.
 const STEPS: usize = 360;
@@ -46,7 +47,7 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     }
     layout.picture(words.language(), |f| {
         f.title(&design.problem.name, &words.text("figure-walkers"))?;
-        let frame = layout.frame();
+        let frame = force_frame(layout);
         let curves = [&low, &high, &given, &wanted];
         let values = curves.into_iter().flatten().map(|p| p.1);
         let y = padded(values, 0.12);
@@ -55,13 +56,13 @@ fn walkers_in(design: &Design, layout: Layout, words: &Words) -> Picture {
         panel.curve(&wanted, ORANGE.mix(0.8), 3.0)?;
         panel.curve(&given, BLUE, 2.4)?;
         panel.quantity(&words.text("figure-walkers-force"))?;
-        panel.across(&words.text("figure-walkers-angle"))?;
-        let name = worst.map_or("", |(w, _)| w.name.as_str());
+        panel.across(&words.text("figure-angle"))?;
+        let name = worst.map_or(String::new(), |(w, _)| walker(words.language(), &w.name));
         let error = worst.map_or(String::new(), |(_, e)| match walkers.map(|w| w.error) {
             Some(ErrorMeasure::Absolute) => format!("{} N", words.number(e.rms_error_n)),
             _ => format!("{} %", words.number(e.rms_error_percent)),
         });
-        let wanted = words.fill("figure-walkers-worst", &[("name", name)]);
+        let wanted = words.fill("figure-walkers-worst", &[("name", &name)]);
         let given = words.fill("figure-walkers-cam", &[("error", &error)]);
         let band = words.text("figure-walkers-band");
         let legend = [frame.left, frame.top - 1.1 * f.e];

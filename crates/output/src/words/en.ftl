@@ -202,15 +202,14 @@ figure-rigid = rigid
 figure-constant-speed = at constant speed
 figure-walkers = Force of all walkers, and of the cam for the worst of them
 figure-walkers-force = force, % of the mean force
-figure-walkers-angle = cam angle, °
 figure-walkers-band = all walkers
 figure-walkers-worst = worst: { $name }
 figure-walkers-cam = cam, error { $error } RMS
 figure-floor = Peak acceleration of the floor, comfort classes
-figure-floor-wanted = under the wanted force
+figure-floor-wanted = under the target force
 figure-floor-cam = under this cam at other speeds
 figure-floor-acceleration = acceleration, m/s²
-figure-speeds = the cam as made at other speeds
+figure-speeds = the cam as manufactured at other speeds
 figure-cam-rpm = speed of the cam, rpm
 figure-cam-travel = speed of the cam, m/s
 figure-error-rms = error RMS, N
@@ -263,6 +262,8 @@ figure-stride-spread = stride { $seconds } ± { $spread } s ({ $from })
 figure-mass = mass { $mass } kg ({ $from })
 figure-contacts = contacts: { $used } used, { $rejected } rejected
 figure-designs = designs
+figure-non-dominated = non-dominated
+figure-best = best compromise
 
 # The sheet of the cam in the workbook.
 sheet-title = Disc cam, { $follower } follower
@@ -324,9 +325,9 @@ figure-residual = residual
 figure-inspection = measured profile
 figure-deviation = deviation along the normal, µm
 figure-inspected-force = force
-figure-as-made = as made
+figure-as-made = as manufactured
 figure-as-designed = as designed
-figure-exaggerated = as made, deviations × { $factor }
+figure-exaggerated = as manufactured, deviations × { $factor }
 
 # Workshop.
 report-workshop = Workshop

@@ -1,8 +1,11 @@
 //! Rows of a table kept for its pictures.
 
 use super::read::{Columns, Row};
+use crate::console::language;
 use crate::console::words;
+use gaitcam::scene::keys::KEYS;
 use gaitcam::sweep::{Key, Objective};
+use gaitcam::wording::limit_label;
 use gaitcam_output::sweep_plots::Quantity;
 
 /// Maximum number of rows kept for pictures.
@@ -19,6 +22,16 @@ pub struct Input {
     is_number: bool,
 }
 
+/// The name of an axis: that of a limit in words, else the column's.
+fn axis(column: &str) -> String {
+    let name = words::column(column);
+    let (key, unit) = name.rsplit_once(", ").unwrap_or((&name, ""));
+    match KEYS.iter().find(|k| k.path == key && k.limit.is_some()) {
+        Some(_) => format!("{}, {unit}", limit_label(language::current(), key)),
+        None => name,
+    }
+}
+
 impl Input {
     /// Whether it has more than one value.
     pub fn varies(&self) -> bool {
@@ -28,7 +41,7 @@ impl Input {
     /// The values for a picture.
     pub fn quantity(&self) -> Quantity {
         Quantity {
-            label: words::column(&self.name),
+            label: axis(&self.name),
             values: self.values.clone(),
             words: self.words.clone(),
         }

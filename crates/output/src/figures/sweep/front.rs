@@ -5,9 +5,11 @@ use plotters::prelude::*;
 use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
 use crate::plot::axes::padded;
-use crate::plot::palette::{AXIS, BLUE, RED};
+use crate::plot::palette::{AXIS, BLUE, INK, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{stroke, trace, units};
+use crate::plot::sheet::{Lettering, circle, stroke, trace, units, write};
+use crate::plot::text::text_width;
+use crate::words;
 use gaitcam::wording::Language;
 
 /// All designs as dots, the front as a line through its dots, the best marked by a ring.
@@ -23,6 +25,7 @@ pub fn front(
     let scaled = |&(a, b): &(f64, f64)| (fx * a, fy * b);
     let on_front: Vec<(f64, f64)> = on_front.iter().map(scaled).collect();
     let best = best.as_ref().map(scaled);
+    let words = words::words(language);
     let all = |q: &Quantity, own: &dyn Fn(&(f64, f64)) -> f64| {
         let mut v = q.values.clone();
         v.extend(on_front.iter().map(own));
@@ -47,6 +50,19 @@ pub fn front(
         }
         if let Some(p) = best {
             inner.draw(&Circle::new(p, units(6.5), stroke(RED, 2.4)))?;
+        }
+        let mut left = f.left;
+        let dots = [
+            ("figure-designs", 2.0, AXIS.filled(), !x.values.is_empty()),
+            ("figure-non-dominated", 3.6, BLUE.filled(), true),
+            ("figure-best", 6.5, stroke(RED, 2.4), best.is_some()),
+        ];
+        for (key, radius, style, _) in dots.into_iter().filter(|dot| dot.3) {
+            let (text, up) = (words.text(key), f.top - 0.9 * LETTERS);
+            circle(canvas, [left + 6.5, up], radius, style)?;
+            let lettering = Lettering::new(LETTERS, INK);
+            write(canvas, &text, [left + 1.1 * LETTERS, up], lettering)?;
+            left += (2.6 + text_width(&text)) * LETTERS;
         }
         f.border(canvas)
     })

@@ -5,11 +5,11 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::axes::{Axis, axes};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
-use crate::plot::axes::padded;
+use crate::plot::axes::{padded, tick_text, ticks};
 use crate::plot::palette::{INK, QUIET};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
-use gaitcam::wording::{Language, number};
+use gaitcam::wording::Language;
 
 /// Number of bins across a heat map of scattered points.
 const BINS: usize = 40;
@@ -121,11 +121,15 @@ fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Lang
         let colour = shade(i as f64 / (steps - 1) as f64).filled();
         canvas.draw(&Rectangle::new(corners, colour))?;
     }
-    for k in 0..=4 {
-        let share = f64::from(k) / 4.0;
-        let up = f.bottom + (f.top - f.bottom) * share;
-        let at = [left + width + 0.4 * e, up];
-        let text = number(language, range[0] + share * (range[1] - range[0]));
+    let marks = ticks(range[0], range[1], 5.0);
+    let step = marks.get(1).map_or(1.0, |next| next - marks[0]);
+    for mark in marks {
+        let share = (mark - range[0]) / (range[1] - range[0]);
+        let at = [
+            left + width + 0.4 * e,
+            f.bottom + (f.top - f.bottom) * share,
+        ];
+        let text = tick_text(mark, step, language);
         write(canvas, &text, at, Lettering::new(0.9 * e, QUIET))?;
     }
     let letters = Lettering::new(e, INK)

@@ -30,13 +30,14 @@ pub struct Quantity {
 }
 
 /// SI units of labels with the customary ones and the factor between them.
-const SHOWN: [(&str, &str, f64); 6] = [
+const SHOWN: [(&str, &str, f64); 7] = [
     ("m", "mm", 1e3),
     ("m/rad", "mm/rad", 1e3),
     ("m/rad²", "mm/rad²", 1e3),
     ("m/rad³", "mm/rad³", 1e3),
     ("rad", "°", 180.0 / std::f64::consts::PI),
     ("Pa", "MPa", 1e-6),
+    ("N m", "N·m", 1.0),
 ];
 
 /// A label with the customary unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
