@@ -21,6 +21,8 @@ use strum::VariantNames;
 pub enum FileError {
     /// It cannot be read: `missing`, `denied`, or the text of the operating system.
     CannotRead { fault: String },
+    /// A file that a scene names does not exist.
+    Missing { file: String },
     /// The operating system cannot move the files into place.
     CannotPlace { fault: String },
     /// A foreign file or folder has a required name.

@@ -125,10 +125,9 @@ impl Input {
     /// Faults of the load model, the file or the recording.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         let gait = self.scene.gait.as_ref();
-        Ok(gait
-            .map(|gait| gait.force(&self.files))
-            .transpose()?
-            .flatten())
+        let force = gait.map(|gait| gait.force(&self.files)).transpose();
+        let named = |e| name_file(self.file.as_deref(), at_key_if_missing(e));
+        Ok(force.map_err(named)?.flatten())
     }
 }
 
@@ -201,6 +200,19 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     match path {
         Some(path) => error.at_line(path, line),
         None => error,
+    }
+}
+
+/// Places the fault of a recording that does not exist at the key that names it.
+fn at_key_if_missing(e: Error) -> Error {
+    let is_missing =
+        |f: &FileError| matches!(f, FileError::CannotRead { fault } if fault == "missing");
+    match &e.place {
+        Place::File(path) if e.fault().is_some_and(is_missing) => {
+            let file = path.display().to_string();
+            FileError::Missing { file }.at_key("gait.file")
+        }
+        _ => e,
     }
 }
 

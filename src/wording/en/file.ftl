@@ -5,8 +5,9 @@ file-cannot-read = { $fault ->
        *[other] cannot be read ({ $fault })
     }
     .help = check the path
+file-missing = there is no file "{ $file }"
 file-cannot-place = the files cannot be moved into place ({ $fault })
-file-foreign = is not a file of gaitcam, but stands in the place of one
+file-foreign = is not a file of gaitcam, but has the name of one
     .help = remove it, or choose another folder
 file-held = another gaitcam{ $process ->
         [none] {""}
@@ -34,7 +35,7 @@ file-replaced = { $file } would be replaced
     .help = an input file is never overwritten; choose another folder
 file-another-sweep = is another sweep: { $differences }
     .help = repeat the sweep as it was, or choose another place
-file-not-sweep-folder = holds { $file }, which is no block of a sweep
+file-not-sweep-folder = holds { $file }, which is not a block of a sweep
     .help = give an empty folder, or the one of this sweep
 file-no-table = no table of numbers found
     .help = the file starts with "{ $start }"; { $purpose ->

@@ -5,8 +5,9 @@ file-cannot-read = { $fault ->
        *[other] no se puede leer ({ $fault })
     }
     .help = compruebe la ruta
+file-missing = no hay ningún archivo «{ $file }»
 file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
-file-foreign = no es un archivo de gaitcam, pero ocupa el lugar de uno
+file-foreign = no es un archivo de gaitcam, pero tiene el nombre de uno
     .help = quítelo, o elija otra carpeta
 file-held = otro gaitcam{ $process ->
         [none] {""}
@@ -20,7 +21,7 @@ file-device = es una tubería o un dispositivo, no un archivo
 file-too-large = supera { $mib } MiB
 file-not-utf8 = no es texto UTF-8
     .help = una escena es un archivo TOML, `gaitcam scenes footbridge` muestra una
-file-not-toml = { $fault }
+file-not-toml = el analizador de TOML dice: { $fault }
     .help = una escena es un archivo TOML, `gaitcam scenes footbridge` muestra una
 file-not-json = no es JSON ({ $fault })
 file-measured-columns = ninguna columna de puntos medidos entre: { $found }
