@@ -211,7 +211,9 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
         ("rms", &*words.number(t.rms)),
     ];
     lines.push((label, words.fill("simulation-torque-values", &torque)));
-    if let Some(p) = &outcome.hertz {
+    if let Some(p) = &outcome.hertz
+        && p.contact.pressure > 0.0
+    {
         let c = &p.contact;
         let pressure = [
             ("pressure", &*(words.number(1e-6 * c.pressure) + " MPa")),

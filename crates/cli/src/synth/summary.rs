@@ -2,6 +2,7 @@
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::Criterion;
+use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, SolverReport, in_units, sentences};
 use gaitcam::wording::range;
 use gaitcam_output::facts::{self, Group};
@@ -127,7 +128,6 @@ fn force(design: &Design) -> Vec<String> {
     let text = |column: &str, value: f64| facts::force(design, column, value, language::current());
     let unit = design.cam.follower.measures().force();
     let range = range(language::current(), f.min_n, f.max_n);
-    let factors = load_factors(design);
     let mut rows = vec![
         filled(
             "force",
@@ -142,7 +142,9 @@ fn force(design: &Design) -> Vec<String> {
             json!({"range": unit.after(&range), "mean": text("force_mean_n", f.mean_n)}),
         ),
     ];
-    rows.extend(factors);
+    if design.problem.drive.kind == DriveKind::MovingAxis {
+        rows.extend(load_factors(design));
+    }
     rows
 }
 
