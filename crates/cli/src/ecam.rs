@@ -9,13 +9,16 @@ use serde_json::json;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
-use crate::console::words::{self, power};
+use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::Result;
 use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
+
+/// Share of the mean below which the error of the file is not printed, %.
+const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
   gaitcam ecam out/footbridge --dialect codesys
@@ -100,7 +103,10 @@ pub fn sentence(cam: &ElectronicCam) -> String {
         "curve": curve,
         "number": number,
         "error": words::number(error),
-        "added": power(100.0 * replayed.share, 2),
+        "added": match 100.0 * replayed.share {
+            share if share < LEAST_SHARE => words::fill("ecam-below", &json!({"least": words::number(LEAST_SHARE)})),
+            share => words::number(share),
+        },
     });
     words::fill(key, &fields)
 }

@@ -25,7 +25,7 @@ use clap::{FromArgMatches, Parser, Subcommand};
 
 pub use console::exit_code;
 use console::terminal::{final_exit_code, print_json, record_write_error, report};
-use console::{help, internal, language, usage};
+use console::{help, internal, language, usage, words};
 use exit_code::BUILT;
 use gaitcam::error::{Error, Result};
 use gaitcam_app::inputs;
@@ -55,7 +55,7 @@ enum Command {
     Cover(gait::cover::CoverArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
-    /// Fit measured points of a made cam to its design: deviations, and what this very cam does
+    /// Fit measured points of a manufactured cam to its design: deviations, and what this very cam does
     Inspect(inspect::InspectArgs),
     /// Identify the machine from logs of its runs: mass, stiffness, damping, friction, with intervals
     Identify(identify::IdentifyArgs),
@@ -124,7 +124,11 @@ fn dispatch(cli: Cli) -> Result<u8> {
     if !matches!(cli.command, Some(Command::Studio(_))) {
         inputs::protect();
     }
-    match cli.command.unwrap_or_else(Command::main_job) {
+    let Some(command) = cli.command else {
+        report(words::text("run-no-command"));
+        return synth::run(&synth::SynthArgs::default());
+    };
+    match command {
         Command::Synth(args) => synth::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Gait(args) => gait::run(&args),
@@ -190,10 +194,5 @@ impl Command {
             | Command::Init(_)
             | Command::Doctor(_) => false,
         }
-    }
-
-    /// Runs the command without a verb.
-    fn main_job() -> Command {
-        Command::Synth(synth::SynthArgs::default())
     }
 }

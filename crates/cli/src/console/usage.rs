@@ -96,8 +96,11 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// Choices of a missing flag; "none" for a flag without choices.
+/// Choices of a missing flag; "table" for the file of a table, "none" for another flag without choices.
 fn choices(missing: &str) -> String {
+    if missing.starts_with("--out <") {
+        return "table".to_string();
+    }
     let command = command(Language::En);
     let arguments = command.get_subcommands().flat_map(Command::get_arguments);
     let is_it = |a: &&Arg| {

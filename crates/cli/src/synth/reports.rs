@@ -2,6 +2,7 @@
 
 use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::Design;
+use gaitcam::wording::walker;
 use gaitcam_output::simulation;
 use serde_json::json;
 
@@ -24,12 +25,10 @@ pub(super) fn shaft(design: &Design) -> Vec<String> {
     )];
     if let Some((own, before)) = on_shaft.force_time.zip(on_shaft.at_constant_speed) {
         let percent = [own, before].map(|e| number(e.rms_error_percent_of_mean));
-        let contraction = on_shaft.contraction.map_or(json!(0), |c| json!(number(c)));
         out.push(filled(
             "",
             "synth-shaft-error",
-            json!({"own": percent[0], "before": percent[1], "rounds": on_shaft.rounds,
-                    "contraction": contraction}),
+            json!({"own": percent[0], "before": percent[1], "rounds": on_shaft.rounds}),
         ));
     }
     let differs = design.sensitivity().into_iter().map(|s| {
@@ -68,7 +67,7 @@ pub(super) fn population(design: &Design) -> Option<String> {
     Some(filled(
         "walkers",
         id,
-        json!({"count": p.walkers, "mean": number(mean), "worst": number(worst), "who": p.worst_walker,
+        json!({"count": p.walkers, "mean": number(mean), "worst": number(worst), "who": walker(language::current(), &p.worst_walker),
             "cvar": number(cvar), "tail": tail}),
     ))
 }

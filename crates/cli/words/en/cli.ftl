@@ -5,7 +5,7 @@ cli-scene-name = "{ $shown }" { $fault ->
         [blank] is blank
         [dash] begins with a dash
         [control] contains a control character or an invisible mark
-       *[not-plain] is no plain file name
+       *[not-plain] is not a plain file name
     }
     .help = results go to out/NAME: use letters, digits, - and _, or give the folder
 cli-few-rows = invalid value { $rows }
@@ -18,25 +18,20 @@ cli-cycle-ending = { $file } is neither a .csv or .mot file nor a folder
     .help = the cycle is written as .csv or .mot, with pictures .svg and .png beside it
 cli-table-changed = the finished table was changed after the sweep wrote it
     .help = move it away to compute it again
-cli-cams = "{ $typed }" is no number of cams
+cli-cams = "{ $typed }" is not a number of cams
     .help = write one number, or the first and the last: 3, 1:6; at most { $most }
 cli-among-recordings = the results would lie among the recordings in { $folder }
     .help = give another folder
-cli-not-cover = this is no table of gaitcam cover
+cli-not-cover = this is not a table of gaitcam cover
     .help = give the folder that gaitcam cover wrote
 cli-scene-not-recording = is a scene, not a recording
     .help = gaitcam synth designs its cam, gaitcam doctor checks it; gaitcam gait reads the recording that its gait.file names
-cli-no-law = "{ $typed }" is not a rise law
-    .help = { $nearest ->
-        [none] the laws are { $known }
-       *[other] did you mean "{ $nearest }"? The laws are { $known }
-    }
 cli-no-key-contains = no key contains "{ $pattern }"
 cli-input-time = the input was not read within { $limit } s
     .help = end the input, or give more time
 cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
-cli-speeds = { $typed } is no range of speeds
+cli-speeds = { $typed } is not a range of speeds
     .help = write first, last and number of speeds, 2 to { $most }: --speeds '1.4 Hz:2.3 Hz:10'
 cli-cam-is-made = this result has a finished profile: changing { $key } needs a new design
     .help = give only keys of drive and machine, or design the other cam with gaitcam synth SUMMARY.json --set …
@@ -53,7 +48,7 @@ cli-no-parquet = this gaitcam was built without Parquet (the feature "parquet")
 cli-table-ending = { $file } is neither .csv nor .parquet
     .help = give the table one of these endings
 cli-no-base-scene = does not name the row's base scene
-cli-row-not-number = row { $row }: "{ $cell }" is no number
+cli-row-not-number = row { $row }: "{ $cell }" is not a number
 cli-nothing-varies = an empty grid: no key varies
     .help = write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER
 cli-list-value = { $fault }
@@ -108,6 +103,7 @@ cli-flag-range = invalid value { $typed }
 cli-missing-arguments = missing: { $missing }
     .help = { $choices ->
         [none] see --help
+        [table] add, for example, --out table.csv
        *[other] write one of: { $choices }
     }
 cli-flag-conflict = cannot be used together with { $other }
@@ -119,6 +115,7 @@ run-internal-error = internal error; please report it with { $file ->
         [none] the scene
        *[other] { $file }
     }
+run-no-command = No command: designing the built-in footbridge. `gaitcam --help` lists the commands.
 run-stdout = the answer cannot be written to standard output ({ $fault })
 run-files = Files in { $folder }; open { $first } first.
 
@@ -163,11 +160,8 @@ synth-walkers-n = { $count }: force error { $mean } N on average, { $cvar } N fo
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
 synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
         [0] {""}
-        [one] {"; "}one round
-       *[other] {"; "}{ $rounds } rounds
-    }{ $contraction ->
-        [0] {""}
-       *[other] {"; "}each changes the target { $contraction } times as much as the one before
+        [one] {"; "}one iteration
+       *[other] {"; "}{ $rounds } iterations
     }
 synth-shaft-sensitivity = with 10 % less or more of { $list }
 synth-shaft-differs = { $key }: { $less } %, { $more } %
@@ -176,14 +170,14 @@ synth-active = limit { $limit } { $points ->
        *[other] at { $points } points, largest multiplier at { $at }
     }
 synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
-synth-solved = { $tier } tier, { $solve } ms of { $total } ms: { $status }
+synth-solved = method { $tier }, { $solve } ms of { $total } ms: { $status }
 synth-certified = { $family ->
         [spline] proved: no spline of this degree with these spans is better under these limits
        *[other] proved: no law of this family is better under these limits
     }
 synth-uncertified = not certified as the optimum: { $why }
 synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
-synth-no-sequence = none was needed
+synth-no-sequence = not needed
 synth-sequence = { $count } convex programs
 synth-step-head = step   prime radius          objective   relative clearance   step length
 synth-ended = stopped: { $why }
@@ -213,7 +207,7 @@ simulate-speeds-factors = load factors 1 to 4
 simulate-speeds-lost = contact lost
 simulate-speeds-none = the shaft does not turn: { $why }
 simulate-no-target = no target at this speed: { $why }
-simulate-as-made = the cam as it was made, at { $rpm } rpm
+simulate-as-made = the cam as manufactured, at { $rpm } rpm
 simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
 
 # sweep.
@@ -354,7 +348,7 @@ laws-joins = joins
 # synth --explain.
 explain-title = { $name }: model selection
 explain-because = because { $reason }
-explain-none-passed-over = no simpler family was passed over
+explain-none-passed-over = it is the simplest family that was tried
 explain-family-degree = { $family } of degree { $degree }
 explain-constant-speed = constant speed
 explain-motor = the speed that the motor gives
@@ -389,7 +383,7 @@ doctor-recording = { $file }: { $columns ->
     } used, { $rejected } left out
 doctor-unacceptable = Found: { $sentence }. Give another recording or column.
 doctor-doubt = Open: { $sentence }. Check it; then give the key that answers it, or accept what was assumed with gait.accept = "{ $name }".
-doctor-recording-options = What the file does not say can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
+doctor-recording-options = Missing information can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
 
 # inspect.
 inspect-no-cam = there is no cam to compare with: { $why }
@@ -400,14 +394,14 @@ inspect-outliers = { $count } { $count ->
         [one] point lies
        *[other] points lie
     } up to { $most } µm off the others (lines { $lines }) and are left out
-inspect-part = a part of the profile is measured: no point lies between { $from } and { $to }; force and motion as made are unknown
+inspect-part = a part of the profile is measured: no point lies between { $from } and { $to }; force and motion as manufactured are unknown
 inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
-inspect-rms = force error RMS: designed { $before }, as made { $after } { $unit }
-inspect-max = force error maximum: designed { $before }, as made { $after } { $unit }
-inspect-least-force = smallest force: designed { $before }, as made { $after } { $unit }
-inspect-most-force = largest force: designed { $before }, as made { $after } { $unit }
-inspect-acceleration = peak acceleration: designed { $before }, as made { $after } { $unit }
-inspect-liftoff = lift-off speed: designed { $before }, as made { $after } { $unit }
+inspect-rms = force error RMS: as designed { $before }, as manufactured { $after } { $unit }
+inspect-max = force error maximum: as designed { $before }, as manufactured { $after } { $unit }
+inspect-least-force = minimum force: as designed { $before }, as manufactured { $after } { $unit }
+inspect-most-force = maximum force: as designed { $before }, as manufactured { $after } { $unit }
+inspect-acceleration = peak acceleration: as designed { $before }, as manufactured { $after } { $unit }
+inspect-liftoff = lift-off speed: as designed { $before }, as manufactured { $after } { $unit }
 inspect-lifts-off = this cam loses contact at the speed of the scene
 # Electronic cams.
 synth-no-ecam = no electronic cam: { $fault }
@@ -415,7 +409,8 @@ ecam-no-cam = no cam to run: { $why }
 ecam-file = File { $file }.
 ecam-quintic = quintic
 ecam-cubic = cubic spline
-ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS, of it { $added } % of the mean by the file
+ecam-below = less than { $least }
+ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS, of which the file adds { $added } % of the mean
 ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; force off the law by { $error } N RMS with this controller, { $added } % of the largest
 ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; acceleration off the law by { $added } % of the largest, RMS
 

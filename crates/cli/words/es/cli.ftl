@@ -26,11 +26,6 @@ cli-not-cover = esto no es una tabla de gaitcam cover
     .help = dé la carpeta que escribió gaitcam cover
 cli-scene-not-recording = es una escena, no un registro
     .help = gaitcam synth diseña su leva y gaitcam doctor la revisa; gaitcam gait lee el registro que nombra su gait.file
-cli-no-law = «{ $typed }» no es una ley de subida
-    .help = { $nearest ->
-        [none] las leyes son { $known }
-       *[other] ¿quiso decir «{ $nearest }»? Las leyes son { $known }
-    }
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
 cli-input-time = la entrada no se leyó en { $limit } s
     .help = termine la entrada, o dé más tiempo
@@ -108,6 +103,7 @@ cli-flag-range = valor no válido { $typed }
 cli-missing-arguments = falta: { $missing }
     .help = { $choices ->
         [none] vea --help
+        [table] añada, por ejemplo, --out tabla.csv
        *[other] escriba uno de: { $choices }
     }
 cli-flag-conflict = no se puede usar junto con { $other }
@@ -119,6 +115,7 @@ run-internal-error = error interno; comuníquelo junto con { $file ->
         [none] la escena
        *[other] { $file }
     }
+run-no-command = Sin orden: se diseña la pasarela incorporada. `gaitcam --help` muestra las órdenes.
 run-stdout = la respuesta no se puede escribir en la salida estándar ({ $fault })
 run-files = Archivos en { $folder }; abra primero { $first }.
 
@@ -163,11 +160,8 @@ synth-walkers-n = { $count }: error de fuerza de { $mean } N en promedio, { $cva
 synth-shaft = { $low } … { $high } rad/s, oscilación { $ripple } %; motor: velocidad en vacío { $noload } rad/s, par { $rms } N·m RMS, máximo { $most } N·m
 synth-shaft-error = error de fuerza en el tiempo { $own } % de la media; de la ley para velocidad constante { $before } %{ $rounds ->
         [0] {""}
-        [one] {"; "}una ronda
-       *[other] {"; "}{ $rounds } rondas
-    }{ $contraction ->
-        [0] {""}
-       *[other] {"; "}cada una cambia el objetivo { $contraction } veces lo que la anterior
+        [one] {"; "}una iteración
+       *[other] {"; "}{ $rounds } iteraciones
     }
 synth-shaft-sensitivity = con un 10 % menos o más de { $list }
 synth-shaft-differs = { $key }: { $less } %, { $more } %
@@ -176,14 +170,14 @@ synth-active = límite { $limit } { $points ->
        *[other] en { $points } puntos, mayor multiplicador en { $at }
     }
 synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit } en lugar de { $before } { $unit }
-synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
+synth-solved = método { $tier }, { $solve } ms de { $total } ms: { $status }
 synth-certified = { $family ->
         [spline] demostrado: ninguna spline de este grado con estos tramos es mejor con estos límites
        *[other] demostrado: ninguna ley de esta familia es mejor con estos límites
     }
 synth-uncertified = no se certifica como óptimo: { $why }
 synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
-synth-no-sequence = no hizo falta ninguna
+synth-no-sequence = no fue necesaria
 synth-sequence = { $count } programas convexos
 synth-step-head = paso radio primario           objetivo    holgura relativa      longitud
 synth-ended = detenida: { $why }
@@ -213,7 +207,7 @@ simulate-speeds-factors = factores de carga 1 a 4
 simulate-speeds-lost = contacto perdido
 simulate-speeds-none = el eje no gira: { $why }
 simulate-no-target = sin objetivo a esta velocidad: { $why }
-simulate-as-made = la leva tal como se hizo, a { $rpm } rpm
+simulate-as-made = la leva fabricada, a { $rpm } rpm
 simulate-designed-again = la leva se diseñó para este drive.speed; --speed hace girar una misma leva a otra velocidad
 
 # sweep.
@@ -223,7 +217,7 @@ sweep-skipped = se omiten { $count } archivos junto a los registros ({ $first }{
     })
 sweep-complete = { $file } ya está completa.
 sweep-stopped = detenido tras { $done } de { $rows } filas; las filas calculadas están guardadas, continúe con --resume
-sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables, { $slow } no para alta velocidad), { $infeasible } irrealizables, { $errors } errores
+sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables, { $slow } no para alta velocidad), { $infeasible } no factibles, { $errors } errores
 sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
 sweep-first-error = Primer error, fila { $row }: { $fault }
 sweep-damaged = { $file } está dañado; sus filas se calculan de nuevo
@@ -275,7 +269,7 @@ front-row = fila
 front-best = mejor compromiso
 front-more = … { $count } más en front.csv; mejor compromiso: fila { $row }
 front-page-title = Barrido { $name }
-front-page-counts = { $seen } diseños, de los que cuentan { $candidates }; { $front } son no dominados en { $text }. El mejor compromiso es la fila { $row }.
+front-page-counts = { $seen } diseños, de ellos admisibles { $candidates }; { $front } son no dominados en { $text }. El mejor compromiso es la fila { $row }.
 front-page-low-speed = { $count ->
         [one] Se omite un diseño que no es
        *[other] Se omiten { $count } diseños que no son
@@ -354,7 +348,7 @@ laws-joins = enlaza con
 # synth --explain.
 explain-title = { $name }: selección del modelo
 explain-because = porque { $reason }
-explain-none-passed-over = no se descartó ninguna familia más sencilla
+explain-none-passed-over = es la familia más sencilla de las probadas
 explain-family-degree = { $family } de grado { $degree }
 explain-constant-speed = velocidad constante
 explain-motor = la velocidad que da el motor
@@ -389,7 +383,7 @@ doctor-recording = { $file }: { $columns ->
     }, { $rejected } descartados
 doctor-unacceptable = Se encontró: { $sentence }. Indique otro registro u otra columna.
 doctor-doubt = Abierto: { $sentence }. Compruébelo; indique después la clave que lo responde, o acepte lo supuesto con gait.accept = "{ $name }".
-doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
+doctor-recording-options = Lo que falta se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
 
 # inspect.
 inspect-no-cam = no hay leva con que comparar: { $why }
@@ -402,12 +396,12 @@ inspect-outliers = { $count } { $count ->
     } hasta { $most } µm fuera de los demás (líneas { $lines }) y no se cuentan
 inspect-part = se midió una parte del perfil: ningún punto queda entre { $from } y { $to }; la fuerza y el movimiento reales no se conocen
 inspect-waves = la explican { $waves } ondas por vuelta; quedan { $left } RMS como ruido
-inspect-rms = error de fuerza RMS: diseñado { $before }, hecho { $after } { $unit }
-inspect-max = error de fuerza máximo: diseñado { $before }, hecho { $after } { $unit }
-inspect-least-force = fuerza mínima: diseñada { $before }, hecha { $after } { $unit }
-inspect-most-force = fuerza máxima: diseñada { $before }, hecha { $after } { $unit }
-inspect-acceleration = aceleración máxima: diseñada { $before }, hecha { $after } { $unit }
-inspect-liftoff = velocidad de despegue: diseñada { $before }, hecha { $after } { $unit }
+inspect-rms = error de fuerza RMS: según diseño { $before }, fabricada { $after } { $unit }
+inspect-max = error de fuerza máximo: según diseño { $before }, fabricada { $after } { $unit }
+inspect-least-force = fuerza mínima: según diseño { $before }, fabricada { $after } { $unit }
+inspect-most-force = fuerza máxima: según diseño { $before }, fabricada { $after } { $unit }
+inspect-acceleration = aceleración máxima: según diseño { $before }, fabricada { $after } { $unit }
+inspect-liftoff = velocidad de pérdida de contacto: según diseño { $before }, fabricada { $after } { $unit }
 inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena
 # Electronic cams.
 synth-no-ecam = sin leva electrónica: { $fault }
@@ -415,7 +409,8 @@ ecam-no-cam = no hay leva que ejecutar: { $why }
 ecam-file = Archivo { $file }.
 ecam-quintic = quíntica
 ecam-cubic = spline cúbica
-ecam-force = { $file }: { $points } intervalos, { $curve }, { $number }; error de fuerza con este control { $error } N RMS, del archivo un { $added } % de la media
+ecam-below = menos de { $least }
+ecam-force = { $file }: { $points } intervalos, { $curve }, { $number }; error de fuerza con este control { $error } N RMS, de ellos el archivo añade un { $added } % de la media
 ecam-law = { $file }: { $points } intervalos, { $curve }, { $number }; con este control la fuerza se aparta de la ley { $error } N RMS, un { $added } % de la mayor
 ecam-acceleration = { $file }: { $points } intervalos, { $curve }, { $number }; la aceleración se aparta de la ley un { $added } % de la mayor, RMS
 

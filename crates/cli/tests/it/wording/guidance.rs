@@ -193,3 +193,48 @@ fn the_load_models_are_listed_with_their_key() {
         assert!(keys.contains(model), "{model}: {keys}");
     }
 }
+
+#[test]
+fn a_run_without_a_command_says_what_it_designs() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = run_in(folder.path(), &[]);
+    assert_eq!(run.status.code(), Some(0));
+    assert!(stderr(&run).starts_with("gaitcam: No command: designing the built-in footbridge."));
+}
+
+#[test]
+fn a_missing_recording_is_named_with_scene_and_key() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.toml"), "[gait]\nfile = \"nix.csv\"\n").unwrap();
+    let run = run_in(folder.path(), &["synth", "a.toml"]);
+    assert_eq!(
+        stderr(&run),
+        "gaitcam: a.toml: gait.file: there is no file \"nix.csv\"\n"
+    );
+}
+
+#[test]
+fn words_near_a_law_or_follower_of_either_language_are_suggested() {
+    for (typed, meant) in [
+        ("harmonica", "simple-harmonic"),
+        ("trapecio", "modified-trapezoid"),
+        ("trapezoidal", "modified-trapezoid"),
+        ("repos", "dwell"),
+        ("cycloidle", "cycloidal"),
+    ] {
+        let told = stderr(&gaitcam(&["laws", typed]));
+        assert!(told.contains(&format!("did you mean `{meant}`?")), "{told}");
+    }
+    for (typed, meant) in [
+        ("plano-traslante", "flat-translating"),
+        ("rodilo", "roller-translating"),
+        ("knife-translatng", "knife-translating"),
+    ] {
+        let change = format!("cam.follower={typed}");
+        let told = stderr(&gaitcam(&["synth", "--set", &change]));
+        assert!(
+            told.contains(&format!("did you mean \"{meant}\"?")),
+            "{told}"
+        );
+    }
+}
