@@ -54,7 +54,6 @@ pub enum SynthError {
         inertia: Quantity,
         ripple: Quantity,
         calm: Quantity,
-        contraction: f64,
     },
     /// A given value would have to be adjusted for each walker.
     AdjustsGiven { key: String },

@@ -439,15 +439,14 @@ fn rounds(
         Begin::Settled(last) => (&last.attempt, &last.motion),
     };
     let law = &first.law.law;
-    let diverges = |motion: &MachineMotion, contraction: Option<f64>| {
+    let diverges = |motion: &MachineMotion| {
         let speed = problem.drive.speed;
         let calm = CALM.min(0.5 * motion.shaft.ripple());
         let inertia = run.load_of_law(law).swing(speed) / (calm * speed * speed);
         let fault = SynthError::ShaftDiverges {
-            inertia: Quantity::new(inertia, Dimension::Inertia),
-            ripple: Quantity::share(motion.shaft.ripple()),
-            calm: Quantity::share(calm),
-            contraction: contraction.unwrap_or(1.0),
+            inertia: Quantity::new(three_digits(inertia), Dimension::Inertia),
+            ripple: Quantity::share(three_digits(motion.shaft.ripple())),
+            calm: Quantity::share(three_digits(calm)),
         };
         fault.at_key("machine.inertia")
     };
@@ -464,7 +463,7 @@ fn rounds(
         Begin::ConstantSpeed(..) => {
             // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
             let start = run.in_time(law, before.clone());
-            let motion = start.map_err(|_| diverges(before, None))?;
+            let motion = start.map_err(|_| diverges(before))?;
             let at = |x: f64| retimed(law, &motion.shaft, x);
             let state = assumed.state(problem, first, &motion, &at);
             (motion, state)
@@ -487,7 +486,7 @@ fn rounds(
         motion = match run.of_law(law, Some(&motion)) {
             Ok(next) => next,
             Err(fault) if run.carrier.motor.is_none() => return Err(fault),
-            Err(_) => return Err(diverges(&motion, None)),
+            Err(_) => return Err(diverges(&motion)),
         };
         let made = assumed.state(problem, &attempt, &motion, &|x| law.svaj(x));
         let off = largest_difference(&made, state);
@@ -509,7 +508,13 @@ fn rounds(
     })?;
     let disagrees = last.difference > ACCEPTED && last.design.attempt.refusal.is_none();
     if disagrees && run.carrier.motor.is_some() {
-        return Err(diverges(&last.design.motion, last.contraction));
+        return Err(diverges(&last.design.motion));
     }
     Ok((last, assumed))
+}
+
+/// A positive number rounded up to three digits.
+fn three_digits(value: f64) -> f64 {
+    let unit = 10f64.powf(value.log10().floor() - 2.0);
+    (value / unit).ceil() * unit
 }

@@ -1,72 +1,72 @@
 # Limits: what the key means, the name in reports and the label on the page.
 
-key-limits-stroke = Largest stroke.
+key-limits-stroke = Maximum stroke.
 name-stroke = stroke
 label-limits-stroke = Stroke
 
-key-limits-velocity = Largest velocity |ds/dt|.
+key-limits-velocity = Maximum velocity |ds/dt|.
 name-velocity = velocity
 label-limits-velocity = Velocity
 
-key-limits-acceleration = Largest acceleration |d²s/dt²|.
+key-limits-acceleration = Maximum acceleration |d²s/dt²|.
 name-acceleration = acceleration
 label-limits-acceleration = Acceleration
 
-key-limits-jerk = Largest jerk |d³s/dt³|.
+key-limits-jerk = Maximum jerk |d³s/dt³|.
 name-jerk = jerk
 label-limits-jerk = Jerk
 
-key-limits-force_min = Smallest contact force; without it 0 where only force keeps the contact, none: not judged.
+key-limits-force_min = Minimum contact force; without it 0 where only force keeps the contact, none: not judged.
 name-force-min = force_min
 label-limits-force_min = Minimum force
 
-key-limits-force_max = Largest contact force.
+key-limits-force_max = Maximum contact force.
 name-force-max = force_max
 label-limits-force_max = Maximum force
 
-key-limits-curvature = Smallest convex radius of curvature of the finished cam.
+key-limits-curvature = Minimum convex radius of curvature of the finished cam.
 name-curvature = curvature
 label-limits-curvature = Minimum radius
 
-key-limits-pressure_angle = Largest pressure angle on both sides; without it the verdict's own bounds apply (30° and 45° for a slide), and none switches them off.
+key-limits-pressure_angle = Maximum pressure angle on both sides; without it the verdict's own bounds apply (30° and 45° for a slide), and none switches them off.
 name-pressure-angle = pressure_angle
 label-limits-pressure_angle = Pressure angle
 
-key-limits-pressure_angle_rise = Largest pressure angle during the rise.
+key-limits-pressure_angle_rise = Maximum pressure angle during the rise.
 name-pressure-angle-rise = pressure_angle_rise
 label-limits-pressure_angle_rise = Pressure angle, rise
 
-key-limits-pressure_angle_fall = Largest pressure angle during the fall.
+key-limits-pressure_angle_fall = Maximum pressure angle during the fall.
 name-pressure-angle-fall = pressure_angle_fall
 label-limits-pressure_angle_fall = Pressure angle, fall
 
-key-limits-prime_radius = Largest prime radius (flat faces: base radius) of a cam whose size is free.
+key-limits-prime_radius = Maximum prime radius (flat faces: base radius) of a cam whose size is free.
 name-prime-radius = prime_radius
 label-limits-prime_radius = Prime circle radius
 
-key-limits-face_width = Longest flat face.
+key-limits-face_width = Maximum length of the flat face.
 name-face-width = face_width
 label-limits-face_width = Face width
 
-key-limits-torque = Largest shaft torque, without friction.
+key-limits-torque = Maximum shaft torque, without friction.
 name-torque = torque
 label-limits-torque = Torque
 
-key-limits-power = Largest shaft power, driving or braking, without friction.
+key-limits-power = Maximum shaft power, driving or braking, without friction.
 label-limits-power = Power
 
-key-limits-power_mean = Largest mean power of the shaft, without friction: what damping uses up.
+key-limits-power_mean = Maximum mean power of the shaft, without friction: what damping uses up.
 name-power-mean = power_mean
 label-limits-power_mean = Mean power
 
-key-limits-torque_rate = Largest change of the shaft torque per cam angle.
+key-limits-torque_rate = Maximum change of the shaft torque per cam angle.
 name-torque-rate = torque_rate
 label-limits-torque_rate = Torque rate
 
-key-limits-hertz_pressure = Largest Hertz pressure of the line contact, steel on steel.
+key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, steel on steel.
 name-hertz-pressure = hertz_pressure
 label-limits-hertz_pressure = Hertz pressure
 
-key-limits-residual = Largest residual vibration of the follower in a dwell: its amplitude at the start, return spring and damping included.
+key-limits-residual = Maximum residual vibration of the follower in a dwell: its amplitude at the start, return spring and damping included.
 name-residual = residual
 label-limits-residual = Residual vibration

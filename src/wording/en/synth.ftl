@@ -21,15 +21,15 @@ reason-base-radius-works = This law needs a base radius of { $radius }.
 reason-enlarge-base-circle = Enlarge the base circle, or use a smaller roller.
 reason-lengthen-travel = Increase the length of travel, or use a smaller roller.
 reason-interference = At { $at } the follower interferes with another part of the cam by { $depth }. Use a smaller roller, or enlarge the base circle.
-reason-sharp-wall = The radius of curvature of a groove wall at { $at } is { $radius }; the minimum is { $allowed }. Use a smaller roller, or a larger barrel.
+reason-sharp-wall = The radius of curvature of a groove wall at { $at } is { $radius }; the minimum is { $allowed }. Use a smaller roller, or a larger cylinder.
 reason-roller-too-large = The roller does not fit the concave profile at { $at }: the roller radius is { $roller }, the radius of curvature { $hollow }. Use a smaller roller.
 reason-pressure-angle = The pressure angle reaches { $angle } at { $at }; the maximum is { $allowed }. The follower may jam in its guide. Enlarge the prime circle.
 reason-large-pressure-angle = The pressure angle reaches { $angle } at { $at }; more than { $usual } is for low speed only. Enlarge the prime circle, or set limits.pressure_angle.
 reason-force-error-in-run = In this run the force error is { $error } RMS; accuracy.rms allows { $allowed }.
 reason-force-error = The force error is { $error } RMS; the maximum is { $allowed }. Relax the active limits, allow more spans, or set accuracy.rms to the error that is acceptable.
-reason-preload-above-target = The force error is { $error } RMS; the maximum is { $allowed }. The preload of { $preload } is above the smallest force of the target, { $least }, and no lift presses with less. Set drive.preload to at most that.
+reason-preload-above-target = The force error is { $error } RMS; the maximum is { $allowed }. The preload of { $preload } is above the smallest force of the target, { $least }, and the force cannot be smaller. Set drive.preload to { $least } or less.
 reason-below-base-circle = The law falls { $depth } below the base circle at { $at }.
-reason-prime-radius = With this law the cam needs a prime radius of { $needed }; the maximum is { $allowed }. Allow a larger pressure angle or a larger force error.
+reason-prime-radius = The prime radius of the cam shown is { $needed }; the maximum is { $allowed }. Allow a larger pressure angle or a larger force error.
 reason-outside-band = The force is outside its band by { $excess } at { $at }. Widen the band, or allow more spans.
 reason-limit-unbounded = The { $limit } is infinite at { $at }: the next lower derivative is discontinuous there, and no value of this limit is sufficient. Use a law without that discontinuity, or remove the limit.
 reason-limit-broken = The limit { $limit } is violated at { $at }: the value is { $value }, the limit { $allowed }.
@@ -62,7 +62,7 @@ design-polydyne = The cam is polydyne: at { $speed } the output end of a followe
 design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam cut to the law itself would have { $plain } RMS.
 
 # Faults in what a design is asked for.
-synth-shaft-diverges = the law and the speed of the shaft do not settle: at a ripple of { $ripple } each round changes the target { $contraction } times as much as the one before
+synth-shaft-diverges = the law and the speed of the shaft do not converge: the ripple is { $ripple }
     .help = use a larger inertia (about "{ $inertia }" leaves a ripple of { $calm }), a steeper torque line, or law.shaft = "constant"
 synth-adjusts-given = { $key } is given and is to be set anew for each walker
     .help = leave { $key } out, or leave it out of gait.adjust

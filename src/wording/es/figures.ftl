@@ -29,5 +29,5 @@ figure-torque-max-n-m = par máximo
 figure-torque-rms-n-m = par RMS
 figure-power-max-w = potencia máxima
 figure-power-mean-w = potencia media
-figure-liftoff-speed-rad-per-s = velocidad de despegue
+figure-liftoff-speed-rad-per-s = velocidad de pérdida de contacto
 figure-hertz-pressure-max-pa = presión de Hertz máxima

@@ -1,5 +1,5 @@
 # Qué hay de incorrecto en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
-scene-not-toml = no es TOML en la línea { $line }: { $fault }
+scene-not-toml = no es TOML en la línea { $line }; el analizador de TOML dice: { $fault }
 scene-output-name = «{ $typed }» no puede dar nombre a una carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
@@ -133,7 +133,7 @@ scene-length-needs-program = una ley sobre una longitud debe darse como programa
     .help = ponga law.family = "program" con segmentos
 scene-turns-need-program = una ley de varias vueltas debe darse como programa
     .help = ponga law.family = "program" con segmentos
-scene-arm-on-moving-axis = el árbol de una leva de eje móvil descansa sobre un seguidor de traslación; este seguidor oscila alrededor de un pivote fijo
+scene-arm-on-moving-axis = el eje de una leva de eje móvil descansa sobre un seguidor de traslación; este seguidor oscila alrededor de un pivote fijo
     .help = use kind = "fixed-axis", cuyos inertia, spring_rate y preload se refieren al pivote, o "hydraulic"
 scene-pair-not-closed = debe darse exactamente una de las dos: esta clave o base_radius
     .help = dé la distancia entre caras o centros de rodillo (oscilantes: el ángulo entre los brazos), o el base_radius de la segunda leva

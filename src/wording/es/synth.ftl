@@ -12,7 +12,7 @@ reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreacel
 reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
 reason-lifts-off-as-prescribed = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
 reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
-reason-contact-lost-in-run = En marcha, el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
+reason-contact-lost-in-run = En funcionamiento, el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
 reason-cusp = El perfil tiene una cúspide en { $at } (radio de curvatura nulo). Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }: su radio de curvatura convexo sería { $radius }.
 reason-too-sharp = El radio de curvatura en { $at } es { $radius }; el mínimo es { $allowed }.
@@ -21,15 +21,15 @@ reason-base-radius-works = Esta ley necesita un radio base de { $radius }.
 reason-enlarge-base-circle = Aumente el círculo base o use un rodillo más pequeño.
 reason-lengthen-travel = Aumente la longitud del recorrido o use un rodillo más pequeño.
 reason-interference = En { $at } el seguidor interfiere con otra parte de la leva en { $depth }. Use un rodillo más pequeño o aumente el círculo base.
-reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño o un tambor mayor.
+reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño o un cilindro mayor.
 reason-roller-too-large = El rodillo no cabe en el perfil cóncavo en { $at }: el radio del rodillo es { $roller } y el de curvatura { $hollow }. Use un rodillo más pequeño.
 reason-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; el máximo es { $allowed }. El seguidor puede acuñarse en su guía. Aumente el círculo primario.
 reason-large-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; más de { $usual } solo vale a baja velocidad. Aumente el círculo primario o fije limits.pressure_angle.
-reason-force-error-in-run = En esta marcha el error de fuerza es { $error } RMS; accuracy.rms admite { $allowed }.
+reason-force-error-in-run = En este ensayo el error de fuerza es { $error } RMS; accuracy.rms admite { $allowed }.
 reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allowed }. Amplíe los límites activos, admita más tramos o fije en accuracy.rms el error admisible.
-reason-preload-above-target = El error de la fuerza es { $error } RMS; el máximo es { $allowed }. La precarga de { $preload } supera la fuerza mínima del objetivo, { $least }, y ninguna elevación ejerce menos. Ponga drive.preload como máximo en ese valor.
+reason-preload-above-target = El error de la fuerza es { $error } RMS; el máximo es { $allowed }. La precarga de { $preload } supera la fuerza mínima del objetivo, { $least }, y la fuerza no puede ser menor. Fije drive.preload en { $least } o menos.
 reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.
-reason-prime-radius = Con esta ley la leva necesita un radio primario de { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayor.
+reason-prime-radius = El radio primario de la leva mostrada es { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayores.
 reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
 reason-limit-unbounded = La magnitud «{ $limit }» es infinita en { $at }: la derivada de orden inferior es discontinua en ese punto y ningún valor de este límite es suficiente. Use una ley sin esa discontinuidad o elimine el límite.
 reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value } y el límite { $allowed }.
@@ -62,7 +62,7 @@ design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un s
 design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva tallada según la propia ley tendría { $plain } RMS.
 
 # Errores en lo que se pide de un diseño.
-synth-shaft-diverges = la ley y la velocidad del eje no convergen: con una oscilación de { $ripple } cada vuelta cambia el objetivo { $contraction } veces lo que la anterior
+synth-shaft-diverges = la ley y la velocidad del eje no convergen: la oscilación es del { $ripple }
     .help = use una inercia mayor (unos "{ $inertia }" dejan una oscilación del { $calm }), una recta de par más inclinada o law.shaft = "constant"
 synth-adjusts-given = { $key } está dado y debe ajustarse para cada caminante
     .help = omita { $key }, o quítelo de gait.adjust

@@ -41,10 +41,10 @@ const EXAMPLES: &str = "Examples:
 pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// Run the cam as made at this speed of the shaft: --speed '96 rpm'
+    /// Run the cam as manufactured at this speed of the shaft: --speed '96 rpm'
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
-    /// Run the cam as made at several speeds: --speeds '1.4 Hz:2.3 Hz:10' (first, last, number)
+    /// Run the cam as manufactured at several speeds: --speeds '1.4 Hz:2.3 Hz:10' (first, last, number)
     #[arg(long, value_name = "RANGE", conflicts_with = "speed")]
     speeds: Option<String>,
     /// auto (the simplest that is sufficient), rigid, flexible, contact

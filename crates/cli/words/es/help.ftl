@@ -53,9 +53,9 @@ synth = Diseña una leva: curva de fuerza o programa → ley → leva → compro
 gait = Lee un registro: formato, canales, apoyos, ciclo medio
 identify = Identifica la máquina a partir de registros de su funcionamiento: masa, rigidez, amortiguamiento, rozamiento, con intervalos
 recut = Diseña la leva siguiente: corrige todo error de fuerza que se repite en registros de la máquina
-inspect = Ajusta los puntos medidos de una leva hecha a su diseño: desviaciones, y qué hará esta misma leva
+inspect = Ajusta los puntos medidos de una leva fabricada a su diseño: desviaciones, y qué hará esta misma leva
 ecam = Escribe un diseño como leva electrónica para un control de movimiento, y dice qué hace ese control con ella
-simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el modelo más simple que basta
+simulate = Simula la leva acabada: fuerza, par, pérdida de contacto, vibración, con el modelo más simple que basta
 sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
 front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
 cover = Busca cuántas levas sirven a una población de caminantes, y cuál sirve a quién
@@ -72,7 +72,7 @@ help = Muestra esta ayuda o la de una orden
 all-lang = Idioma de mensajes e informes (por defecto: LC_ALL, LANG, si no inglés)
 all-help = Muestra la ayuda
 all-version = Muestra la versión
-all-scene = Archivo de escena, nombre de una escena incluida (gaitcam scenes), o - para la entrada estándar; por defecto footbridge
+all-scene = Archivo de escena, nombre de una escena incorporada (gaitcam scenes), o - para la entrada estándar; por defecto footbridge
 all-set = Cambia un valor: --set 'limits.stroke=40 mm' (se puede repetir)
 all-time_limit = Termina la búsqueda pasado este tiempo de procesador y conserva el mejor resultado (por defecto 60 s, en barridos 5 s por diseño)
 all-json = Escribe JSON
@@ -80,7 +80,7 @@ all-out = Carpeta de los archivos (por defecto out/NOMBRE)
 
 synth-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
 all-no_png = No escribe figuras PNG
-synth-verbose = Muestra cada paso de una sucesión de programas convexos con su mérito
+synth-verbose = Muestra cada paso de una secuencia de programas convexos con su mérito
 synth-explain = Explica la elección de los modelos: cuáles se eligieron y por qué se descartaron otros
 synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del frente (por defecto 20)
 synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
@@ -108,17 +108,17 @@ gait-stances = Enumera cada apoyo y cada contacto rechazado de un registro
 gait-against = Qué leva de una carpeta que escribió gaitcam cover sirve al caminante, y con qué error
 gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
 
-simulate-speed = Hace girar la leva tal como se hizo a esta velocidad del árbol: --speed '96 rpm'
+simulate-speed = Hace girar la leva fabricada a esta velocidad del eje: --speed '96 rpm'
 simulate-speeds = Hace girar la leva tal como se hizo a varias velocidades: --speeds '1.4 Hz:2.3 Hz:10' (primera, última, número)
 simulate-model = auto (el más simple que basta) | rigid | flexible | contact
 simulate-out = Carpeta de dynamics.csv, dynamics.xlsx, simulation.json y report.html (por defecto out/NOMBRE)
-simulate-natural_frequency = Primera frecuencia propia del tren del seguidor: "60 Hz"
+simulate-natural_frequency = Primera frecuencia natural del tren del seguidor: "60 Hz"
 simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por defecto la de la escena, si no 0.05)
 simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el de la escena, si no 0)
 simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el de la escena, si no 0)
-simulate-second_cam = Ángulo con que una segunda leva igual sigue en el mismo árbol: "180 deg"
+simulate-second_cam = Ángulo con que una segunda leva igual sigue en el mismo eje: "180 deg"
 
-sweep-scenes = Archivos de escena; sin ninguno, la escena incluida footbridge
+sweep-scenes = Archivos de escena; sin ninguno, la escena incorporada footbridge
 sweep-set = Cambia un valor en todas las escenas: --set 'limits.stroke=40 mm' (se puede repetir)
 sweep-vary = Varía un valor: 'gait.step_frequency=1.5 Hz:2.4 Hz:10' o law.family=spline,harmonic (se puede repetir)
 sweep-list = Filas de valores que van juntos: un csv cuya cabecera nombra claves
@@ -152,7 +152,7 @@ compare-folders = Carpetas que escribió gaitcam synth
 compare-out = Carpeta de la tabla y los diagramas
 compare-json = Escribe los resúmenes en JSON
 
-studio-open = Archivo de escena, carpeta con escenas y registros, o nombre de una escena incluida
+studio-open = Archivo de escena, carpeta con escenas y registros, o nombre de una escena incorporada
 studio-port = Puerto de la página (por defecto, uno libre)
 studio-no_open = Solo escribe la dirección; no abre el navegador
 
@@ -166,13 +166,13 @@ laws-name = Solo esta ley
 init-machine = La máquina; sin ella, se enumeran
 init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)
 
-doctor-file = Archivo de escena, nombre de una escena incluida, o registro
+doctor-file = Archivo de escena, nombre de una escena incorporada, o registro
 
 
 completions-shell = El intérprete de órdenes
 
 
-identify-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+identify-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
 identify-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva, y si los hay velocidad y par, reconocidos por sus nombres y unidades
 identify-time = Nombre o número de la columna de tiempo
 identify-angle = Nombre o número de la columna del ángulo de la leva
@@ -182,7 +182,7 @@ identify-torque = Nombre o número de la columna de par en el eje de la leva
 identify-counts_per_turn = El ángulo de la leva está en cuentas de un encóder: tantas por vuelta de la leva
 identify-out = Carpeta de los archivos (por defecto out/NOMBRE_identified)
 identify-json = Escribe identify.json en lugar del resumen; sin --out no se escribe ningún archivo
-recut-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+recut-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
 recut-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva, y si los hay velocidad y par, reconocidos por sus nombres y unidades
 recut-time = Nombre o número de la columna de tiempo
 recut-angle = Nombre o número de la columna del ángulo de la leva
@@ -192,14 +192,14 @@ recut-torque = Nombre o número de la columna de par en el eje de la leva
 recut-counts_per_turn = El ángulo de la leva está en cuentas de un encóder: tantas por vuelta de la leva
 recut-out = Carpeta de los archivos (por defecto out/NOMBRE_recut)
 recut-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
-inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
 inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir: un csv con las columnas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad), un punto por línea, en cualquier orden
 inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
 inspect-set = Cambia un valor de la escena, o accionamiento y máquina de un resultado: --set 'drive.speed=60 rpm' (se puede repetir)
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo
 
-ecam-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+ecam-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
 ecam-dialect = El control: codesys, twincat (texto estructurado); segments (extremos de polinomios); rockwell (vector CAM); csv (posiciones)
 ecam-points = Intervalos iguales por ciclo (por defecto los menos que llevan la ley)
 ecam-json = Escribe JSON

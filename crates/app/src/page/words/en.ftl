@@ -41,7 +41,7 @@ studio-linked = Link copied
 studio-linked-cycle = Link copied; in place of { $file } it holds the mean cycle.
 studio-linked-address = The link is in the address bar
 studio-lost = The server does not answer. Start gaitcam studio again and open the address it prints; the scene is kept in this page's address.
-studio-refused = The server has been restarted and no longer knows this page. Open the address that gaitcam studio prints.
+studio-refused = The server was restarted and has another token now. Open the address that gaitcam studio prints.
 studio-drop = Drop a recording (C3D, MOT, CSV …) or a scene
 
 # Versions.
@@ -216,7 +216,7 @@ studio-file-ecam_twincat-st = electronic cam for TwinCAT
 studio-file-ecam_segments-csv = electronic cam as segments with the derivatives of both ends
 studio-file-ecam_rockwell-st = electronic cam for Logix
 studio-file-ecam_csv-csv = electronic cam as positions
-studio-text-lead = The scene file as it stands. Changes are taken over by the button.
+studio-text-lead = The present scene file. Changes are taken over by the button.
 studio-text-label = Scene file, TOML
 studio-text-apply = Apply
 

@@ -10,7 +10,7 @@ fault-cannot-read = { $fault ->
 fault-cannot-write = no se puede escribir ({ $fault })
 fault-file-name = nombre de archivo no válido: «{ $name }»
     .help = dé un nombre sencillo, por ejemplo footbridge.toml
-fault-not-toml = no es TOML en la línea { $line }: { $fault }
+fault-not-toml = no es TOML en la línea { $line }; el analizador de TOML dice: { $fault }
 fault-bad-request = no se entiende la petición: { $fault }
 fault-not-dropped = la página no tiene este archivo
     .help = suéltelo sobre la página
@@ -41,7 +41,7 @@ studio-linked = Enlace copiado
 studio-linked-cycle = Enlace copiado; en lugar de { $file } contiene el ciclo medio.
 studio-linked-address = El enlace está en la barra de direcciones
 studio-lost = El servidor no responde. Inicie de nuevo gaitcam studio y abra la dirección que imprime; la escena se conserva en la dirección de esta página.
-studio-refused = El servidor se ha reiniciado y ya no conoce esta página. Abra la dirección que imprime gaitcam studio.
+studio-refused = El servidor se ha reiniciado y tiene otra contraseña. Abra la dirección que imprime gaitcam studio.
 studio-drop = Suelte un registro (C3D, MOT, CSV …) o una escena
 
 # Versiones.
@@ -216,7 +216,7 @@ studio-file-ecam_twincat-st = leva electrónica para TwinCAT
 studio-file-ecam_segments-csv = leva electrónica por segmentos con las derivadas de ambos extremos
 studio-file-ecam_rockwell-st = leva electrónica para Logix
 studio-file-ecam_csv-csv = leva electrónica por posiciones
-studio-text-lead = El archivo de escena tal como está. El botón aplica los cambios.
+studio-text-lead = El archivo de escena actual. El botón aplica los cambios.
 studio-text-label = Archivo de escena, TOML
 studio-text-apply = Aplicar
 

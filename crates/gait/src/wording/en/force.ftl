@@ -11,14 +11,14 @@ force-period-not-positive = invalid period { $period }
 force-unknown-feet = invalid value "{ $word }" for feet
     .help = use both, one, left, right or total
 force-unknown-kind = "{ $word }" is not a kind of movement
-    .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed of walking and running
+    .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed for walking and running
 force-unknown-doubt = "{ $word }" cannot be accepted
     .help = list what you accept about the recording: kind, clock, mass
 force-no-joint-mean = { $trials ->
         [one] the recording gives no
        *[other] none of the { $trials } recordings gives a
     } cycle for a joint mean
-    .help = the table gives the reason for each; settle what is open with the option that it names, or accept it with --accept
+    .help = the table gives the reason for each; one cycle can be used as gait.file
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = units are N, daN, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
@@ -68,7 +68,7 @@ note-rows-differ = the header states { $announced } rows, the file has { $found 
 note-frames-missing = the header states { $announced } frames, the file has { $found }
 note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
 note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are taken as left and right insole
-note-insole-beside-plate = forces of a plate ({ $plate }) and of an insole ({ $insole }) stand in one table: the plate is taken; name the columns of the insole to take it (option force)
+note-insole-beside-plate = forces of a plate ({ $plate }) and of an insole ({ $insole }) are in one table: the plate is taken; name the columns of the insole to take it (option force)
 note-stance-per-row = one stance per row, { $rows } rows
 note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
 note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed

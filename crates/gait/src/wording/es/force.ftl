@@ -18,7 +18,7 @@ force-no-joint-mean = { $trials ->
         [one] el registro no da
        *[other] ninguno de los { $trials } registros da
     } un ciclo para una media conjunta
-    .help = la tabla da el motivo de cada uno; resuelva lo abierto con la opción que cita, o acéptelo con --accept
+    .help = la tabla da el motivo de cada uno; un ciclo se puede usar como gait.file
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
     .help = las unidades son N, daN, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
