@@ -112,11 +112,9 @@ fn arm() -> Result<[f64; 3]> {
         .cam;
     let (least, most) = cam.pressure_angle_extremes();
     let pitch = cam.curvature().convex.value + cam.follower.roller_radius();
-    Ok([
-        most.value.to_degrees(),
-        least.value.to_degrees(),
-        MM * pitch,
-    ])
+    // CAM-DAS turns clockwise, which swaps the signs.
+    let [most, least] = [least, most].map(|angle| -angle.value.to_degrees());
+    Ok([most, least, MM * pitch])
 }
 
 /// Ejemplo1RT under a roller on a base circle of 50 mm.

@@ -3,7 +3,7 @@
 use gaitcam_lab::reproduce::{Class, reproduce};
 
 /// Quantity (its beginning), recomputed value, tolerance: the digits of an independent calculation.
-const STATED: [(&str, f64, f64); 37] = [
+const STATED: [(&str, f64, f64); 40] = [
     ("coefficient C3", 612.721, 5e-4),
     ("coefficient C6", -13873.375, 5e-4),
     ("largest force", 126.183, 5e-4),
@@ -66,6 +66,11 @@ const STATED: [(&str, f64, f64); 37] = [
         5e-5,
     ),
     ("Ejemplo8DA: second base", 80.0, 1e-9),
+    // Rp 60, arm 70, pivot 100 mm: −30.35° and 32.08° counter-clockwise.
+    ("fig. 7.19 (Ejemplo11): largest pressure", 30.354, 5e-4),
+    ("fig. 7.19 (Ejemplo11): smallest pressure", -32.077, 5e-4),
+    // 84√5/25 of 60 mm over the square of 60°.
+    ("fig. 8.19: largest acceleration", 411.0724, 5e-4),
     ("Freudenstein 1-3 with 1/54", -1.0 / 56.0, 1e-12),
 ];
 
