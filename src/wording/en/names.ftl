@@ -23,6 +23,7 @@ name-second-curvature = second_curvature
 name-concave = concave
 name-interference = interference
 name-second-interference = second_interference
+name-gait-step-frequency = step frequency
 name-cam-prime-radius = cam.prime_radius
 name-machine-inertia = machine.inertia
 name-cam-base-radius = cam.base_radius

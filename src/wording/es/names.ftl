@@ -23,6 +23,7 @@ name-second-curvature = radio de curvatura de la segunda leva
 name-concave = radio de curvatura cóncavo
 name-interference = interferencia
 name-second-interference = interferencia de la segunda leva
+name-gait-step-frequency = frecuencia de paso
 name-cam-prime-radius = radio primario
 name-machine-inertia = inercia del eje
 name-cam-base-radius = radio base

@@ -3,7 +3,7 @@
 use super::read::{Columns, Row};
 use crate::console::language;
 use crate::console::words;
-use gaitcam::scene::keys::KEYS;
+use gaitcam::scene::keys::{self, KEYS};
 use gaitcam::sweep::{Key, Objective};
 use gaitcam::wording::limit_label;
 use gaitcam_output::sweep_plots::Quantity;
@@ -22,13 +22,18 @@ pub struct Input {
     is_number: bool,
 }
 
-/// The name of an axis: that of a limit in words, else the column's.
+/// The label of a key's axis: a limit or another key in words where there are any, else the column.
 fn axis(column: &str) -> String {
-    let name = words::column(column);
-    let (key, unit) = name.rsplit_once(", ").unwrap_or((&name, ""));
-    match KEYS.iter().find(|k| k.path == key && k.limit.is_some()) {
-        Some(_) => format!("{}, {unit}", limit_label(language::current(), key)),
-        None => name,
+    let typed = Key::of_column(column);
+    let own = words::column(column);
+    let is_limit = |k: &&keys::Key| k.path == typed.name() && k.limit.is_some();
+    let name = match KEYS.iter().find(is_limit) {
+        Some(limit) => limit_label(language::current(), limit.path),
+        None => words::name(typed.name()),
+    };
+    match own.rsplit_once(", ") {
+        Some((_, unit)) if name != typed.name() => format!("{name}, {unit}"),
+        _ => own,
     }
 }
 

@@ -7,7 +7,7 @@ use super::{LETTERS, Quantity, SIZE, frame, shown};
 use crate::plot::axes::padded;
 use crate::plot::palette::{AXIS, BLUE, INK, RED};
 use crate::plot::picture::Picture;
-use crate::plot::sheet::{Lettering, circle, stroke, trace, units, write};
+use crate::plot::sheet::{Frame, Lettering, circle, stroke, trace, units, write};
 use crate::plot::text::text_width;
 use crate::words;
 use gaitcam::wording::Language;
@@ -33,7 +33,9 @@ pub fn front(
     };
     let (rx, ry) = (all(&x, &|p| p.0), all(&y, &|p| p.1));
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
-        let f = frame(2.0 * LETTERS);
+        let all = frame(2.0 * LETTERS);
+        let top = all.top + best.map_or(0.0, |_| LETTERS);
+        let f = Frame { top, ..all };
         let (across, up) = (
             Axis::across(&x, rx, f, language),
             Axis::up(&y, ry, f, language),
@@ -53,16 +55,17 @@ pub fn front(
         }
         let mut left = f.left;
         let dots = [
-            ("figure-designs", 2.0, AXIS.filled(), !x.values.is_empty()),
-            ("figure-non-dominated", 3.6, BLUE.filled(), true),
-            ("figure-best", 6.5, stroke(RED, 2.4), best.is_some()),
+            ("figure-designs", 2.0, AXIS.filled()),
+            ("figure-non-dominated", 3.6, BLUE.filled()),
+            ("figure-best", 6.5, stroke(RED, 2.4)),
         ];
-        for (key, radius, style, _) in dots.into_iter().filter(|dot| dot.3) {
+        // Points on the front alone need no legend.
+        for (key, radius, style) in dots.into_iter().filter(|_| best.is_some()) {
             let (text, up) = (words.text(key), f.top - 0.9 * LETTERS);
             circle(canvas, [left + 6.5, up], radius, style)?;
             let lettering = Lettering::new(LETTERS, INK);
-            write(canvas, &text, [left + 1.1 * LETTERS, up], lettering)?;
-            left += (2.6 + text_width(&text)) * LETTERS;
+            write(canvas, &text, [left + 1.4 * LETTERS, up], lettering)?;
+            left += (2.9 + text_width(&text)) * LETTERS;
         }
         f.border(canvas)
     })

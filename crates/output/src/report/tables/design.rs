@@ -6,6 +6,7 @@ use super::{Rows, cells, row, table};
 use crate::facts::{Group, facts};
 use crate::report::heading;
 use crate::words::Words;
+use gaitcam::drive::DriveKind;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
@@ -20,7 +21,9 @@ pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
             table(out, words, heading_of(group), &rows);
         }
     }
-    load_factors(out, synthesis, words);
+    if synthesis.problem.drive.kind == DriveKind::MovingAxis {
+        load_factors(out, synthesis, words);
+    }
     out.push_str("</div>\n");
 }
 
