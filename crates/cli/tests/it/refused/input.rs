@@ -417,7 +417,7 @@ fn what_is_no_recording_and_no_law_is_told_so() {
     assert!(message.contains("a recording is a table"), "{message}");
     assert_eq!(message.trim().lines().count(), 1, "{message}");
     let message = stderr(&gaitcam(&["laws", "cycloydal"]));
-    assert!(message.contains("not a rise law") && message.contains("cycloidal"));
+    assert!(message.contains("unknown motion") && message.contains("cycloidal"));
     let one = stdout(&gaitcam(&["laws", "cycloidal"]));
     assert_eq!(
         one.lines()

@@ -53,19 +53,19 @@ fn faults_of_a_motor_curve_speak_of_a_torque_curve() {
 }
 
 #[test]
-fn a_law_for_constant_speed_says_nothing_of_rounds() {
+fn a_law_for_constant_speed_says_nothing_of_iterations() {
     let folder = tempfile::tempdir().unwrap();
     let scene = SCENE.replace("curve = \"motor.csv\"", "slope = \"10 N m s/rad\"");
     fs::write(folder.path().join("scene.toml"), scene).unwrap();
-    for (language, error, rounds) in [
-        ("en", "force error over time", "as the one before"),
-        ("es", "error de fuerza en el tiempo", "que la anterior"),
+    for (language, error, iterations) in [
+        ("en", "force error over time", " iterations"),
+        ("es", "error de fuerza en el tiempo", " iteraciones"),
     ] {
         let said = |shaft: &str| {
             let arguments = ["synth", "scene.toml", "--set", shaft, "--lang", language];
             let said = stdout(&run_in(folder.path(), &arguments));
             assert!(said.contains(error), "{said}");
-            said.contains(rounds)
+            said.contains(iterations)
         };
         assert!(said("law.shaft=motor"));
         assert!(!said("law.shaft=constant"));

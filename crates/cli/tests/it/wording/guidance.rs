@@ -148,9 +148,9 @@ fn a_law_is_found_by_its_name_in_the_language_and_a_mistyped_one_is_suggested() 
     let all = stdout(&gaitcam(&["laws", "--lang", "es"]));
     assert!(all.contains("sinusoidal modificada"), "{all}");
     for (typed, language, says) in [
-        ("cycloydal", "en", "did you mean \"cycloidal\"?"),
-        ("cicloydal", "es", "¿quiso decir «cycloidal»?"),
-        ("senoidal modificada", "es", "¿quiso decir «modified-sine»?"),
+        ("cycloydal", "en", "did you mean `cycloidal`?"),
+        ("cicloydal", "es", "¿quiso decir `cycloidal`?"),
+        ("senoidal modificada", "es", "¿quiso decir `modified-sine`?"),
     ] {
         let run = gaitcam(&["laws", typed, "--lang", language]);
         assert_eq!(run.status.code(), Some(2));
