@@ -181,7 +181,7 @@ impl Rise {
         if word != "table" && !names.contains(&word.as_str()) {
             return match called_in_spanish(text, &names) {
                 Some(own) => Rise::from_name(own),
-                None => Err(unknown(&word).into()),
+                None => Err(unknown(text.trim()).into()),
             };
         }
         let fault = |w: &str| LawError::Parameter {
