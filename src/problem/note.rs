@@ -72,6 +72,8 @@ pub enum Note {
     },
     /// The accuracy takes a large number of spans.
     ManySpans { spans: usize, error: Quantity },
+    /// The band or another limit takes a large number of spans.
+    ManySpansInBand { spans: usize },
     /// Rounded rows of a segment's table can cause a large part of its acceleration.
     RoundedTable { segment: usize, share: Quantity },
     /// The caller stopped the search.

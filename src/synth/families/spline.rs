@@ -191,8 +191,14 @@ pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Not
         Family::Spline => problem.law.spans.is_none(),
         asked => asked == Family::Auto,
     };
+    let many = is_spline && spans > MANY && problem.law.spans.is_none();
     if !auto || problem.objective() != Minimise::ForceError {
-        return Vec::new();
+        let most = problem.limited_error().map(Quantity::force);
+        let note = match most.filter(|_| problem.band.is_none()) {
+            Some(error) => Note::ManySpans { spans, error },
+            None => Note::ManySpansInBand { spans },
+        };
+        return many.then_some(note).into_iter().collect();
     }
     let size = if is_spline { "spans" } else { "harmonics" };
     let error = Quantity::force(problem.wanted_error());
@@ -205,7 +211,6 @@ pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Not
         }),
         false => Some(Note::Noise { size, error }),
     });
-    let many = is_spline && spans > MANY && problem.law.spans.is_none();
     let many = many.then_some(Note::ManySpans { spans, error });
     limited.flatten().into_iter().chain(many).collect()
 }

@@ -50,6 +50,7 @@ design-phase = The turn of the cam starts at { $phase } of the force cycle, the 
 design-out-of-time = The search was ended at its time limit: the result is the best found until then, and relaxations that are not listed were not tried. Allow more with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording; more would fit its noise. Set accuracy.rms to change this.
 design-sensor-noise = The samples of the force contain sensor noise of { $noise } RMS: the automatic accuracy and the number of { $size } are set for a force error of { $error } RMS. Set gait.noise or accuracy.rms to change this.
+design-many-spans-in-band = The automatic number of spans is { $spans }, because fewer do not keep the force inside gait.band. Set a wider band or fewer law.spans.
 design-many-spans = The automatic number of spans is { $spans }, because the force error has to reach { $error } RMS. Set gait.noise if the force is noisy, or a larger accuracy.rms or fewer law.spans.
 design-thin-wall = The wall between the hole for the shaft and the base circle is { $wall }; a hub usually has { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
 design-large-roller = The roller has a radius of { $roller }, more than the cam that it rolls on, { $cam }. Check cam.roller_radius and its unit.

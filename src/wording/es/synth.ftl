@@ -50,6 +50,7 @@ design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, l
 design-out-of-time = La búsqueda terminó en su límite de tiempo: el resultado es el mejor hallado hasta entonces, y las relajaciones que no figuran no se probaron. Permita más con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
 design-sensor-noise = Las muestras de la fuerza contienen un ruido de sensor de { $noise } RMS: la exactitud automática y el número de { $size } corresponden a un error de fuerza de { $error } RMS. Fije gait.noise o accuracy.rms para cambiarlo.
+design-many-spans-in-band = El número automático de tramos es { $spans }, porque con menos la fuerza no queda dentro de gait.band. Fije una banda más ancha o menos law.spans.
 design-many-spans = El número automático de tramos es { $spans }, porque el error de fuerza debe llegar a { $error } RMS. Fije gait.noise si la fuerza es ruidosa, o un accuracy.rms mayor o menos law.spans.
 design-thin-wall = La pared entre el agujero del eje y el círculo base es de { $wall }; un cubo suele tener { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
 design-large-roller = El rodillo tiene un radio de { $roller }, mayor que la leva sobre la que rueda, { $cam }. Compruebe cam.roller_radius y su unidad.
