@@ -131,7 +131,7 @@ impl Log {
 enum Unit {
     /// The quantity, as index in [`NAMES`], and its SI value.
     Known(usize, f64),
-    /// Of another quantity than those of a log.
+    /// Unit of a quantity that a log does not contain.
     Other(String),
     Unknown(String),
     None,

@@ -19,7 +19,7 @@ const RESTS: f64 = 1e-6;
 pub(super) struct Clock {
     /// Phase of the log.
     pub phase: Vec<f64>,
-    /// Phase of the log at each angle, as part of its cycle.
+    /// Phase of the log at each angle, as a fraction of a cycle.
     pub part: Vec<f64>,
     /// Time since angle 0, scaled so that a cycle is 2π.
     pub time: Vec<f64>,

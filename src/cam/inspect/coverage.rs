@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 /// A gap between neighbouring points counts as unmeasured above this fraction of the outline and this many mean distances.
 const GAP: (f64, f64) = (0.05, 4.0);
 
-/// The longest unmeasured part of the outline, as cam angles from and to. The outline has points at equal cam angles, and `angles`, rad in rising
-/// order, are those measured; `None` if the points are all around.
+/// First and last cam angle of the longest unmeasured part of the outline; `None` if the measured points cover the outline. The outline has points at
+/// equal cam angles. `angles` are the measured ones, rad, in ascending order.
 pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
     let n = outline.len();
     let length = |i: usize| {

@@ -326,7 +326,7 @@ enum Leave {
     End,
     /// The contact force would be negative, until the given angle.
     Pull(f64),
-    /// Another profile of the shaft lifts it.
+    /// Contact changes to another profile of the shaft.
     Handover(usize),
 }
 

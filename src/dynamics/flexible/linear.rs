@@ -11,7 +11,7 @@ pub use nalgebra::{Matrix2, Vector2};
 const REACH: f64 = 1.0;
 /// Number of terms of the exponential's series at that norm: 1/24! ≈ 2e-24.
 const SERIES: usize = 24;
-/// Maximum norm of A times one piece that is resolved; beyond it the response is quasi-static.
+/// Maximum norm of A times the length of a piece; above it the response is computed as quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
 /// A linear system of two states under one forcing; an unused state decays and does not couple.

@@ -326,7 +326,7 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
     Some((target, wanted))
 }
 
-/// Nodes on every piece between whose ends harmonics and the cells of a force are smooth.
+/// Number of quadrature nodes per piece, sufficient for the harmonics and the samples of the target.
 fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
     let pieces = basis.breaks().len() - 1;
     HARMONIC_NODES.max(target.samples().div_ceil(pieces))

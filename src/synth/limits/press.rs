@@ -201,7 +201,7 @@ fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     }
 }
 
-/// Normal force and curvature of a roller in a groove, unrolled at `radius`.
+/// Normal force, N, and relative curvature of roller and wall, 1/m, in a groove that is developed at `radius`, m.
 fn groove_contact(
     groove: &BarrelGroove,
     radius: f64,

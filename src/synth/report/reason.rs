@@ -183,7 +183,7 @@ pub enum Reason {
     AllTogether { changes: Vec<Change> },
     /// Values that suffice together, if some limits are infeasible alone.
     FarTogether { changes: Vec<Change> },
-    /// Limits that are infeasible even alone, with sufficient values, if the other limits fail as well.
+    /// Limits of which each is infeasible alone, with the values at which it is feasible; with these values the other limits still fail.
     OutOfReach { changes: Vec<Change> },
     /// The design fails without any limit too; the failed checks follow.
     NotTheLimits,

@@ -1,9 +1,9 @@
-//! The double-harmonic family: one rise, one fall and a rest (Campillo de Blas 2017), placed for the force.
+//! The double-harmonic family: one rise, one fall and a rest (Campillo de Blas 2017) that approximate the force best.
 //!
 //! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start
-//! and the angles of rise and fall are searched: over a grid of the whole turn, then by Nelder and Mead's method from its best
-//! places. So that the same scene gives the same law on every platform, whose sines differ in their last digits, the number of
-//! steps is fixed and the angles found are rounded.
+//! and the angles of rise and fall are searched: on a grid over the whole turn, then by Nelder and Mead's method from the best
+//! grid points. The last digits of a sine differ between platforms. So the number of steps is fixed and the resulting angles
+//! are rounded: the same scene gives the same law on every platform.
 
 mod projection;
 
