@@ -48,7 +48,7 @@ pub enum Mark {
 }
 
 impl Finding {
-    /// How serious it is.
+    /// Severity of the finding.
     pub fn mark(&self) -> Mark {
         match self {
             Finding::Fault(_) | Finding::NoCycle(_) | Finding::Open(_) => Mark::Bad,

@@ -1,7 +1,7 @@
-//! The application layer of gaitcam, which the command, the Python package and the page share: scenes and recordings
-//! in, results and sweeps out, and the questions of the page.
+//! The application layer of gaitcam, which the command, the Python package and the page share: reading of scenes and
+//! recordings, writing of results and sweeps, and requests of the page.
 //!
-//! The library `gaitcam` reads no file and writes none; every front end does both by these functions, so that scenes
+//! The library `gaitcam` has no file access. Every front end reads and writes files with these functions, so that scenes
 //! and results are the same for every user.
 
 #![deny(unsafe_code, missing_docs)]

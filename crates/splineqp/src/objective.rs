@@ -211,7 +211,7 @@ impl MeanSquare {
         }
     }
 
-    /// The distance for a target with this mean square; the values at the nodes are those of the nearest polynomials.
+    /// The distance with the exact mean square of the target, whose values at the nodes come from the nearest polynomials.
     #[must_use]
     pub fn with_mean_square(mut self, square: f64) -> Self {
         self.rest = 0.5 * square - self.whole.constant;

@@ -77,7 +77,7 @@ settings! {
         patience: usize = 4,
         /// Fraction of its squared length outside the span of the active rows below which a row is dependent.
         dependent: f64 = 1e-13,
-        /// Distance (in units of its piece) from an old row of the same limit below which a new row replaces it.
+        /// Distance (relative to the piece) from an old row of the same limit below which a new row replaces it.
         coincident: f64 = 1e-5,
         /// Maximum number of iterations that refine contacts.
         refinements: usize = 8,
@@ -183,7 +183,7 @@ settings! {
         raised: f64 = 100.0,
         /// … at most this number of times while the matrix cannot be factorised.
         raises: i32 = 4,
-        /// Proximal weight of the multipliers, for rows that depend on each other.
+        /// Proximal weight of the multipliers, for linearly dependent rows.
         light: f64 = 1e-13,
         /// Maximum number of steps of the quadratic program, per unknown; two are usual.
         steps_per_unknown: usize = 10,
@@ -207,7 +207,7 @@ settings! {
         largest_margin: f64 = 1e-6,
         /// Residual of the solver for a second-order cone, which is not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance (in units of its piece) from an old row of the same limit below which a new row replaces it.
+        /// Distance (relative to the piece) from an old row of the same limit below which a new row replaces it.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method: tighter ones end in "insufficient progress" on some
         /// fits, and refinement restores the digits.

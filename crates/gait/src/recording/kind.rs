@@ -24,7 +24,7 @@ pub enum Kind {
     Walking,
     /// Duty factor below one half, with a flight phase.
     Running,
-    /// The weight rests on the plates almost without variation.
+    /// The force on the plates stays almost equal to the weight.
     Standing,
     /// Both feet leave the ground at the same time.
     Jumping,

@@ -75,7 +75,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// The position without its value.
+    /// A peak at this position, with value 0.
     pub fn place(piece: usize, u: f64, at: f64) -> Peak {
         let value = 0.0;
         Peak {

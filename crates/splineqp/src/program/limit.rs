@@ -97,7 +97,7 @@ pub struct Limit<N: Names> {
     pub scale: f64,
     /// Whether a solver may tighten it by a margin, which is wrong if a law may have to lie on its bound over a whole range.
     pub has_room: bool,
-    /// Whether it is one end of a range of values with free position.
+    /// Whether it is one end of a range whose position is free.
     pub is_window: bool,
     /// Meaning of a change of the bound to the caller.
     pub meaning: N::Meaning,

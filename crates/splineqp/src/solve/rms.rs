@@ -139,7 +139,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(near)
     }
 
-    /// That law with its peak, or the optimum with equal weights of objective and root mean square.
+    /// First iterate: the law with the minimum root mean square, with its peak, or the optimum with equal weights of objective and root mean square.
     fn of_the_nearest(&mut self) -> Result<Tried<N>, Failure<N>> {
         let mut near = self.nearest()?;
         let program = self.program;

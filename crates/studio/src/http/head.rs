@@ -25,7 +25,7 @@ pub struct Head {
     pub path: String,
     /// The query as decoded pairs.
     pub query: Vec<(String, String)>,
-    /// The `Host` headers, all of them.
+    /// All `Host` headers.
     pub hosts: Vec<String>,
     /// Value of the header `Origin`, if sent.
     pub origin: Option<String>,

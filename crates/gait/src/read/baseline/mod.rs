@@ -159,8 +159,8 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// A large value that most samples share exactly and none exceeds: a saturated amplifier. Quiet standing is exceeded by the landing or the rise
-/// before. Majority vote of Boyer and Moore (1991).
+/// A large value that most samples share exactly and none exceeds: a saturated amplifier. Quiet standing does not count, because the landing or rise
+/// before it exceeds it. Majority vote of Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
