@@ -64,7 +64,7 @@ pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     Err(argument(py, "points", what))
 }
 
-/// The edges of profile.dxf by their word on the command line.
+/// Type of the edges of profile.dxf: "arcs" or "splines".
 fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     match word {
         "arcs" => Ok(Curves::Arcs),

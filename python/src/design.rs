@@ -30,9 +30,9 @@ use crate::table::Table;
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
-    /// The design itself; where there is none to show, why.
+    /// The design, or the reason why it has no cam.
     pub(crate) outcome: Outcome,
-    /// The scene that it answers, with the force that was given in its `[gait]`.
+    /// The scene of the design, with the given force in its `[gait]`.
     pub input: Input,
     pub(crate) asked: Scene,
     pub(crate) force: Option<Force>,
@@ -288,7 +288,7 @@ impl Design {
     /// dialect : str
     ///     "codesys", "twincat", "segments", "rockwell" or "csv".
     /// points : int, optional
-    ///     Equal intervals per cycle; as few as carry the law by default.
+    ///     Equal intervals per cycle; by default the fewest that reproduce the law.
     ///
     /// Returns
     /// -------
@@ -299,7 +299,7 @@ impl Design {
     /// Raises
     /// ------
     /// InputError
-    ///     An unknown dialect; points that do not carry the law, with a sufficient number.
+    ///     An unknown dialect; too few points to reproduce the law, with a sufficient number.
     #[pyo3(signature = (dialect, points = None))]
     fn ecam<'py>(
         &self,

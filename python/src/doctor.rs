@@ -65,7 +65,7 @@ pub fn doctor<'py>(
     convert::json(py, &Value::from(rows))
 }
 
-/// A finding that asks for something, or the verdict.
+/// Row of a finding that requires an action, or of the verdict.
 fn row(finding: &Finding, language: Language) -> Option<Value> {
     let words = catalogue(language);
     let mark = match finding.mark() {

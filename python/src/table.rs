@@ -103,7 +103,7 @@ impl Table {
         units.filter(|u| !u.1.is_empty()).collect()
     }
 
-    /// What is known of the whole table: of a sweep its fingerprint.
+    /// Data about the whole table, such as the fingerprint of a sweep.
     #[getter]
     fn metadata<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.metadata.iter().cloned().into_py_dict(py)

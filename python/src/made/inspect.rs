@@ -20,21 +20,21 @@ use crate::table::Table;
 /// ----------
 /// design : Design
 /// points : path, or array of shape (n, 2)
-///     Points in any order, with centre and zero angle as the measuring machine has them: a csv with the columns x_mm,y_mm
+///     Points in any order, with centre and zero angle of the measuring machine: a csv with the columns x_mm,y_mm
 ///     or angle_deg,radius_mm (or m, in, rad), or x and y in m.
 /// ball : float (m) or str ("1 mm"), optional
-///     Radius of the probing ball whose centres the points are.
+///     Radius of the probing ball, if the points are its centres.
 ///
 /// Returns
 /// -------
 /// Inspection
-///     ``summary``, a dict as in ``inspection.json``, and ``table``, the ``deviation_m`` along the normal over
-///     ``theta_rad``; ``line`` of the file, or row of the array from 1.
+///     ``summary``, a dict as in ``inspection.json``, and ``table`` with the ``deviation_m`` along the normal over
+///     ``theta_rad``; its ``line`` is the line of the file, or the row of the array, from 1.
 ///
 /// Raises
 /// ------
 /// InputError
-///     Points that are not those of this cam; a file or an array without points.
+///     Points that do not fit this cam; a file or an array without points.
 /// NoSuchCam
 ///     The design has no cam.
 #[pyfunction]
