@@ -3,7 +3,9 @@
 //! Format: "MAT-File Format" (The MathWorks), level 5: a header of 128 bytes, then data elements of a tag and its data, which
 //! may be compressed. Every count is checked against the bytes present before it is used.
 
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use miniz_oxide::inflate::TINFLStatus;
+use miniz_oxide::inflate::core::inflate_flags as flags;
+use miniz_oxide::inflate::core::{DecompressorOxide, decompress};
 
 /// Size of the header, bytes.
 const HEADER: usize = 128;
@@ -81,9 +83,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
         let inflated: Vec<u8>;
         let mut inner = match kind {
             COMPRESSED => {
-                // A damaged stream gives what it holds up to the damage.
-                inflated = decompress_to_vec_zlib_with_limit(data, LARGEST)
-                    .unwrap_or_else(|damage| damage.output);
+                inflated = inflate(data);
                 Elements {
                     bytes: &inflated,
                     big,
@@ -97,6 +97,26 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
         }
     }
     found
+}
+
+/// The content of a zlib stream, up to its damage or to the maximum size.
+fn inflate(data: &[u8]) -> Vec<u8> {
+    let options =
+        flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
+    let mut state = DecompressorOxide::new();
+    let mut out = vec![0; (4 * data.len() + 64).min(LARGEST)];
+    let (mut from, mut size) = (0, 0);
+    loop {
+        let (status, read, written) =
+            decompress(&mut state, &data[from..], &mut out, size, options);
+        (from, size) = (from + read, size + written);
+        if status != TINFLStatus::HasMoreOutput || out.len() >= LARGEST {
+            break;
+        }
+        out.resize((2 * out.len()).min(LARGEST), 0);
+    }
+    out.truncate(size);
+    out
 }
 
 /// Data elements one after the other.
