@@ -192,6 +192,11 @@ fn one_force(
     if file.options.force.is_empty() {
         keep_vertical(&mut samples.forces, &mut samples.notes);
     }
+    if samples.forces.is_empty() {
+        let (column, columns) = (CycleColumn::Force, table.names.clone());
+        let fault = ReadError::CycleColumnMissing { column, columns };
+        return Err(fault.at_line(file.path, table.header_line()));
+    }
     let names = samples.forces.iter().map(|f| f.name.clone());
     let columns: Vec<String> = names.filter(|name| !is_spread(name)).collect();
     if columns.len() > 1 {

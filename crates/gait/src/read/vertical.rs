@@ -162,16 +162,19 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
         // is a total or resultant only where it says vertical; the triples are then its parts.
         Axis::Vertical
     } else {
-        let mut axes = [Axis::X, Axis::Y, Axis::Z].map(|a| (a, swing_of(raw, a)));
+        let present = |a: &Axis| raw.iter().any(|r| r.axis == *a);
+        let axes = [Axis::X, Axis::Y, Axis::Z].into_iter().filter(present);
+        let mut axes: Vec<(Axis, f64)> = axes.map(|a| (a, swing_of(raw, a))).collect();
         axes.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let (best, second) = (axes[0], axes[1]);
-        if second.1 > 0.6 * best.1 {
+        if let [best, second, ..] = axes[..]
+            && second.1 > 0.6 * best.1
+        {
             notes.push(Note::VerticalGuessed {
                 vertical: best.0,
                 other: second.0,
             });
         }
-        best.0
+        axes.first().map_or(Axis::Vertical, |best| best.0)
     };
     raw.retain(|r| r.axis == keep);
 }

@@ -171,7 +171,7 @@ fn run(reader: &str) {
     let rounds = std::env::var("GAITCAM_FUZZ_ROUNDS")
         .ok()
         .and_then(|s| s.parse().ok())
-        .unwrap_or(600u64);
+        .unwrap_or(2000u64);
     let seed = std::env::var("GAITCAM_FUZZ_SEED")
         .ok()
         .and_then(|s| s.parse().ok())
