@@ -95,11 +95,14 @@ def judge(r, dialect, path, message, change=None):
     fine, bend = followed(dialect, table, path.read_text())
     mass = r.drive.inertia * r.drive.speed**2
     added, mean = mass * (bend - r.law(fine, 2)), float(np.mean(r.target))
-    stated = re.search(r"controller ([\d.e+-]+) N RMS, of it ([\d.e+-]+) %", message)
+    stated = re.search(r"controller ([\d.e+-]+) N RMS, of which the file adds (less than )?([\d.e+-]+) %", message)
     share = 100 * math.sqrt(float(np.mean(added**2))) / mean
     target = np.interp(fine, r.theta, r.target, period=2 * math.pi)
     whole = math.sqrt(float(np.mean((r.drive.rest + mass * bend - target) ** 2)))
-    for what, given, own, part in (("N RMS", float(stated[1]), whole, 2e-3), ("% added by the file", float(stated[2]), share, 0.02)):
+    if stated[2] and share > float(stated[3]):
+        faults.append(f"{dialect}: stated less than {stated[3]} % added by the file, recomputed {share}")
+    added_share = share if stated[2] else float(stated[3])
+    for what, given, own, part in (("N RMS", float(stated[1]), whole, 2e-3), ("% added by the file", added_share, share, 0.02)):
         # Printed with few digits.
         if abs(given - own) > part * own and max(given, own) > ROUNDING:
             faults.append(f"{dialect}: stated {given} {what}, recomputed {own}")
