@@ -6,6 +6,7 @@
 //! change by about the ripple, and by the residual of the law (theory §10).
 
 use super::added::Layout;
+use super::assumed::Assumed;
 use super::runner::{ROWS, Runner, angle, depends_on_speed, retimed};
 use super::through_floor::FloorResponse;
 use crate::cam::{Check, Criterion};
@@ -14,9 +15,9 @@ use crate::dynamics::machine_motion::MachineMotion;
 use crate::dynamics::shaft::{InTime, Motion};
 use crate::dynamics::{Floor, FloorMotion};
 use crate::error::{Placed, Result, SynthError};
-use crate::law::{Law, Svaj};
+use crate::law::Law;
 use crate::poly::Extreme;
-use crate::problem::{Extra, Note, Problem};
+use crate::problem::{Note, Problem};
 use crate::scene::{Family, LawSpec, ShaftSpeed};
 use crate::synth::attempt::{Attempt, attempt};
 use crate::synth::design::Design;
@@ -53,41 +54,6 @@ struct Iterate {
     problem: Problem,
     attempt: Attempt,
     motion: MachineMotion,
-}
-
-/// State of the iteration: additions to the force of a law, and at constant speed the response of the floor.
-struct Assumed {
-    layout: Layout,
-    floor: Option<FloorResponse>,
-}
-
-impl Assumed {
-    /// The state of a law in its machine motion, `at` every angle.
-    fn state(
-        &self,
-        problem: &Problem,
-        attempt: &Attempt,
-        motion: &MachineMotion,
-        at: &dyn Fn(f64) -> Svaj,
-    ) -> Vec<f64> {
-        let floor = self.floor.as_ref();
-        let mut out = floor.map_or_else(Vec::new, |floor| floor.state(problem, attempt, motion));
-        out.extend(self.layout.state(problem, motion, at));
-        out
-    }
-
-    /// The problem in a state.
-    fn problem(&self, problem: &Problem, state: &[f64]) -> Problem {
-        let floor = self.floor.as_ref();
-        let (through, own) = state.split_at(floor.map_or(0, |_| FloorResponse::VALUES));
-        let (phases, extra) = self.layout.extra(problem, own);
-        let through_floor = floor.map(|floor| floor.through(through));
-        let extra = Extra {
-            through_floor,
-            ..extra
-        };
-        problem.on_shaft(&phases, extra)
-    }
 }
 
 impl Iterate {

@@ -2,6 +2,7 @@
 //! machine at constant speed; the next ones use its simulated motion.
 
 mod added;
+mod assumed;
 mod in_motion;
 mod polydyne;
 mod runner;

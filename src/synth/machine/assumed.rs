@@ -1,0 +1,43 @@
+//! The state of the design iteration: what a machine motion adds to the problem of a law.
+
+use super::added::Layout;
+use super::through_floor::FloorResponse;
+use crate::dynamics::machine_motion::MachineMotion;
+use crate::law::Svaj;
+use crate::problem::{Extra, Problem};
+use crate::synth::attempt::Attempt;
+
+/// State of the iteration: additions to the force of a law, and at constant speed the response of the floor.
+pub struct Assumed {
+    pub layout: Layout,
+    pub floor: Option<FloorResponse>,
+}
+
+impl Assumed {
+    /// The state of a law in its machine motion, `at` every angle.
+    pub fn state(
+        &self,
+        problem: &Problem,
+        attempt: &Attempt,
+        motion: &MachineMotion,
+        at: &dyn Fn(f64) -> Svaj,
+    ) -> Vec<f64> {
+        let floor = self.floor.as_ref();
+        let mut out = floor.map_or_else(Vec::new, |floor| floor.state(problem, attempt, motion));
+        out.extend(self.layout.state(problem, motion, at));
+        out
+    }
+
+    /// The problem in a state.
+    pub fn problem(&self, problem: &Problem, state: &[f64]) -> Problem {
+        let floor = self.floor.as_ref();
+        let (through, own) = state.split_at(floor.map_or(0, |_| FloorResponse::VALUES));
+        let (phases, extra) = self.layout.extra(problem, own);
+        let through_floor = floor.map(|floor| floor.through(through));
+        let extra = Extra {
+            through_floor,
+            ..extra
+        };
+        problem.on_shaft(&phases, extra)
+    }
+}
