@@ -96,6 +96,8 @@ pub struct Problem {
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
     pub weight_n: Option<f64>,
+    /// Number of steps of the walker in a turn, where the source of the force states it.
+    pub steps_per_turn: Option<usize>,
     /// The walkers of whom the target is the mean; `None` of one cycle.
     pub walkers: Option<Arc<Walkers>>,
     /// What the varying speed of the shaft makes of it; `None` at constant speed.
@@ -123,6 +125,20 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
                 mean
             })
         }
+    }
+}
+
+/// Number of steps in a cycle of force: a recording has strides of two, a load model of one foot too; `None` for a file that is one cycle.
+fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
+    match &gait.source {
+        Source::Model(name) => {
+            let of_one_foot = |m: &&force::ModelInfo| m.name == name && m.single_foot;
+            let is_stride =
+                force::catalogue().iter().any(|m| of_one_foot(&m)) && gait.feet.share() < 1.0;
+            Some(if is_stride { 2 } else { 1 })
+        }
+        Source::Harmonics(_) => Some(1),
+        Source::File(_) => force?.recording.as_ref().map(|_| 2),
     }
 }
 
@@ -204,6 +220,7 @@ impl Problem {
             machine: scene.machine.clone(),
             open_questions: open_questions(gait, curve, has_speed),
             weight_n,
+            steps_per_turn: gait.and_then(|gait| steps_per_turn(gait, curve)),
             walkers: walkers.map(|all| match at {
                 0.0 => all,
                 at => Arc::new(all.begun_at(at)),

@@ -52,7 +52,8 @@ impl Design {
     /// Harmonics of target and achieved force up to the sixth of the step frequency, relative to the walker's weight; empty without a target or a
     /// positive weight.
     ///
-    /// A turn is a stride of two steps if the second harmonic of the target is larger than the first.
+    /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that is one cycle does not state it: it is a stride
+    /// if the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
         let Some(target) = self.target_in_time() else {
             return Vec::new();
@@ -71,7 +72,8 @@ impl Design {
         };
         let given = of(angles().map(|t| achieved.eval(self.angle_at(t))).collect());
         let turns_per_s = self.problem.drive.speed.abs() / TAU;
-        let steps = steps_per_turn(&wanted);
+        let stated = self.problem.steps_per_turn;
+        let steps = stated.unwrap_or_else(|| steps_per_turn(&wanted));
         let part = |amplitudes: &[(f64, f64)], k: usize| {
             let (amplitude, phase) = harmonic(amplitudes, k);
             let part = amplitude / weight;
