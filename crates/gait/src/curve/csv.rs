@@ -17,16 +17,7 @@ impl ForceCurve {
 }
 
 fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fmt::Result {
-    writeln!(out, "# cycle, period_s = {}", curve.period_s)?;
-    if let Some(m) = curve.mass_kg {
-        writeln!(out, "# mass_kg = {m}")?;
-    }
-    if let Some(noise) = curve.noise_n {
-        writeln!(out, "# noise_n = {noise}")?;
-    }
-    for line in comments.iter().flat_map(|c| c.lines()) {
-        writeln!(out, "# {line}")?;
-    }
+    write_head(out, curve, comments)?;
     let step = curve.period_s / curve.force_n.len() as f64;
     let spread = curve.spread_n.as_deref();
     let column = spread.map_or("", |_| ",spread_n");
@@ -37,6 +28,25 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
             write!(out, ",{}", spread[i])?;
         }
         out.push('\n');
+    }
+    Ok(())
+}
+
+/// Writes the comments that mark a cycle and state what its samples do not have.
+pub(super) fn write_head(
+    out: &mut String,
+    curve: &ForceCurve,
+    comments: &[&str],
+) -> std::fmt::Result {
+    writeln!(out, "# cycle, period_s = {}", curve.period_s)?;
+    if let Some(m) = curve.mass_kg {
+        writeln!(out, "# mass_kg = {m}")?;
+    }
+    if let Some(noise) = curve.noise_n {
+        writeln!(out, "# noise_n = {noise}")?;
+    }
+    for line in comments.iter().flat_map(|c| c.lines()) {
+        writeln!(out, "# {line}")?;
     }
     Ok(())
 }

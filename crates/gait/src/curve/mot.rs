@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::ForceCurve;
+use super::csv::write_head;
 use crate::recording::Foot;
 
 /// Columns of one external load: force, point of application, free torque.
@@ -50,13 +51,7 @@ fn write_mot(
         "gaitcam\nversion=1\nnRows={rows}\nnColumns={}\ninDegrees=yes",
         COLUMNS.len() + 1
     )?;
-    writeln!(out, "# cycle, period_s = {}", curve.period_s)?;
-    if let Some(m) = curve.mass_kg {
-        writeln!(out, "# mass_kg = {m}")?;
-    }
-    for line in comments.iter().flat_map(|c| c.lines()) {
-        writeln!(out, "# {line}")?;
-    }
+    write_head(out, curve, comments)?;
     write!(out, "endheader\ntime")?;
     for column in COLUMNS {
         let (name, end) = match column.strip_prefix("_torque") {
