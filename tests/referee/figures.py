@@ -345,6 +345,10 @@ def moved(r):
 def weight_of(r):
     """Weight of the walker as the target has it: that of a load model, scaled with it; of a recording the mean force."""
     gait = r.scene.get("gait", {})
+    if gait.get("model") in STANCES:
+        if gait.get("scale") == "to-mass" and r.drive.kind == "moving-axis":
+            raise Unknown("the mean of a model of one foot")
+        return quantity(gait.get("body_weight", 700.0)) or 700.0
     if r.is_recorded or model_of(r) is None:
         return mean_target(r)
     weight = quantity(gait.get("body_weight", 700.0)) or 700.0

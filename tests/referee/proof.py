@@ -274,6 +274,8 @@ def relaxed(r, m):
         return (row["to"] if own <= row["to"] <= own + 1.001 * round_step(own) else math.nan), 1e-12, 0
     if section != "limits":
         raise Unknown(f"change of {row['key']}")
+    if any(not check["pass"] and check["name"] != "rms_error" for check in r.summary["checks"]):
+        raise Unknown(f"change of {row['key']} for another limit than the accuracy")
     part = row["to"] / row["from"]
     reaches = lambda factor, slack: best_of(r, (name, factor))[2] <= (allowed * mean_target(r)) ** 2 * (1 + slack)
     before = (row["to"] - math.copysign(1.001 * round_step(row["to"]), row["to"] - row["from"])) / row["from"]

@@ -56,14 +56,9 @@ def value(key, draw):
     return f"{number:.4g} {unit}".strip() if unit else f"{number:.4g}"
 
 
-# Keys of sensors, which the built-in scenes do not have.
-OF_SENSORS = {"gait.noise"}
-
-
 def scene(keys, draw):
     """A built-in scene with some of its keys set."""
-    own = [key for key in keys if key["section"] and key["key"] not in OF_SENSORS]
-    own = [key for key in own if not any(part in key["key"].split(".") for part in NUMBERED)]
+    own = [key for key in keys if key["section"] and not any(part in key["key"].split(".") for part in NUMBERED)]
     given = [(key["key"], value(key, draw)) for key in draw.sample(own, draw.randint(1, 4))]
     if any(name.startswith("machine.motor") for name, _ in given):
         given += [("machine.motor.slope", "10 N m s/rad"), ("machine.inertia", "2 kg m^2")]
