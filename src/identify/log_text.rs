@@ -154,7 +154,7 @@ impl Names<'_> {
         named.map_or_else(|| (place + 1).to_string(), |n| n.trim().to_string())
     }
 
-    /// Number of columns.
+    /// Number of columns of the table, with or without names.
     fn width(&self) -> usize {
         match self.table.names().len() {
             0 => self.table.rows().next().map_or(0, |(_, row)| row.len()),

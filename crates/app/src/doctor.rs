@@ -39,11 +39,11 @@ pub enum Finding {
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
-    /// In order.
+    /// The finding needs no action.
     Good,
-    /// To be checked.
+    /// The user is asked to check the finding.
     Doubtful,
-    /// To be corrected.
+    /// The finding is an error of the scene.
     Bad,
 }
 
@@ -87,7 +87,7 @@ pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
 /// An invalid cycle.
 pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Finding>> {
     let file = path.display().to_string();
-    if let Some(curve) = force::one_cycle(path, bytes, options)? {
+    if let Some(curve) = force::one_cycle(path, bytes, options, Feet::Both)? {
         let data = json!({"file": file, "period": (1e3 * curve.period_s).round() / 1e3});
         return Ok(vec![Finding::Good("one-cycle", data)]);
     }

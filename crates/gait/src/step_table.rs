@@ -34,9 +34,9 @@ pub struct StepRow<'a> {
     pub end_s: f64,
     /// Loading peak, N.
     pub p1_n: Option<f64>,
-    /// Mid-stance valley, N.
+    /// Lowest force between the two peaks, N.
     pub valley_n: Option<f64>,
-    /// Push-off peak, N.
+    /// Peak of the force at push-off, N.
     pub p2_n: Option<f64>,
     /// Integral of the force, N s.
     pub impulse_ns: Option<f64>,

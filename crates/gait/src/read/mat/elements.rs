@@ -138,7 +138,7 @@ impl<'a> Elements<'a> {
 }
 
 impl<'a> Iterator for Elements<'a> {
-    /// Type and data.
+    /// Type number and data of an element.
     type Item = (u32, &'a [u8]);
 
     fn next(&mut self) -> Option<Self::Item> {
