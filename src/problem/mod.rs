@@ -326,13 +326,14 @@ fn open_questions(
     force: Option<&ForceCurve>,
     has_speed: bool,
 ) -> Vec<(OpenQuestion, Vec<force::Note>)> {
-    let recording = force.and_then(|f| f.recording.as_ref());
-    let (Some(gait), Some(recording)) = (gait, recording) else {
+    let (Some(gait), Some(force)) = (gait, force) else {
         return Vec::new();
     };
-    let opened = |question: OpenQuestion| (question, recording.opened_by(question));
+    let recording = force.recording.as_ref();
+    let notes = recording.map_or(&force.notes[..], |r| &r.warnings);
+    let opened = |question: OpenQuestion| (question, force::Note::opening(notes, question));
     let is_assumed = |note: &force::Note| matches!(note, force::Note::StrideAssumed { .. });
-    let open = recording.doubts().into_iter().map(opened);
+    let open = force::Note::doubts(notes).into_iter().map(opened);
     open.filter(|(question, notes)| {
         // With its own speed the machine needs no stride time.
         let is_settled =

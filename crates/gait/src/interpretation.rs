@@ -269,16 +269,12 @@ pub struct MeanStanceCurve {
 impl Interpretation {
     /// Open questions about kind, clock or mass, each once.
     pub fn doubts(&self) -> Vec<OpenQuestion> {
-        let mut all: Vec<OpenQuestion> = self.warnings.iter().filter_map(Note::doubt).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
+        Note::doubts(&self.warnings)
     }
 
     /// The warnings that raise a question.
     pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
-        let opens = |n: &&Note| n.doubt() == Some(question);
-        self.warnings.iter().filter(opens).cloned().collect()
+        Note::opening(&self.warnings, question)
     }
 
     /// Codes of the warnings, each once, in order.

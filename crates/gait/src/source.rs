@@ -12,11 +12,16 @@ use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
 /// A file that is one cycle: a text marked as one, as written by [`ForceCurve::to_csv`], or any table if a period or a span is given;
-/// `None` for any other file. With a span, the stance that is found in a recording fills it.
+/// `None` for any other file. With a span, the stance that is found in a recording fills it; `feet` chooses among its stances.
 ///
 /// # Errors
 /// A line that is not a number, too few samples, several forces, a phase without a period.
-pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+pub fn one_cycle(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+    feet: Feet,
+) -> Result<Option<ForceCurve>> {
     if let (Some(span), false) = (options.span_rad, is_marked_cycle(bytes)) {
         let raw = ReadOptions {
             period_s: None,
@@ -27,7 +32,7 @@ pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Opt
         if let Ok(recording) = read(path, bytes, &raw) {
             let found = stances(&recording);
             let file = name(path);
-            let curve = stance_in_span(file, &recording, &found, span, options.period_s);
+            let curve = stance_in_span(file, &recording, &found, span, options.period_s, feet);
             if let Some(mut curve) = curve.map_err(|e| e.in_file(path))? {
                 curve.noise_n = options.noise_n.or(curve.noise_n);
                 return Ok(Some(curve));
@@ -57,7 +62,7 @@ pub fn force_curve(
     options: &ReadOptions,
     feet: Feet,
 ) -> Result<ForceCurve> {
-    if let Some(curve) = one_cycle(path, bytes, options)? {
+    if let Some(curve) = one_cycle(path, bytes, options, feet)? {
         return Ok(curve);
     }
     let recording = read(path, bytes, options)?;

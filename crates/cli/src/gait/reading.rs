@@ -48,7 +48,7 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     let bytes = content(&Disk::default(), Path::new(&together(paths, shown)))?;
     let place = || Place::File(path.to_path_buf());
     let heading = together(paths, shown);
-    if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
+    if let Some(curve) = force::one_cycle(path, &bytes, &options, feet)? {
         let table = tables::cycle_table(&curve, language::current());
         return Ok(Read {
             paths: paths.to_vec(),

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use super::average::{Mean, at, whole_span};
+use super::single::stances_of;
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::Result;
 use crate::quantity::seconds;
-use crate::recording::{Note, Recording};
+use crate::recording::{Feet, Note, Recording};
 use crate::stance::{Stance, Stances};
 use crate::statistics::mean;
 
@@ -19,18 +20,22 @@ const NEARLY: f64 = 0.05;
 /// One cycle in which the mean stance fills a span, rad, and the rest is unloaded; `None` without a whole stance, or if the only
 /// stance is the whole recording.
 ///
-/// Without a `period`, s, the stance keeps its duration.
+/// Without a `period`, s, the stance keeps its duration. Of `feet` the side alone counts: one foot stands in the span.
 ///
 /// # Errors
-/// A period that is not positive.
+/// A period that is not positive; no stance of the side.
 pub fn stance_in_span(
     name: &str,
     recording: &Recording,
     stances: &Stances,
     span_rad: f64,
     period_s: Option<f64>,
+    feet: Feet,
 ) -> Result<Option<ForceCurve>> {
-    let used: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
+    if stances.used.is_empty() {
+        return Ok(None);
+    }
+    let used = stances_of(stances, feet.foot())?;
     let rate = recording.rate_hz;
     let whole = |s: &Stance| whole_span(&recording.channels[s.channel], rate, s.start_s, s.end_s);
     let spans: Vec<(f64, f64)> = used.iter().map(|s| whole(s)).collect();

@@ -40,7 +40,10 @@ impl Interpretation {
             columns: r.channels.iter().map(Column::of).collect(),
             feet,
             contacts: contacts(r, stances, cycle),
-            strides: recorded_strides(r, stances, averages_strides(cycle)),
+            strides: match cycle {
+                Some(cycle) => cycle.strides.clone(),
+                None => recorded_strides(r, stances, false),
+            },
             period: cycle.map(|c| c.period),
             mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
             mass_interval_kg: cycle.and_then(|c| c.mass_interval_kg),

@@ -2,7 +2,7 @@
 
 use super::Average;
 use super::single::by_side;
-use super::stride::recorded_strides;
+use crate::interpretation::RecordedStride;
 use crate::recording::{CycleSource, PeriodSource, Recording};
 use crate::stance::{Stance, Stances};
 use crate::statistics::{mean, sample_deviation, student_95};
@@ -27,24 +27,29 @@ pub(super) fn mass_interval(
     recording: &Recording,
     stances: &Stances,
     average: &Average,
+    strides: &[RecordedStride],
     mass_kg: f64,
 ) -> Option<(f64, f64)> {
     if recording.insole {
         return None;
     }
-    let steps = of_steps(recording, stances, average);
+    let steps = of_steps(recording, stances, average, strides);
     let parts = [steps, of_clock(average), of_levels(recording, mass_kg)];
     let half = parts.iter().map(|u| u * u).sum::<f64>().sqrt();
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
 /// Half width from the steps, relative.
-fn of_steps(recording: &Recording, stances: &Stances, average: &Average) -> f64 {
+fn of_steps(
+    recording: &Recording,
+    stances: &Stances,
+    average: &Average,
+    strides: &[RecordedStride],
+) -> f64 {
     let used = || stances.used.iter().filter(|s| !s.unlike);
     let impulses = |side: &[&Stance]| side.iter().map(|s| s.impulse_ns).collect::<Vec<f64>>();
     match average.source {
         CycleSource::WholeStrides { .. } => {
-            let strides = recorded_strides(recording, stances, true);
             let kept = strides.iter().filter(|s| s.rejected.is_none());
             let means = kept.map(|s| s.impulse_ns / (s.to_s - s.from_s));
             of_mean(&means.collect::<Vec<f64>>(), OF_STRIDES)

@@ -25,13 +25,13 @@ use balance::mean_total;
 use mass_interval::mass_interval;
 use refusal::no_stance;
 use single::{both_feet, one_foot};
-use stride::{averaged, whole_strides};
+use stride::{averaged, recorded_strides, whole_strides};
 use total::{total_of_plates, total_stride};
 use warnings::{confirm_clock, warnings};
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::Result;
-use crate::interpretation::Period;
+use crate::interpretation::{Period, RecordedStride};
 use crate::recording::{CycleSource, Feet, Foot, Kind, MassSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stance, Stances};
 use crate::statistics::{mean, sample_deviation};
@@ -74,6 +74,8 @@ pub struct Cycle {
     pub mass_from: MassSource,
     /// Interval that holds the mass in 95 of 100 recordings, kg, if it is computed from the mean force of calibrated plates.
     pub mass_interval_kg: Option<(f64, f64)>,
+    /// Every whole stride of both feet, used or not, in order of time.
+    pub strides: Vec<RecordedStride>,
     /// Movement of the cycle.
     pub kind: Kind,
     /// Mean force over the cycle as a fraction of the weight that the feet of the cycle carry; 1 for a correct mass.
@@ -241,7 +243,9 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
     curve.mass_kg = Some(mass_kg);
     let warning = implausible(&curve, feet);
     let computed = mass_from == MassSource::MeanForce;
-    let interval = || mass_interval(recording, stances, &average, mass_kg);
+    let averages_strides = matches!(average.source, CycleSource::WholeStrides { .. });
+    let strides = recorded_strides(recording, stances, averages_strides);
+    let interval = || mass_interval(recording, stances, &average, &strides, mass_kg);
     let mass_interval_kg = computed.then(interval).flatten();
     let mut cycle = Cycle {
         averaged: average.averaged,
@@ -251,6 +255,7 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
         mass_kg,
         mass_from,
         mass_interval_kg,
+        strides,
         kind: match stances.kind {
             Some(Kind::Running) => Kind::Running,
             _ => Kind::Walking,

@@ -79,6 +79,26 @@ pub(super) fn by_side<'a>(
     sides
 }
 
+/// The stances of one foot, or of both, without outliers.
+///
+/// # Errors
+/// No stance of that foot.
+pub(super) fn stances_of(stances: &Stances, foot: Option<Foot>) -> Result<Vec<&Stance>> {
+    let of_foot = |s: &&Stance| foot.is_none() || s.foot == foot;
+    let wanted: Vec<&Stance> = stances.used.iter().filter(of_foot).collect();
+    match foot {
+        Some(foot) if wanted.is_empty() => {
+            let named = stances.used.iter().any(|s| s.foot.is_some());
+            let foot = foot.name();
+            Err(match named {
+                true => ForceError::NoStanceOfFoot { foot }.into(),
+                false => ForceError::FeetNotNamed { foot }.into(),
+            })
+        }
+        _ => Ok(fellows(wanted)),
+    }
+}
+
 /// The force of one foot over a stride, zero in swing.
 pub(super) fn one_foot(
     recording: &Recording,
@@ -86,21 +106,7 @@ pub(super) fn one_foot(
     foot: Option<Foot>,
     ranges: &Ranges,
 ) -> Result<Average> {
-    let wanted: Vec<&Stance> = stances
-        .used
-        .iter()
-        .filter(|s| foot.is_none() || s.foot == foot)
-        .collect();
-    if let (Some(foot), true) = (foot, wanted.is_empty()) {
-        let named = stances.used.iter().any(|s| s.foot.is_some());
-        let foot = foot.name();
-        return Err(if named {
-            ForceError::NoStanceOfFoot { foot }.into()
-        } else {
-            ForceError::FeetNotNamed { foot }.into()
-        });
-    }
-    let wanted = fellows(wanted);
+    let wanted = stances_of(stances, foot)?;
     let mean = mean_stance(recording, &wanted, MARGIN);
     let period = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean, ranges);
     let source = CycleSource::OneFoot {

@@ -191,10 +191,10 @@ pub enum FileKind {
 ///
 /// ```
 /// use gaitcam_gait::error::{CycleColumn, ReadError};
-/// use gaitcam_gait::{ReadOptions, one_cycle};
+/// use gaitcam_gait::{Feet, ReadOptions, one_cycle};
 ///
 /// let text = "# cycle, period_s = 1\ntime_s,height\n0,1\n0.5,2\n";
-/// let error = one_cycle("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default()).unwrap_err();
+/// let error = one_cycle("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default(), Feet::Both).unwrap_err();
 /// let Some(ReadError::CycleColumnMissing { column, .. }) = error.fault() else { panic!("{error}") };
 /// assert_eq!(column, &CycleColumn::Force);
 /// ```

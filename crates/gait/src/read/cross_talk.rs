@@ -52,6 +52,9 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
             }
         })
         .collect();
+    if all.iter().all(Vec::is_empty) {
+        return;
+    }
     let mut clean: Vec<Vec<f64>> = channels.iter().map(|c| c.force_n.clone()).collect();
     // A disturbing force is itself disturbed: the second round subtracts the clean one.
     for _ in 0..2 {

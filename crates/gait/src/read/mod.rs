@@ -10,6 +10,7 @@ mod columns;
 mod critical_points;
 mod cross_talk;
 mod cycle_file;
+mod cycle_samples;
 mod keys;
 mod mat;
 mod number;

@@ -10,6 +10,7 @@ mod format;
 mod heels;
 mod kind;
 mod note;
+mod question;
 mod unit;
 
 pub use feet::{Feet, Foot};

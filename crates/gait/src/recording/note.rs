@@ -6,7 +6,6 @@ use serde::Serialize;
 use strum::{IntoStaticStr, VariantNames};
 
 use super::feet::Foot;
-use super::kind::OpenQuestion;
 use super::unit::ForceUnit;
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
@@ -111,7 +110,7 @@ pub enum Note {
     },
     /// The stances of a recording fill the span of the turn.
     StanceFillsSpan {
-        /// Number of stances.
+        /// Number of stances that the span contains.
         stances: usize,
         /// Start of the first.
         from: Quantity,
@@ -403,44 +402,6 @@ impl Note {
     /// Code of the method in JSON and in tables.
     pub fn code(&self) -> &'static str {
         self.into()
-    }
-
-    /// The question raised by the note; `None` if it only informs.
-    pub fn doubt(&self) -> Option<OpenQuestion> {
-        Some(self.question()?.0)
-    }
-
-    /// Keys of the section `gait` that answer the question, most likely first.
-    pub fn settled_by(&self) -> &'static [&'static str] {
-        self.question().map_or(&[], |(_, keys)| keys)
-    }
-
-    fn question(&self) -> Option<(OpenQuestion, &'static [&'static str])> {
-        use OpenQuestion::{Clipped, Clock, Kind, Mass};
-        Some(match self {
-            Note::KindDiffers { .. } => (Kind, &["gait.kind"]),
-            Note::DutyImplausible { .. } => (Kind, &["gait.kind", "gait.rate"]),
-            Note::CountOrMilliseconds { .. }
-            | Note::DurationsLost { .. }
-            | Note::RatesDiffer { .. } => (Clock, &["gait.rate"]),
-            Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
-            Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
-            Note::StrideVaries { .. } => (Clock, &["gait.file"]),
-            // Two blocks of speed: nothing says which one is meant.
-            Note::SpeedChanges { used, stances, .. } if 3 * used < 2 * stances => {
-                (Clock, &["gait.file"])
-            }
-            Note::Clipped { .. } => (Clipped, &["gait.file", "gait.force"]),
-            Note::UnitUnconfirmed { .. } => (Mass, &["gait.unit", "gait.mass"]),
-            Note::PeakImplausible { .. } => (Mass, &["gait.mass", "gait.unit", "gait.kind"]),
-            Note::MeanForceNotWeight { .. } => (Mass, &["gait.mass", "gait.unit", "gait.feet"]),
-            Note::MassImplausible { .. } => (Mass, &["gait.unit", "gait.feet"]),
-            Note::StancesDiffer { .. } | Note::FewAlike { .. } => {
-                (Mass, &["gait.force", "gait.feet"])
-            }
-            Note::InsoleMass { .. } | Note::UnloadedDiffers { .. } => (Mass, &["gait.mass"]),
-            _ => return None,
-        })
     }
 }
 

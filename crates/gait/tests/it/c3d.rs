@@ -178,7 +178,7 @@ fn a_stance_of_a_c3d_file_fills_a_span_and_a_period_alone_is_refused() {
             span_rad,
             ..ReadOptions::default()
         };
-        gaitcam_gait::one_cycle(path, &bytes, &options)
+        gaitcam_gait::one_cycle(path, &bytes, &options, gaitcam_gait::Feet::Both)
     };
     let curve = with(None, Some(4.0)).unwrap().unwrap();
     assert!(matches!(

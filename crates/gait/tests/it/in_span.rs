@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use gaitcam_gait::{Note, ReadOptions, one_cycle};
+use gaitcam_gait::{Feet, Note, ReadOptions, one_cycle};
 
 use crate::hard::dice::Dice;
 
@@ -41,7 +41,7 @@ fn the_stance_fills_the_span_and_the_rest_of_the_turn_is_unloaded() {
             period_s,
             ..ReadOptions::default()
         };
-        let curve = one_cycle(Path::new("heel.csv"), text.as_bytes(), &options)
+        let curve = one_cycle(Path::new("heel.csv"), text.as_bytes(), &options, Feet::Both)
             .unwrap()
             .unwrap();
         let case = format!("round {round}: {rate} Hz, {noise} N, {period_s:?}");
@@ -76,11 +76,16 @@ fn the_stance_fills_the_span_and_the_rest_of_the_turn_is_unloaded() {
             noise_n: Some(3.0),
             ..options
         };
-        let curve = one_cycle(Path::new("heel.csv"), text.as_bytes(), &given)
+        let curve = one_cycle(Path::new("heel.csv"), text.as_bytes(), &given, Feet::Both)
             .unwrap()
             .unwrap();
         let csv = curve.to_csv(&[]);
-        let again = one_cycle(Path::new("c.csv"), csv.as_bytes(), &ReadOptions::default());
+        let again = one_cycle(
+            Path::new("c.csv"),
+            csv.as_bytes(),
+            &ReadOptions::default(),
+            Feet::Both,
+        );
         assert_eq!(again.unwrap().unwrap().noise_n, Some(3.0));
     }
 }
@@ -101,9 +106,30 @@ fn a_table_without_idle_time_covers_the_span_as_it_is() {
         span_rad: Some(0.6 * TAU),
         ..ReadOptions::default()
     };
-    let curve = one_cycle(Path::new("a.csv"), text.as_bytes(), &options)
+    let curve = one_cycle(Path::new("a.csv"), text.as_bytes(), &options, Feet::Both)
         .unwrap()
         .unwrap();
     assert!(curve.notes.is_empty() && (curve.period_s - 1.0).abs() < 1e-9);
     assert!((curve.mean_n() / (0.6 * MEAN) - 1.0).abs() < 2e-3);
+}
+
+#[test]
+fn a_side_chooses_the_stance_and_a_side_that_is_not_there_is_refused() {
+    let mut text = String::from("time (s),Left Fz (N),Right Fz (N)\n");
+    for i in 0..600 {
+        let t = f64::from(i) / 200.0;
+        let (left, right) = (stance((t - 0.5) / 0.7), 1.2 * stance((t - 1.6) / 0.7));
+        text += &format!("{t:.3},{left:.2},{right:.2}\n");
+    }
+    let options = ReadOptions {
+        span_rad: Some(0.6 * TAU),
+        ..ReadOptions::default()
+    };
+    let of = |text: &str, feet| one_cycle(Path::new("a.csv"), text.as_bytes(), &options, feet);
+    let mean = |feet| of(&text, feet).unwrap().unwrap().mean_n();
+    let (left, right) = (mean(Feet::Left), mean(Feet::Right));
+    assert!((right / left - 1.2).abs() < 0.01, "{left} {right}");
+    assert!((mean(Feet::One) / (1.1 * left) - 1.0).abs() < 0.01);
+    let unnamed = text.replace("Left Fz", "Fz1").replace("Right Fz", "Fz2");
+    assert!(of(&unnamed, Feet::Left).is_err());
 }

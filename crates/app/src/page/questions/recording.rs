@@ -122,7 +122,7 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     let (name, without) = (asked.file.as_str(), &asked.without);
     let (path, language) = (Path::new(name), words::current());
     let (options, feet) = options(asked)?;
-    if let Some(curve) = force::one_cycle(path, bytes, &options)? {
+    if let Some(curve) = force::one_cycle(path, bytes, &options, feet)? {
         let mut found = tables::cycle_json(&curve);
         found["file"] = name.into();
         found["use"] = name.into();
@@ -193,7 +193,12 @@ pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     for [time, force] in &points {
         csv.push_str(&format!("{time},{force}\n"));
     }
-    let curve = force::one_cycle(Path::new(&name), csv.as_bytes(), &ReadOptions::default())?;
+    let curve = force::one_cycle(
+        Path::new(&name),
+        csv.as_bytes(),
+        &ReadOptions::default(),
+        Feet::Both,
+    )?;
     let hash = files.engine.keep(csv.clone().into_bytes());
     Ok(json!({"use": name, "csv": csv, "hash": hash, "force_n": curve.map(|c| c.force_n)}))
 }

@@ -10,7 +10,7 @@ use super::samples::Samples;
 use super::units::check_unit;
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::read::columns::{Role, role, words};
-use crate::read::cycle_file::LARGEST_PART;
+use crate::read::cycle_samples::LARGEST_PART;
 use crate::read::number::{trim, value};
 use crate::read::timebase::polyline;
 use crate::read::vertical::RawForce;

@@ -1,0 +1,57 @@
+//! Questions about a recording that its notes open, and the keys that answer them.
+
+use super::{Note, OpenQuestion};
+
+impl Note {
+    /// The question raised by the note; `None` if it only informs.
+    pub fn doubt(&self) -> Option<OpenQuestion> {
+        Some(self.question()?.0)
+    }
+
+    /// The questions that some notes open, each once.
+    pub fn doubts(notes: &[Note]) -> Vec<OpenQuestion> {
+        let mut all: Vec<OpenQuestion> = notes.iter().filter_map(Note::doubt).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The notes that open a question.
+    pub fn opening(notes: &[Note], question: OpenQuestion) -> Vec<Note> {
+        let opens = |n: &&Note| n.doubt() == Some(question);
+        notes.iter().filter(opens).cloned().collect()
+    }
+
+    /// Keys of the section `gait` that answer the question, most likely first.
+    pub fn settled_by(&self) -> &'static [&'static str] {
+        self.question().map_or(&[], |(_, keys)| keys)
+    }
+
+    fn question(&self) -> Option<(OpenQuestion, &'static [&'static str])> {
+        use OpenQuestion::{Clipped, Clock, Kind, Mass};
+        Some(match self {
+            Note::KindDiffers { .. } => (Kind, &["gait.kind"]),
+            Note::DutyImplausible { .. } => (Kind, &["gait.kind", "gait.rate"]),
+            Note::CountOrMilliseconds { .. }
+            | Note::DurationsLost { .. }
+            | Note::RatesDiffer { .. } => (Clock, &["gait.rate"]),
+            Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
+            Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
+            Note::StrideVaries { .. } => (Clock, &["gait.file"]),
+            // Two blocks of speed: nothing says which one is meant.
+            Note::SpeedChanges { used, stances, .. } if 3 * used < 2 * stances => {
+                (Clock, &["gait.file"])
+            }
+            Note::Clipped { .. } => (Clipped, &["gait.file", "gait.force"]),
+            Note::UnitUnconfirmed { .. } => (Mass, &["gait.unit", "gait.mass"]),
+            Note::PeakImplausible { .. } => (Mass, &["gait.mass", "gait.unit", "gait.kind"]),
+            Note::MeanForceNotWeight { .. } => (Mass, &["gait.mass", "gait.unit", "gait.feet"]),
+            Note::MassImplausible { .. } => (Mass, &["gait.unit", "gait.feet"]),
+            Note::StancesDiffer { .. } | Note::FewAlike { .. } => {
+                (Mass, &["gait.force", "gait.feet"])
+            }
+            Note::InsoleMass { .. } | Note::UnloadedDiffers { .. } => (Mass, &["gait.mass"]),
+            _ => return None,
+        })
+    }
+}
