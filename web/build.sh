@@ -8,6 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 web=$PWD/target/web
+page=$PWD/crates/studio
 tools=$web/toolchain
 mkdir -p "$web"
 
@@ -63,6 +64,6 @@ for name in engine whole; do
   wasm-opt -O3 "$web/cargo/wasm32-unknown-unknown/web/gaitcam_app.wasm" -o "$web/modules/$name.wasm"
 done
 
-[ -x "$web/node_modules/.bin/esbuild" ] || npm install --silent --no-audit --no-fund --prefix "$web" esbuild@0.28.2 > /dev/null ||
-  fail "npm cannot install esbuild"
-python3 web/page.py "$web/modules" "$web/node_modules/.bin/esbuild" web/dist
+[ -x "$page/node_modules/.bin/esbuild" ] || npm ci --silent --no-audit --no-fund --prefix "$page" > /dev/null ||
+  fail "npm cannot install esbuild and the libraries of the page"
+python3 web/page.py "$web/modules" "$page/node_modules/.bin/esbuild" web/dist

@@ -54,6 +54,7 @@ function move(there) {
 function elsewhere() {
   charts.forget();
   form.reset();
+  designs.forget();
   designs.askAnew();
 }
 
@@ -64,12 +65,10 @@ async function show(answer, since, more) {
     anew = false;
     player.begin(answer.motion);
   }
-  verdict.show(answer);
   charts.show(answer.curves, answer.fields);
   stage.show(answer);
-  for (const part of [programme, compare, text]) part.show(answer, more);
+  state(more);
   clock.set(clock.angle());
-  state(answer.fields);
   await painted();
   const design = $("design");
   if (design.dataset.revision === "0") performance.mark("first-design");
@@ -79,11 +78,12 @@ async function show(answer, since, more) {
   design.dataset.revision = Number(design.dataset.revision) + 1;
 }
 
-// What follows every change of the state, designed or not.
-function state(fields = null) {
-  status.show();
-  form.update(fields, versions.now());
-  force.show(designs.present()?.answer);
+// Draws every panel after a change of the state. A panel keeps nothing of it: it gets the version, and `seen`: the answer on
+// the screen (null before the first), the fields known of the scene, and whether more answers of one gesture follow.
+function state(moving = false) {
+  const version = versions.now();
+  const seen = { answer: designs.present()?.answer ?? null, fields: designs.known(), moving };
+  for (const panel of [verdict, status, form, force, programme, compare, text]) panel.render(version, seen);
 }
 
 // Resolves when the next picture is on the screen; a hidden page has none.

@@ -1,6 +1,6 @@
 // All diagrams with one cursor: which are shown, which is large, what is dragged on them.
 
-import { $, make, clear, say } from "../core/dom.js";
+import { $, make, say } from "../core/dom.js";
 import { Chart } from "./chart.js";
 import * as clock from "../core/clock.js";
 import { dialog, embedded } from "../core/view.js";

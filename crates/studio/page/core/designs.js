@@ -19,6 +19,8 @@ let shown = null;
 // Prime radius and offset of the last whole design, m.
 let size = null;
 let retry = 0;
+// Fields of the form: those of the last design or, where the scene has none, those that could be read of it.
+let fields = {};
 const handlers = { show: () => {}, state: () => {}, working: () => {}, lost: () => {}, colour: () => "none" };
 
 export function on(more) {
@@ -27,6 +29,13 @@ export function on(more) {
 
 // The answer on the screen, with the version that it belongs to.
 export const present = () => shown;
+
+export const known = () => fields;
+
+// Another scene: nothing is known of its fields.
+export function forget() {
+  fields = {};
+}
 
 // The design of the present version is shown, whole.
 export function isCurrent() {
@@ -80,6 +89,7 @@ async function run(since) {
     const outcome = await settle(v, control.signal, quick);
     if (running !== control) return;
     versions.settle(v.id, outcome);
+    fields = outcome.answer?.fields ?? outcome.fields ?? fields;
     const more = waiting !== null;
     if (outcome.answer) {
       const { quick: held, numbers } = outcome.answer;
@@ -92,7 +102,7 @@ async function run(since) {
       if (more && slow) next();
       await handlers.show(outcome.answer, since, more);
     } else if (outcome.same) shown = { ...shown, version: v.id };
-    handlers.state(outcome.fields);
+    handlers.state();
   } catch (error) {
     if (error.name === "AbortError" || running !== control) return;
     if (!(error instanceof Fault)) throw error;

@@ -1,4 +1,6 @@
-// Small helpers for elements.
+// Templates and small helpers for elements.
+
+export { html, svg as svgTemplate, render, nothing, repeat, live } from "./vendor.js";
 
 export const $ = (id) => document.getElementById(id);
 
@@ -56,6 +58,16 @@ export function hide(element, on = true) {
 // Gives an element its text; one that has it already is left alone, so that nothing is laid out again.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
+}
+
+// A drawing of the engine as an element: the only door for markup that comes as text. Scripts and handlers are left out.
+export function picture(text) {
+  const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+  for (const element of [root, ...root.querySelectorAll("*")]) {
+    if (["script", "foreignObject"].includes(element.localName)) element.remove();
+    for (const { name } of [...element.attributes]) if (name.toLowerCase().startsWith("on")) element.removeAttribute(name);
+  }
+  return document.importNode(root, true);
 }
 
 // Shows a short notice that goes by itself.

@@ -20,8 +20,7 @@ export function load(seconds, more) {
   remedies = more;
 }
 
-export function show() {
-  const v = versions.now();
+export function render(v) {
   const current = designs.isCurrent();
   const refused = versions.refused(v);
   $("verdict").dataset.verdict = current ? designs.present().answer.verdict : "pending";

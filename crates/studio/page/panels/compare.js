@@ -30,9 +30,10 @@ export function load(page) {
   onLanguage(() => { if (openTab() === "compare") build(); });
 }
 
-export function show(next, more) {
+export function render(version, { answer: next, moving }) {
+  if (answer === next) return;
   answer = next;
-  if (!more && openTab() === "compare") {
+  if (!moving && openTab() === "compare") {
     table();
     age();
   }

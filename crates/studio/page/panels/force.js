@@ -38,8 +38,8 @@ export function load(onEdit, onScene) {
 }
 
 // Follows the version: undo brings the recording and its ticks back.
-export function show(answer) {
-  const changed = hand.show(answer);
+export function render(version, { answer }) {
+  const changed = hand.show(answer ?? undefined);
   const recording = versions.now()?.recording ?? null;
   const key = recording && JSON.stringify([recording.file, recording.without, versions.now().files[recording.file]]);
   if (key !== seen) follow(recording, key);

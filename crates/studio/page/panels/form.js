@@ -174,9 +174,9 @@ function slide(entry) {
   });
 }
 
-// The fields of a design, or the ones before; over them the values of the version that no design has.
-export function update(fields, version) {
-  if (fields) known = fields;
+// The fields of the scene; over them the values of the version that no design has.
+export function render(version, { fields }) {
+  known = fields;
   if (drawn !== known) shown(known);
   drawn = known;
   overlay(version);

@@ -22,8 +22,9 @@ export function load(onEdit) {
   onLanguage(() => { if (openTab() === "programme") build(); });
 }
 
-export function show(answer) {
-  fields = answer.fields;
+export function render(version, seen) {
+  if (fields === seen.fields) return;
+  fields = seen.fields;
   if (openTab() === "programme" && !$("programme").contains(document.activeElement)) build();
   else if (openTab() === "programme") refresh();
 }

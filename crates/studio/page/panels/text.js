@@ -25,6 +25,6 @@ function fill() {
   if (area && document.activeElement !== area) area.value = versions.now()?.scene ?? "";
 }
 
-export function show(answer, more) {
-  if (!more && openTab() === "text") fill();
+export function render(version, { moving }) {
+  if (!moving && openTab() === "text") fill();
 }

@@ -19,7 +19,8 @@ export function load(onApply, more) {
   remedies = more;
 }
 
-export function show(answer) {
+export function render(version, { answer }) {
+  if (!answer || answer === shown) return;
   shown = answer;
   const state = answer.infeasible ? "infeasible" : answer.verdict;
   view.verdict(answer.infeasible ? "unacceptable" : answer.verdict, t(`studio-verdict-${state}`));
