@@ -34,7 +34,7 @@ pub struct EcamArgs {
     /// The controller: codesys, twincat (structured text); segments (ends of polynomials); rockwell (CAM array); csv (positions)
     #[arg(long, value_parser = dialects())]
     dialect: Dialect,
-    /// Equal intervals per cycle (default: as few as carry the law)
+    /// Number of equal intervals per cycle (default: the smallest number that reproduces the law)
     #[arg(long, value_name = "N")]
     points: Option<usize>,
     /// Print JSON

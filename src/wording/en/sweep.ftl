@@ -58,6 +58,6 @@ differs-value = { $path }: { $old ->
         [none] nothing
        *[other] { $new }
     } now
-differs-long = { $path }: another text
-differs-only-old = { $path }: "{ $text }" only before
-differs-only-new = { $path }: "{ $text }" only now
+differs-long = { $path }: the text differs
+differs-only-old = { $path }: only the first run has "{ $text }"
+differs-only-new = { $path }: only this run has "{ $text }"

@@ -124,7 +124,7 @@ synth-points-empty = the points give no condition
 synth-family-needs-force = this family follows a force, and none is given
     .help = add [gait], or use spline, polynomial or program
 synth-no-double-harmonic = the search found no double harmonic law
-synth-double-harmonic-useless = no double harmonic comes nearer to this force than rest
+synth-double-harmonic-useless = no double-harmonic law reproduces this force better than a constant force
     .help = use family = "spline"
 synth-dwells-overlap = two dwells overlap
     .help = write them as one

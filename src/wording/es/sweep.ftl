@@ -58,6 +58,6 @@ differs-value = { $path }: antes { $old ->
         [none] nada
        *[other] { $new }
     }
-differs-long = { $path }: otro texto
-differs-only-old = { $path }: "{ $text }" solo antes
-differs-only-new = { $path }: "{ $text }" solo ahora
+differs-long = { $path }: el texto es distinto
+differs-only-old = { $path }: solo la primera ejecución tiene "{ $text }"
+differs-only-new = { $path }: solo esta ejecución tiene "{ $text }"

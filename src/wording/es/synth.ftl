@@ -124,7 +124,7 @@ synth-points-empty = los puntos no dan ninguna condición
 synth-family-needs-force = esta familia sigue una fuerza y no se da ninguna
     .help = añada [gait], o use spline, polynomial o program
 synth-no-double-harmonic = la búsqueda no encontró ninguna ley armónica doble
-synth-double-harmonic-useless = ninguna ley armónica doble se acerca a esta fuerza más que el reposo
+synth-double-harmonic-useless = ninguna ley armónica doble reproduce esta fuerza mejor que una fuerza constante
     .help = use family = "spline"
 synth-dwells-overlap = dos detenimientos se solapan
     .help = escríbalos como uno solo

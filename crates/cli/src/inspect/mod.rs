@@ -37,7 +37,7 @@ pub struct InspectArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// Measured points of the profile, with centre and zero angle as the measuring machine has them: a csv with the columns
+    /// Measured points of the profile in the coordinates of the measuring machine: a csv with the columns
     /// x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point a line, in any order
     #[arg(value_name = "FILE")]
     measured: PathBuf,

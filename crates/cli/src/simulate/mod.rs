@@ -35,7 +35,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
-/// Which scene, on which machine, by which model.
+/// Arguments of `simulate`: the scene, the machine and the model.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct SimulateArgs {
