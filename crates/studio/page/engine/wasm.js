@@ -95,7 +95,7 @@ const hand = new Lane("engine");
 const long = new Lane("engine");
 const whole = new Lane("whole");
 const LANES = {
-  relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long,
+  relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long, range: long,
   export: whole, simulate: whole, identify: whole, recording: whole, contacts: whole,
 };
 const lane = (route) => LANES[route] ?? hand;

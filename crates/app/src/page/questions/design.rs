@@ -18,6 +18,7 @@ use crate::page::{lock, table, words};
 use gaitcam::Problem;
 use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
+use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{Minimise, Scene, keys};
 use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search, in_units};
@@ -115,7 +116,7 @@ struct Eased {
 /// Faults of the changes, of the scene and of its force.
 pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     let start = files.host.seconds();
-    let table = changed(files, ask)?;
+    let table = changed(files, &ask.scene, &ask.changes)?;
     let quick = match ask.quick {
         Some(size) => soon(files, &table, size)?,
         None => None,
@@ -132,9 +133,12 @@ pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
 }
 
 /// The scene with its changes.
-fn changed(files: &Files, ask: &Ask) -> Result<Table> {
-    let mut table = table(&ask.scene)?;
-    for edit in &ask.changes {
+///
+/// # Errors
+/// Faults of the scene and of the changes.
+pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
+    let mut table = table(scene)?;
+    for edit in changes {
         apply(&mut table, edit, &|table| Ok(files.scene(table)?.0))?;
     }
     Ok(table)
@@ -145,7 +149,7 @@ fn changed(files: &Files, ask: &Ask) -> Result<Table> {
 /// # Errors
 /// Faults of the changes and of the scene.
 pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
-    let table = changed(files, ask)?;
+    let table = changed(files, &ask.scene, &ask.changes)?;
     let (scene, _) = files.scene(&table)?;
     Ok(json!({
         "scene": toml::to_string(&table).unwrap_or_default(),
@@ -159,37 +163,75 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
 /// # Errors
 /// Faults of the scene and of its force.
 pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
-    let start = files.host.seconds();
-    let (scene, whole) = files.scene(&table)?;
-    let (target, force) = files.target(&scene)?.unzip();
-    let hash = files.of_scene(&toml::to_string(&table).unwrap_or_default());
-    let known = lock(&files.engine.designs).get(&hash);
+    let input = Input::read(files, table)?;
+    let known = lock(&files.engine.designs).get(&input.hash);
     if let Some(known) = known {
         return Ok(known);
     }
-    let solving = files.host.seconds();
     let halt = files.host.halt();
-    let search = Search::until(halt.clone());
-    let design = synth::answer(&scene, target.as_ref(), &search)?.built()?;
-    let end = files.host.seconds();
-    let time = Timing {
-        solve_s: end - solving,
-        total_s: end - start,
-    };
-    let made = Arc::new(Made {
-        table,
-        whole,
-        scene,
-        design,
-        time,
-        hash,
-        force,
-    });
+    let made = Arc::new(input.design(files, &halt)?);
     // What the halt cut short is not the design of its scene.
     if !halt.is_asked() {
         lock(&files.engine.designs).put(made.hash.clone(), Arc::clone(&made));
     }
     Ok(made)
+}
+
+/// A scene with its force, before its design.
+pub struct Input {
+    start: f64,
+    table: Table,
+    whole: Table,
+    scene: Scene,
+    target: Option<ForceCurve>,
+    force: Option<Hash>,
+    hash: Hash,
+}
+
+impl Input {
+    /// Reads the scene of a table and its force.
+    ///
+    /// # Errors
+    /// Faults of the scene and of its force.
+    pub fn read(files: &Files, table: Table) -> Result<Input> {
+        let start = files.host.seconds();
+        let (scene, whole) = files.scene(&table)?;
+        let (target, force) = files.target(&scene)?.unzip();
+        let hash = files.of_scene(&toml::to_string(&table).unwrap_or_default());
+        Ok(Input {
+            start,
+            table,
+            whole,
+            scene,
+            target,
+            force,
+            hash,
+        })
+    }
+
+    /// The design, searched until the halt.
+    ///
+    /// # Errors
+    /// Scenes that cannot be designed.
+    pub fn design(self, files: &Files, halt: &Halt) -> Result<Made> {
+        let solving = files.host.seconds();
+        let search = Search::until(halt.clone());
+        let design = synth::answer(&self.scene, self.target.as_ref(), &search)?.built()?;
+        let end = files.host.seconds();
+        let time = Timing {
+            solve_s: end - solving,
+            total_s: end - self.start,
+        };
+        Ok(Made {
+            table: self.table,
+            whole: self.whole,
+            scene: self.scene,
+            design,
+            time,
+            hash: self.hash,
+            force: self.force,
+        })
+    }
 }
 
 /// A quick design while a value is dragged: a feasible law, not the optimum, or the law without limits if none is found soon. `None` if neither

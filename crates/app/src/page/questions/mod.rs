@@ -3,6 +3,7 @@
 pub mod catalogue;
 pub mod design;
 pub mod export;
+pub mod range;
 pub mod recording;
 pub mod runs;
 pub mod variation;

@@ -1,0 +1,94 @@
+//! Verdicts of the designs over the values of one key: what a slider can be set to.
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+use toml::Table;
+
+use crate::page::edit::{Edit, apply};
+use crate::page::questions::design::{Input, changed};
+use crate::page::sources::Files;
+use gaitcam::cam::Verdict;
+use gaitcam::error::Result;
+use gaitcam::scene::keys::{self, Kind};
+
+/// Time after which no further design is begun: a page that asks in blocks can stop between them, s.
+const BLOCK: f64 = 0.12;
+/// Polls of the halt flag in the search of one design, the same on every machine.
+const LOOKS: usize = 3000;
+/// Maximum number of values of one question.
+const MOST: usize = 200;
+
+/// Values of one key.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Span {
+    /// TOML text of the scene.
+    pub scene: String,
+    /// Changes of the scene.
+    #[serde(default)]
+    pub changes: Vec<Edit>,
+    /// Dotted key of the value.
+    pub key: String,
+    /// First value, in `unit`.
+    pub from: f64,
+    /// Last value, in `unit`.
+    pub to: f64,
+    /// Number of values, equally spaced.
+    pub count: usize,
+    /// Unit after the number in a scene file, with its blank; empty for a count.
+    #[serde(default)]
+    pub unit: String,
+}
+
+/// The verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`. The list is shorter than asked where the time of a
+/// block has passed; it has at least one entry. "unknown" is a design whose search ended early, before it passed its checks.
+///
+/// # Errors
+/// Faults of the scene and its changes without the key.
+pub fn range(files: &Files, span: &Span) -> Result<Value> {
+    let table = changed(files, &span.scene, &span.changes)?;
+    let end = files.host.seconds() + BLOCK;
+    let mut verdicts: Vec<(f64, &str)> = Vec::new();
+    for value in values(span) {
+        let is_late = files.host.seconds() >= end || files.host.halt().is_asked();
+        if is_late && !verdicts.is_empty() {
+            break;
+        }
+        verdicts.push((value, verdict(files, &table, span, value)));
+    }
+    Ok(json!({ "values": verdicts }))
+}
+
+/// Equally spaced values, rounded to whole numbers for a count.
+fn values(span: &Span) -> Vec<f64> {
+    let count = span.count.clamp(1, MOST);
+    let step = (span.to - span.from) / count.saturating_sub(1).max(1) as f64;
+    let whole = keys::find(&span.key).is_some_and(|k| matches!(k.kind, Kind::Count(..)));
+    let at = (0..count).map(|i| span.from + step * i as f64);
+    let mut all: Vec<f64> = at.map(|x| if whole { x.round() } else { x }).collect();
+    all.dedup();
+    all
+}
+
+fn verdict(files: &Files, table: &Table, span: &Span, value: f64) -> &'static str {
+    let mut table = table.clone();
+    let edit = Edit::Set {
+        key: span.key.clone(),
+        value: format!("{value}{}", span.unit),
+    };
+    if apply(&mut table, &edit, &|table| Ok(files.scene(table)?.0)).is_err() {
+        return "fault";
+    }
+    let halt = files.host.halt().or_after(LOOKS);
+    let input = Input::read(files, table);
+    let Ok(made) = input.and_then(|i| i.design(files, &halt)) else {
+        return "fault";
+    };
+    let design = &made.design;
+    let is_passing = design.verdict != Verdict::Unacceptable;
+    match &design.infeasible {
+        _ if halt.was_heard() && !is_passing => "unknown",
+        Some(_) => "infeasible",
+        None => design.verdict.name(),
+    }
+}
