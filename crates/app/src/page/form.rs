@@ -18,6 +18,9 @@ pub struct Field {
     pub text: String,
     /// Value that applies without text: that of the design, or the default.
     pub placeholder: String,
+    /// Value that the design has for a key left open.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
     pub acts: bool,
     /// The slider, for keys with a meaningful range.
@@ -64,12 +67,22 @@ pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap
                 }
                 _ => key.default.to_string(),
             };
+            let accepted = design.and_then(|d| d.problem.accuracy);
+            let taken = match key.path {
+                "accuracy.rms" => accepted,
+                _ => in_design,
+            };
+            let taken = taken
+                .filter(|_| text.is_empty() || text == "auto")
+                .zip(key.dimension(scene));
+            let taken = taken.map(|(value, dimension)| shown(value, dimension));
             let acts = key.idle(scene).is_none();
             out.insert(
                 path,
                 Field {
                     text,
                     placeholder,
+                    taken,
                     acts,
                     slider,
                 },
@@ -161,7 +174,7 @@ fn slider(
 ) -> Option<Slider> {
     if let Kind::Count(low, high) = key.kind {
         let at = text.parse::<f64>().ok()?;
-        let most = (high as f64).min((3.0 * at).max(12.0));
+        let most = (high as f64).min(round_above(1.3 * at).max(12.0));
         return Some(Slider {
             from: low as f64,
             to: most,
@@ -181,49 +194,77 @@ fn slider(
         .ok()
         .filter(|f| *f > 0.0)?;
     let at = value / factor;
-    let (from, to) = ends(key.range, dimension, at, factor)?;
+    let (from, to) = match usual(key.path) {
+        Some((low, high)) if (low..=high).contains(&value) => (low / factor, high / factor),
+        _ => ends(key.range, dimension, at, factor)?,
+    };
     let step = 10_f64.powf(((to - from) / 300.0).log10().floor());
-    let round = |x: f64| (x / step).round() * step;
     Some(Slider {
-        from: round(from).max(lowest(key.range, step)),
-        to: round(to),
+        from,
+        to,
         step,
         at,
         unit,
     })
 }
 
-/// Lower end of a slider for a positive number.
-fn lowest(range: Range, step: f64) -> f64 {
-    match range {
-        Range::Positive | Range::Acute => step,
-        Range::NotNegative => 0.0,
-        _ => f64::NEG_INFINITY,
+/// Usual range of a key whose physical range is narrow, SI.
+fn usual(path: &str) -> Option<(f64, f64)> {
+    match path {
+        "gait.step_frequency" => Some((1.0, 3.0)),
+        "machine.motor.efficiency" => Some((0.2, 1.0)),
+        _ => None,
     }
 }
 
+/// Ends of a slider as round numbers with the value well inside; positive values start close to zero.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
-        Range::Acute => (0.0, 80_f64.to_radians() / factor),
+        Range::Acute => (
+            tidy(1_f64.to_radians() / factor),
+            tidy(80_f64.to_radians() / factor),
+        ),
         Range::Between(low, high)
             if high.is_finite() && high / factor < 100.0 * at.abs().max(0.01) =>
         {
-            (low / factor, high / factor)
+            (tidy(low / factor), tidy(high / factor))
         }
         Range::Any if dimension == Dimension::Angle => {
-            let half = std::f64::consts::PI / factor;
+            let half = tidy(std::f64::consts::PI / factor);
             (-half, half)
         }
-        Range::Any if at < 0.0 => (2.5 * at, -at),
-        Range::Any if at == 0.0 => {
-            let size = 0.05 / factor;
+        Range::Any => {
+            let size = match at {
+                0.0 => round_above(0.05 / factor),
+                _ => round_above(1.3 * at.abs()),
+            };
             (-size, size)
         }
-        Range::Any => (-0.5 * at, 2.5 * at),
-        _ if at > 0.0 => (0.2 * at, 2.5 * at),
+        Range::NotNegative if at == 0.0 => return None,
+        _ if at > 0.0 => {
+            let to = round_above(1.3 * at);
+            let from = match range {
+                Range::NotNegative => 0.0,
+                _ => tidy(to / 50.0),
+            };
+            (from, to)
+        }
         _ => return None,
     };
     Some(ends)
+}
+
+/// The smallest of the numbers 1, 2 and 5 times a power of ten that is not below `x`.
+fn round_above(x: f64) -> f64 {
+    let power = 10_f64.powf(x.log10().floor());
+    let times = [1.0, 2.0, 5.0, 10.0].into_iter();
+    let round = times.map(|t| t * power).find(|r| *r >= x * (1.0 - 1e-9));
+    tidy(round.unwrap_or(10.0 * power))
+}
+
+/// Four significant digits, so that products of units are shown as people write them.
+fn tidy(x: f64) -> f64 {
+    short(x).parse().unwrap_or(x)
 }
 
 /// The unit as typed, or the customary unit, with the blank before it.
