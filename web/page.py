@@ -54,7 +54,7 @@ def without_custom_sections(module):
 
 def index():
     text = (PAGE / "index.html").read_text()
-    return text.replace("{language}", "en").replace("{engine}", "wasm")
+    return text.replace("{language}", "").replace("{engine}", "wasm")
 
 
 def inline(tag, text, **attributes):

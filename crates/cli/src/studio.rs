@@ -36,7 +36,7 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
     let ready = open(&Options {
         open: args.open.clone(),
         port: args.port,
-        language: language::current(),
+        language: language::given(),
     })?;
     // A panic costs one answer; its trace belongs into the terminal.
     let _ = std::panic::take_hook();

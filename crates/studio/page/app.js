@@ -41,6 +41,7 @@ function edit(changes, gesture = null, more = {}) {
 function openScene(toml, more = {}) {
   const [, name = ""] = /^name\s*=\s*"([^"]*)"/m.exec(toml) ?? [];
   versions.open(toml, { name, ...more });
+  form.anew();
   elsewhere();
   anew = true;
   stage.anew();
@@ -139,9 +140,7 @@ async function boot() {
   units.load();
   const start = await engine.ask("start", {});
   words.load(start.words);
-  let tag = document.documentElement.lang;
-  try { tag = localStorage.getItem("gaitcam-language") ?? tag; } catch { /* private windows keep nothing */ }
-  words.choose(tag);
+  words.begin();
   status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
   verdict.load((changes) => edit(changes), (fault) => force.remedies(fault));

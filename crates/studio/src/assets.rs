@@ -14,13 +14,13 @@ const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs
 /// The file that the report also contains.
 const MOTION: &str = "core/motion.js";
 
-/// The page itself; its other files are below `base`.
-pub fn page(base: &str, language: Language) -> Response {
+/// The page itself; its other files are below `base`. Without a language the page takes that of the browser.
+pub fn page(base: &str, language: Option<Language>) -> Response {
     let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
     let page = page
         .replace("{base}", base)
         .replace("{engine}", "native")
-        .replace("{language}", language.tag());
+        .replace("{language}", language.map_or("", Language::tag));
     Response::new(HTML, page)
 }
 

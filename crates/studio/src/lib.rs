@@ -41,8 +41,8 @@ pub struct Options {
     pub open: Option<PathBuf>,
     /// The port; 0 takes a free one.
     pub port: u16,
-    /// Language of the page at first.
-    pub language: Language,
+    /// Language of the page at first; that of the browser if `None`.
+    pub language: Option<Language>,
 }
 
 /// A running studio server.
@@ -50,8 +50,8 @@ struct Studio {
     guard: Guard,
     folder: Folder,
     start: Start,
-    /// Language of the page at first.
-    language: Language,
+    /// Language of the page at first; that of the browser if `None`.
+    language: Option<Language>,
     engine: Engine,
     began: Instant,
 }
@@ -79,7 +79,7 @@ impl Ready {
 /// # Errors
 /// Missing folders and scenes, a port in use.
 pub fn open(options: &Options) -> Result<Ready> {
-    set_language(options.language);
+    set_language(options.language.unwrap_or_default());
     let (folder, start) = opened(options.open.as_deref())?;
     let fault = |e: std::io::Error| {
         let (port, fault) = (options.port, e.to_string());

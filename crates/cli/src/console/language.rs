@@ -7,10 +7,18 @@ use gaitcam::wording::Language;
 
 /// The language, set once the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
+/// The language of `--lang`.
+static GIVEN: OnceLock<Option<Language>> = OnceLock::new();
 
 /// Sets the language for the rest of the run, before the arguments are parsed, because help and errors use it.
 pub fn set(arguments: &[OsString]) {
-    let _ = LANGUAGE.set(of_arguments(arguments).unwrap_or_else(of_environment));
+    let given = GIVEN.get_or_init(|| of_arguments(arguments));
+    let _ = LANGUAGE.set(given.unwrap_or_else(of_environment));
+}
+
+/// The language that `--lang` states.
+pub fn given() -> Option<Language> {
+    GIVEN.get().copied().flatten()
 }
 
 /// The value of `--lang`, in either form.

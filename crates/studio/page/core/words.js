@@ -30,19 +30,31 @@ export function onLanguage(listener) {
 
 // Gives every marked element below `root` its text.
 export function translate(root = document) {
-  for (const e of root.querySelectorAll("[data-text]")) e.textContent = t(e.dataset.text);
-  for (const e of root.querySelectorAll("[data-label]")) {
+  for (const e of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-text]"))) e.textContent = t(e.dataset.text);
+  for (const e of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-label]"))) {
     const text = t(e.dataset.label);
     e.setAttribute("aria-label", text);
     if (e.matches("button, label, select")) e.title = text;
   }
 }
 
+// The language that was chosen here, else that of the command line, else the browser's first that the page has.
+export function begin() {
+  let kept = null;
+  try { kept = localStorage.getItem("gaitcam-language"); } catch { /* private windows keep nothing */ }
+  const wished = [kept, document.documentElement.lang, ...(navigator.languages ?? [])];
+  become(wished.map((tag) => tag?.slice(0, 2)).find((tag) => tag in all) ?? "en");
+}
+
 export function choose(next) {
+  try { localStorage.setItem("gaitcam-language", next); } catch { /* as above */ }
+  become(next);
+}
+
+function become(next) {
   tag = next;
   document.documentElement.lang = next;
   speak(next);
-  try { localStorage.setItem("gaitcam-language", next); } catch { /* private windows keep nothing */ }
   translate();
   for (const listener of listeners) listener(next);
 }

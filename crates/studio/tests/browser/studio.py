@@ -55,7 +55,7 @@ class Native:
         self.start(port)
 
     def start(self, port=0):
-        command = [BINARY, "studio", str(self.folder), "--no-open", "--port", str(port), "--lang", "en"]
+        command = [BINARY, "studio", str(self.folder), "--no-open", "--port", str(port)]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         self.url = self.process.stdout.readline().strip()
         assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\?token=[0-9a-f]+", self.url), self.url
@@ -113,7 +113,8 @@ def fresh(route):
     elif not name:
         answer = route.fetch()
         base = re.search(r'<base href="([^"]*)"', answer.text()).group(1)
-        body = file.read_text().replace("{base}", base).replace("{language}", "en").replace("{engine}", "native")
+        tag = re.search(r'<html lang="(\w*)"', answer.text()).group(1)
+        body = file.read_text().replace("{base}", base).replace("{language}", tag).replace("{engine}", "native")
         route.fulfill(response=answer, body=body)
     elif file.is_file():
         kind = {"js": "text/javascript", "css": "text/css"}[file.suffix[1:]]
