@@ -42,7 +42,7 @@ label-limits-pressure_angle_fall = Pressure angle, fall
 
 key-limits-prime_radius = Maximum prime radius (flat faces: base radius) of a cam whose size is free.
 name-prime-radius = prime_radius
-label-limits-prime_radius = Prime circle radius
+label-limits-prime_radius = Maximum prime radius
 
 key-limits-face_width = Maximum length of the flat face.
 name-face-width = face_width

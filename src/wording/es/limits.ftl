@@ -42,7 +42,7 @@ label-limits-pressure_angle_fall = Ángulo de presión, bajada
 
 key-limits-prime_radius = Radio primario máximo (caras planas: radio base) de una leva de tamaño libre.
 name-prime-radius = radio primario
-label-limits-prime_radius = Radio del círculo primario
+label-limits-prime_radius = Radio primario máximo
 
 key-limits-face_width = Longitud máxima de la cara plana.
 name-face-width = longitud de la cara

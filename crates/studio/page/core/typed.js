@@ -2,7 +2,7 @@
 
 const NUMBER = String.raw`[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?`;
 const BARE = new RegExp(`^${NUMBER}$`);
-const COMMA = /^([+-]?\d*),(\d+)(?=$|[^\d,])/;
+const COMMA = /(?<![\d.,])(\d*),(\d+)(?![\d.,])/g;
 const SUM = /^[\d\s.,+\-*/()]*[*/()][\d\s.,+\-*/()]*/;
 
 // The unit behind the number of a text; empty where there is none.
@@ -13,16 +13,21 @@ export function unitOf(text = "") {
 
 // What the scene takes for a typed text, in a field that shows `unit`.
 export function value(text, unit) {
-  let plain = calculated(text.trim());
-  plain = plain.replace(COMMA, (all, whole, part) => `${whole || "0"}.${part}`);
+  const plain = calculated(text.trim().replace(COMMA, (all, whole, part) => `${whole || "0"}.${part}`));
   return unit && BARE.test(plain) ? `${plain} ${unit}` : plain;
+}
+
+// The number of a text that is one number with or without a unit.
+export function number(text = "") {
+  const [, x, unit = ""] = new RegExp(`^\\s*(${NUMBER})\\s*([^\\d\\s/].*)?$`).exec(text) ?? [];
+  return x === undefined || unit.includes(":") ? NaN : Number(x.replace(",", "."));
 }
 
 // `2*40 mm` is 80 mm. A single fraction, `3/8 in`, is left as it is: the scene takes it.
 function calculated(text) {
   const [part = ""] = SUM.exec(text) ?? [];
   if (part === "" || /^\s*\d+\s*\/\s*\d+\s*$/.test(part)) return text;
-  const x = new Sum(part.replaceAll(",", ".")).result();
+  const x = new Sum(part).result();
   return Number.isFinite(x) ? `${Number(x.toPrecision(12))} ${text.slice(part.length)}`.trim() : text;
 }
 

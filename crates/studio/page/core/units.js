@@ -52,5 +52,12 @@ export function panel(whole) {
   const [to, factor] = unit(whole.unit);
   if (factor === 1) return whole;
   const scaled = (y) => (y === null ? null : y * factor);
-  return { ...whole, unit: to, lines: whole.lines.map((l) => ({ ...l, y: l.y.map(scaled) })), levels: whole.levels.map((l) => ({ ...l, y: scaled(l.y), from: scaled(l.from) })) };
+  const lines = whole.lines.map((l) => ({ ...l, y: l.y.map(scaled) }));
+  const levels = whole.levels.map((l) => ({ ...l, y: scaled(l.y), from: scaled(l.from) }));
+  return { ...whole, unit: to, lines, levels };
+}
+
+// A text of a scene as it is printed: powers raised, degrees close to their number.
+export function typeset(text) {
+  return text.replace(/\^2\b/g, "²").replace(/\^3\b/g, "³").replace(/(\d) ?deg\b/g, "$1°").replace(/\bdeg\b/g, "°");
 }

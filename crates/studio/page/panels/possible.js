@@ -1,0 +1,148 @@
+// What a slider can be set to: the verdicts of the designs over its values, asked for in the background while the hand rests.
+
+import { engine } from "../core/net.js";
+import { t, number } from "../core/words.js";
+import { typeset } from "../core/units.js";
+import * as blobs from "../core/blobs.js";
+import * as designs from "../core/designs.js";
+import * as versions from "../core/versions.js";
+
+const COUNT = 17;
+const HALVINGS = 4;
+const REST = 400;
+const KEPT = 40;
+const COLOURS = { acceptable: "var(--possible)", "not-for-high-speed": "var(--possible-slow)" };
+const classOf = ([, verdict]) => (verdict in COLOURS ? verdict : "none");
+
+// The slider that is meant: {key, range}; the last one that was pointed at, focused or moved.
+let aim = null;
+let timer = 0;
+let control = null;
+let draw = () => {};
+// Verdicts by what they depend on: {points: [[value, verdict]], done}.
+const found = new Map();
+
+export function load(onFound) {
+  draw = onFound;
+  // Whatever the hand does comes first.
+  for (const name of ["pointerdown", "keydown", "input"]) document.addEventListener(name, rest, { capture: true, passive: true });
+}
+
+export const aimed = () => aim?.key ?? null;
+
+export function aimAt(key, range) {
+  if (aim?.key === key) return;
+  aim = { key, range };
+  rest();
+  draw();
+}
+
+function rest() {
+  clearTimeout(timer);
+  control?.abort();
+  control = null;
+  if (aim) timer = setTimeout(begin, REST);
+}
+
+// All that the verdicts depend on: every value of the scene but this one, its files, and the ends of the slider.
+function depends({ key, range }) {
+  const fields = Object.entries(designs.known()).filter(([other]) => other !== key).map(([, field]) => field.text);
+  return JSON.stringify([key, range.from, range.to, range.unit, fields, versions.now()?.files]);
+}
+
+function keep(id, entry) {
+  found.delete(id);
+  found.set(id, entry);
+  if (found.size > KEPT) found.delete(found.keys().next().value);
+}
+
+async function begin() {
+  const question = asked();
+  if (!question) {
+    timer = setTimeout(begin, REST);
+    return;
+  }
+  const id = depends(aim);
+  const entry = found.get(id) ?? { points: [], done: false };
+  keep(id, entry);
+  if (entry.done) return;
+  const { signal } = control = new AbortController();
+  try {
+    await fill(entry, question, signal);
+    entry.done = true;
+    draw();
+  } catch { /* another input came first, or the engine has no such question */ }
+}
+
+// The question about the present scene, once its design is there.
+function asked() {
+  const version = versions.now();
+  if (!aim || document.hidden || !designs.isCurrent() || !$range()?.checkVisibility()) return null;
+  const { key, range } = aim;
+  return { scene: version.scene, files: blobs.listed(version.files), key, unit: range.unit, range };
+}
+
+const $range = () => document.querySelector(`input[data-key="${aim.key}"]`);
+
+async function fill(entry, { range, ...question }, signal) {
+  const { from, to, step } = range;
+  const count = step === 1 ? Math.min(COUNT, to - from + 1) : COUNT;
+  const ask = async (block) => {
+    const { values } = await engine.ask("range", { ...question, ...block }, { signal });
+    if (values.length === 0) throw new RangeError(question.key);
+    entry.points = [...entry.points, ...values].sort(([a], [b]) => a - b);
+    draw();
+    return values;
+  };
+  const at = (i) => from + (to - from) * i / Math.max(1, count - 1);
+  // One that was stopped goes on where it was.
+  for (let i = entry.points.length; i < count;) {
+    i += (await ask({ from: at(i), to, count: count - i })).length;
+  }
+  for (const border of borders(entry.points)) await halve(border, step, ask);
+}
+
+export const borders = (points) => points.slice(1).map((p, i) => [points[i], p]).filter(([a, b]) => classOf(a) !== classOf(b));
+
+async function halve([low, high], step, ask) {
+  for (let i = 0; i < HALVINGS && high[0] - low[0] > 1.5 * step; i += 1) {
+    const middle = (low[0] + high[0]) / 2;
+    const [point] = await ask({ from: middle, to: middle, count: 1 });
+    if (classOf(point) === classOf(low)) low = point;
+    else high = point;
+  }
+}
+
+// Neighbours of one class as [class, from, to]; a border lies on the side of what is not acceptable.
+export function stretches(points) {
+  const all = [];
+  for (const point of points) {
+    const last = all.at(-1);
+    if (last?.[0] === classOf(point)) last[2] = point[0];
+    else all.push([classOf(point), point[0], point[0]]);
+  }
+  return all;
+}
+
+// A gradient for the track of the slider and the same in words; null where nothing is known.
+export function shown(key, range) {
+  if (aim?.key !== key) return null;
+  aim.range = range;
+  const entry = found.get(depends(aim));
+  if (!entry || entry.points.length === 0) return null;
+  const share = (x) => `${(100 * (x - range.from) / (range.to - range.from)).toFixed(2)}%`;
+  const all = stretches(entry.points);
+  const stops = all.map(([name, from, to], i) => {
+    const [low, high] = name === "none" ? [all[i - 1]?.[2] ?? range.from, all[i + 1]?.[1] ?? to] : [from, to];
+    return `${COLOURS[name] ?? "transparent"} ${share(low)} ${share(high)}`;
+  });
+  return { gradient: `linear-gradient(to right, ${stops.join(", ")}, transparent ${share(all.at(-1)[2])})`, words: entry.done ? words(all, range.unit) : "" };
+}
+
+function words(all, unit) {
+  const passing = all.filter(([name]) => name !== "none");
+  if (passing.length === 0) return t("studio-possible-none");
+  const texts = passing.map(([name, from, to]) => t(name === "acceptable" ? "studio-possible" : "studio-possible-slow",
+    { from: number(from, 3), to: number(to, 3), unit: typeset(unit.trim()) }).trim());
+  return texts.join("; ");
+}

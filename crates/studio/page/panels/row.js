@@ -1,0 +1,123 @@
+// One value of the form: its name, which opens its help, its text or choice, and its slider.
+
+import { html, nothing, live } from "../core/dom.js";
+import { t, local } from "../core/words.js";
+import { typeset } from "../core/units.js";
+import * as typed from "../core/typed.js";
+import * as slider from "./slider.js";
+import * as possible from "./possible.js";
+import { label, choice, help } from "./names.js";
+
+const NUMBERS = ["number", "number-or-word", "count"];
+const isNumber = ({ kind }) => NUMBERS.includes(kind);
+export const id = (key) => `f-${key.replaceAll(".", "-")}`;
+// Listeners by key: the same objects in every picture.
+const kept = new Map();
+
+// `of(key)` is the field of a key at present, `send(key, value, gesture)` a change, `draw` shows the form again.
+export function listeners(key, { of, send, draw, help: open }) {
+  if (kept.has(key.key)) return kept.get(key.key);
+  const name = key.key;
+  const aim = () => {
+    const field = of(name);
+    if (field?.slider) possible.aimAt(name, slider.extent(name, field.slider));
+  };
+  const all = {
+    open: () => open(name),
+    row: { focusin: aim, pointerenter: aim },
+    slider: slider.listeners(name, () => of(name), draw),
+    choose: (event) => {
+      slider.begin();
+      send(name, event.target.value, slider.gestureOf(name));
+    },
+    focus: () => slider.begin(),
+    blur: () => {
+      slider.release();
+      draw();
+    },
+    type: ({ target }) => {
+      slider.type(name, target.value);
+      send(name, isNumber(key) ? typed.value(target.value, unitOf(of(name))) : target.value, slider.gestureOf(name));
+    },
+    press: (event) => {
+      if (event.key === "Enter") slider.begin();
+      if (event.key === "F1") {
+        event.preventDefault();
+        open(name);
+      }
+      const field = of(name);
+      if (["ArrowUp", "ArrowDown"].includes(event.key) && field?.slider) slider.nudge(name, field.slider, event);
+    },
+    end: ({ target }) => {
+      slider.setEnd(name, of(name).slider, target.dataset.end, target.value);
+      draw();
+    },
+  };
+  kept.set(name, all);
+  return all;
+}
+
+const unitOf = (field) => field?.slider?.unit.trim() || typed.unitOf(field?.text) || typed.unitOf(field?.placeholder);
+
+// `row`: {key, field, text (what stands in it), fault, isMain, isAway, isOpen, on}.
+export function template(row) {
+  const { key, field, fault, on } = row;
+  const name = key.key;
+  const range = field?.slider && field.slider.to - field.slider.from > 1e-9 ? field.slider : null;
+  const kinds = { row: true, main: row.isMain, idle: field && !field.acts, set: row.text !== "", unused: row.isAway, faulty: fault };
+  const kind = Object.keys(kinds).filter((k) => kinds[k]).join(" ");
+  const taken = row.text === "auto" && field?.taken;
+  return html`<div class=${kind} data-row=${name} ?hidden=${row.isHidden} @focusin=${on.row.focusin} @pointerenter=${on.row.pointerenter}>
+    <button type="button" class="term" id="${id(name)}-label" tabindex=${row.isAimed ? 0 : -1} aria-expanded=${row.isOpen ? "true" : "false"}
+      aria-controls="${id(name)}-help" @click=${on.open}>${label(name)}</button>
+    ${isNumber(key) || key.kind.startsWith("text") ? input(row) : select(row)}
+    ${taken ? html`<small class="taken">→ ${local(typeset(field.taken))}</small>` : nothing}
+    ${range ? track(row, range) : nothing}
+    <p class="help" id="${id(name)}-help" ?hidden=${!row.isOpen}>${row.isOpen ? html`${help(key)} <code>${name}</code>` : nothing}</p>
+    <p class="row-fault" id="${id(name)}-fault" ?hidden=${!fault}>${fault ? fault.message + (fault.help ? `; ${fault.help}` : "") : ""}</p>
+  </div>`;
+}
+
+const described = (name) => `${id(name)}-help ${id(name)}-fault`;
+
+function input({ key, field, text, fault, isAway, on }) {
+  const name = key.key;
+  const open = field?.taken
+    ? (key.default === "auto" ? `auto → ${typeset(field.taken)}` : t("studio-reached", { value: typeset(field.taken) }))
+    : typeset(field?.placeholder ?? "");
+  return html`<input type="text" id=${id(name)} name=${name} autocomplete="off" spellcheck="false" aria-labelledby="${id(name)}-label"
+    aria-describedby=${described(name)} aria-invalid=${fault ? "true" : nothing} tabindex=${isAway ? -1 : 0}
+    placeholder=${isNumber(key) ? local(open) : open} .value=${live(text)}
+    @focus=${on.focus} @blur=${on.blur} @input=${on.type} @keydown=${on.press}>`;
+}
+
+function select({ key, field, text, fault, isAway, on }) {
+  const name = key.key;
+  const flags = { true: t("studio-yes"), false: t("studio-no") };
+  const named = (value) => (key.kind === "flag" ? flags[value] : choice(value));
+  const usual = field?.placeholder ? `(${named(field.placeholder) ?? field.placeholder})` : "–";
+  const values = key.kind === "flag" ? ["true", "false"] : key.choices;
+  return html`<select id=${id(name)} name=${name} aria-labelledby="${id(name)}-label" aria-describedby=${described(name)}
+    aria-invalid=${fault ? "true" : nothing} tabindex=${isAway ? -1 : 0} @change=${on.choose}>
+    <option value="" .selected=${live(text === "")}>${usual}</option>
+    ${values.map((value) => html`<option value=${value} .selected=${live(text === value)}>${named(value)}</option>`)}
+  </select>`;
+}
+
+function track({ key, text, isAway, isAimed, on }, field) {
+  const name = key.key;
+  const range = slider.extent(name, field);
+  const pending = typed.unitOf(text) === range.unit.trim() ? typed.number(text) : NaN;
+  const at = slider.held(name)?.at ?? (Number.isFinite(pending) ? pending : field.at);
+  const seen = isAimed ? possible.shown(name, range) : null;
+  const end = (which) => html`<input class="end" data-end=${which} inputmode="decimal" tabindex=${isAimed && !isAway ? 0 : -1}
+    aria-label="${t(`studio-end-${which}`)}: ${label(name)}" .value=${live(slider.shownEnd(range[which]))} @change=${on.end}>`;
+  return html`<div class="track">
+    <input type="range" data-key=${name} min=${range.from} max=${range.to} step="any" tabindex=${isAway ? -1 : 0} .value=${live(String(at))}
+      aria-label=${t("studio-slider", { name: label(name) })} aria-valuetext=${text} aria-description=${seen?.words || nothing}
+      @pointerdown=${on.slider.pointerdown} @pointermove=${on.slider.pointermove} @pointercancel=${on.slider.pointercancel} @pointerup=${on.slider.pointerup}
+      @input=${on.slider.input} @change=${on.slider.change} @keydown=${on.slider.keydown}>
+    <i class="possible" style=${seen ? `--shade: ${seen.gradient}` : nothing}></i>
+    <span class="ends">${end("from")}<small>${seen?.words ?? ""}</small>${end("to")}</span>
+  </div>`;
+}
