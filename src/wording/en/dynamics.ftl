@@ -1,93 +1,93 @@
 # Faults in what a simulation is given, and what its models cannot answer.
-dynamics-machine = mass, spring rate, damping, friction and speed must be finite, the first three not negative
+dynamics-machine = mass, spring rate, damping, friction and speed must be finite; mass, spring rate and damping must not be negative
 dynamics-friction = invalid coefficient of friction { $friction }
     .help = it must be 0 or more
 dynamics-contact-line = a contact line needs a positive length and materials with a positive Young's modulus and a Poisson's ratio in [0, 0.5]
 dynamics-target = the target force must be finite at every angle
-dynamics-slide-backwards = a translating cam whose law does not repeat runs forwards only
+dynamics-slide-backwards = a translating cam with a law that does not repeat moves only forwards
     .help = give the drive a positive speed
-dynamics-second-cam = a second cam on the shaft needs a follower that rests on the first, and a law of one turn
+dynamics-second-cam = a second cam on the shaft requires a law of one turn and a follower that rests on the first cam
     .help = omit the second cam
 dynamics-restitution = invalid coefficient of restitution { $restitution }
     .help = it must lie in [0, 1]: 0 for a plastic impact, 1 for an elastic one
-dynamics-few-rows = { $rows } points are too few for a profile
+dynamics-few-rows = { $rows } points are not sufficient for a profile
     .help = give at least 8 points, preferably 360 or more
 dynamics-row-angle = profile row { $row } is at { $at } instead of { $expected }
     .help = a simulation needs rows at equal steps over the cycle of the cam
-dynamics-row-reach = profile row { $row } cannot be touched by this follower: { $follower }
+dynamics-row-reach = this follower ({ $follower }) cannot touch profile row { $row }
     .help = its coordinates must be finite and within the follower's range
-dynamics-concave = the profile is undercut or concave at { $at }: radius of curvature { $radius }
+dynamics-concave = at { $at } the profile is undercut or concave, with a radius of curvature of { $radius }
     .help = a flat face cannot touch it; increase the base radius
 dynamics-frequency = invalid natural frequency of { $frequency } Hz with damping ratio { $ratio }
     .help = the frequency must be positive and the damping ratio not negative
 dynamics-frequency-without-mass = a natural frequency needs a moving mass
     .help = { $fluid ->
-        [true] a hydraulic drive moves none; give machine.stiffness, that of the fluid column, in place of the frequency
-       *[other] give drive.mass, under an arm drive.inertia
+        [true] a hydraulic drive has no moving mass; instead of the frequency, give the stiffness of the fluid column (machine.stiffness)
+       *[other] give drive.mass, or drive.inertia for a follower on an arm
     }
 dynamics-train = the follower's stiffness must be positive and its damping not negative
-dynamics-resonance = resonance: the undamped follower vibrates { $cycles } times per turn, at a harmonic of the cam; there is no steady state
+dynamics-resonance = resonance: the undamped follower vibrates { $cycles } times per turn, at a harmonic of the cam, so there is no steady state
     .help = give a damping ratio above 0, or another speed
 dynamics-no-train = the flexible model needs the stiffness of the follower
     .help = give machine.natural_frequency or machine.stiffness
-dynamics-open-vibration = a translating cam whose law does not repeat has no steady-state vibration
+dynamics-open-vibration = a translating cam with a law that does not repeat has no steady-state vibration
     .help = use the rigid model
 dynamics-held-by-groove = the groove guides the roller on both sides: contact cannot be lost
     .help = use the rigid or the flexible model, which give the side in contact
 dynamics-held-by-pair = a conjugate pair guides the follower on both sides: contact cannot be lost
     .help = use the rigid or the flexible model, which give the side in contact
-dynamics-not-one-turn = the contact model needs a cam that turns once per cycle
-    .help = use the rigid model: its minimum contact force shows whether a translating cam keeps contact
-dynamics-motor = inertia and friction of the motor's shaft must not be negative, gear and efficiency positive, and the speed of the shaft not 0
+dynamics-not-one-turn = the contact model requires a cam that turns once per cycle
+    .help = use the rigid model: its minimum contact force shows whether a translating cam loses contact
+dynamics-motor = inertia and friction of the motor shaft must not be negative; gear ratio and efficiency must be positive; the speed of the shaft must not be 0
 dynamics-motor-turns = a motor can only turn one cam whose law spans one turn
     .help = omit machine.motor or the second cam
-dynamics-stalls = the shaft does not keep turning: its inertia of { $inertia } is too small to carry it past the maximum load
+dynamics-stalls = the shaft stops: its inertia of { $inertia } is too small to carry it past the maximum load
     .help = set machine.inertia = "{ $needed }" or more, or a steeper torque line
-dynamics-stalls-anyway = the shaft does not keep turning with any inertia: the torque line of the motor is too weak for the load
+dynamics-stalls-anyway = the shaft stops with any inertia: the torque line of the motor is too low for the load
     .help = give a steeper torque line (machine.motor.slope, machine.motor.stall_torque)
 dynamics-no-load-speed = the no-load speed of the motor, { $nominal }, is too low for a mean speed of { $speed } of the camshaft
     .help = set machine.motor.no_load_speed = "{ $needed }" or more, or a lower machine.motor.gear
-dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at its undamped frequency of { $frequency }
+dynamics-floor-resonance = the floor has no steady motion: harmonic { $harmonic } of the force is at the natural frequency of an undamped mode, { $frequency }
     .help = give this mode a damping ratio above 0, for example "0.005"
-dynamics-contact-under-motor = the contact model needs a constant speed, and the motor varies it
+dynamics-contact-under-motor = the contact model requires a constant speed, but the motor varies it
     .help = use --model rigid, or omit [machine.motor]
-dynamics-floor-not-rigid = only the rigid model has a floor that moves
-    .help = use --model rigid or auto without flexible follower, or omit [machine.floor]
-dynamics-floor-and-shaft = shaft and floor find no common steady motion
+dynamics-floor-not-rigid = only the rigid model includes a moving floor
+    .help = use --model rigid, use --model auto without a flexible follower, or omit [machine.floor]
+dynamics-floor-and-shaft = the search found no common steady motion of shaft and floor
     .help = use a larger machine.inertia or a larger machine.floor.damping
-dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
-dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
+dynamics-open-polydyne = a polydyne cam requires a law that repeats, because otherwise there is no steady state
+dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam includes the deflection under the force, so its acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments
 
 # Why a model was chosen.
 model-asked-for = selected
 model-low-force = the rigid contact load falls to { $force }, below { $part } of its mean { $mean }; { $liftoff }
 model-near-liftoff = near lift-off: { $liftoff }
-model-two-cams = impacts occur where one cam takes over from the other; only the contact model includes them
-model-nothing-vibrates = { $margin }; no natural frequency or stiffness is given, so nothing can vibrate
-model-vibration-loses-contact = { $vibration }; with vibration the contact load falls to { $force } and contact is lost; the contact model leaves the vibration out
+model-two-cams = impacts occur where the load changes from one cam to the other; only the contact model includes them
+model-nothing-vibrates = { $margin }; no natural frequency or stiffness is given, so vibration is not computed
+model-vibration-loses-contact = { $vibration }; with vibration the contact load falls to { $force } and contact is lost; the contact model does not include vibration
 model-vibrates = { $vibration }, more than { $allowed }; { $margin }
 model-hardly-vibrates = { $vibration }, no more than { $allowed }; { $margin }
-model-held-from-both-sides = held from both sides, the follower cannot lift off
-model-no-liftoff = speed { $speed }, no speed lifts the follower off
+model-held-from-both-sides = the follower is guided on both sides and cannot lift off
+model-no-liftoff = speed { $speed }; the follower does not lift off at any speed
 model-moving-floor = speed { $speed }; the lift-off speed of a moving floor is not computed
 model-liftoff-at = speed { $speed }, lift-off at { $liftoff }
-model-no-force = nothing presses the follower on the cam: the drive has neither mass nor spring nor preload
-model-inertia-only = no mean load presses the follower on the cam, inertia gives { $low } … { $high }; { $liftoff }
-model-smallest-force = the minimum contact load { $force } is { $part } of the mean; { $liftoff }
-model-no-mass = the fluid column yields without vibration
+model-no-force = no force presses the follower on the cam: the drive has no mass, spring or preload
+model-inertia-only = the mean load on the follower is zero; the inertia force is { $low } … { $high }; { $liftoff }
+model-smallest-force = the minimum contact load is { $force }, { $part } of the mean; { $liftoff }
+model-no-mass = the fluid column deflects without vibration
 model-harmonics = the first natural frequency is { $frequency }, { $ratio } times the shaft frequency; vibration would change the force by { $part } of the mean (RMS)
 
 # What to know of a run.
-run-second-cam-bears = the second cam bears for { $part } of the cycle, up to { $force }; at each change the clearance between both sides is crossed
-run-other-wall-bears = the other wall of the groove bears for { $part } of the cycle, up to { $force }; at each change the clearance between both sides is crossed
-run-rigid-pulls = the rigid model pulls where the force is negative: the contact model follows the lift-off
-run-rigid-without-impacts = the rigid model leaves out the impacts where one cam takes over from the other
-run-flexible-pulls = the vibrating follower leaves the cam: the flexible model pulls there
-run-escapes = the mass leaves the cam and nothing brings it back
+run-second-cam-bears = the second cam carries the load for { $part } of the cycle, with up to { $force }; at each change of side the follower moves through the clearance
+run-other-wall-bears = the other wall of the groove carries the load for { $part } of the cycle, with up to { $force }; at each change of side the follower moves through the clearance
+run-rigid-pulls = the rigid model permits a negative contact force; use the contact model to compute the lift-off
+run-rigid-without-impacts = the rigid model does not include the impacts where the load changes from one cam to the other
+run-flexible-pulls = the vibrating follower loses contact; the flexible model permits a negative contact force there
+run-escapes = the mass loses contact with the cam and does not return
 run-not-periodic = the motion does not repeat within { $turns } turns and { $impacts } impacts
-run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m (in the files the force at the lever, in N), and mass, spring and preload of the drive act about the pivot; the normal force is in N
-run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it
-run-steady-shaft = under its motor the speed would ripple by about { $ripple } and change the force by { $change } of the mean, no more than { $allowed }: constant speed is enough
-run-shaft-varies = under its motor the speed ripples by { $found } (forecast from inertia and energy { $ripple }, which would change the force by { $change } of the mean): the force is that of the varying speed
-run-flexible-at-mean-speed = the compliant follower is run at the mean speed of the shaft; the ripple is that under a rigid follower
+run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m, and mass, spring and preload refer to the pivot; in the files the force at the lever is in N; the normal force is in N
+run-pair-distance = the distance of the conjugate pair is constant within { $deviation }; the second cam carries negative forces
+run-steady-shaft = with this motor the speed would vary by about { $ripple } and change the force by { $change } of the mean; this is within { $allowed }, so the speed is taken as constant
+run-shaft-varies = the motor drives the shaft with a speed ripple of { $found } (forecast: { $ripple }, with a force change of { $change } of the mean); the force is computed for the varying speed
+run-flexible-at-mean-speed = the compliant follower is simulated at the mean speed of the shaft; the speed ripple is computed with a rigid follower

@@ -1,6 +1,6 @@
 # Figures of a design: the row of FIGURES whose column has the name. `movement` is that of the follower or of the cam.
 figure-force-rms-error-n = RMS force error
-figure-force-rms-error-percent = RMS force error, part of the mean
+figure-force-rms-error-percent = RMS force error relative to the mean
 figure-force-max-error-n = maximum force error
 figure-target-mean-n = mean target force
 figure-force-mean-n = mean force

@@ -2,19 +2,19 @@
 law-segment = segment { $number } ({ $motion })
 law-no-segment = a programme needs at least one segment
     .help = give [[law.segment]] with motion, lift and angle
-law-extent = a programme cannot cover an extent of { $length }
+law-extent = a programme cannot have an extent of { $length }
     .help = give a number of turns or a length of travel above 0
 law-segment-not-finite = lift and length of { $segment } must be finite numbers
-    .help = give both in numbers
+    .help = give both as finite numbers
 law-segment-length = { $segment } covers { $length }
-    .help = every segment must cover more than 0; remove it instead
+    .help = give an extent above 0, or remove the segment
 law-dwell-lift = { $segment } has a lift of { $lift }
     .help = the lift of a dwell is constant: choose a motion or set the lift to 0
 law-uncovered = the segments cover { $covered } of { $wanted }: { $missing } are missing
     .help = add a dwell or change the angle of a segment
 law-overfull = the segments cover { $covered }, which is { $excess } more than { $wanted }
     .help = change the angle of a segment
-law-general-neighbours = the general polynomials { $first } and { $second } are adjacent: their end conditions are not determined
+law-general-neighbours = the general polynomials { $first } and { $second } are adjacent, so their end conditions are not determined
     .help = give one of them another motion, or merge the two
 law-lift-jump = { $before } cannot join { $after } at { $at }: the lift changes by { $jump } there
     .help = the lifts of all segments must add to 0
@@ -27,7 +27,7 @@ law-below-base-circle = { $segment } falls { $depth } below the base circle, at 
 law-table-below-base-circle = { $segment } falls { $depth } below the base circle between rows { $first } and { $second } of its table, at { $at }: more than half a unit of their last decimal
     .help = add rows between these two, or correct them
 law-breadth-angle = the segments of a constant-breadth cam cover { $covered } instead of half a turn
-    .help = they must add to 180°; the other half follows from the breadth
+    .help = the segments must add to 180°; the other half follows from the breadth
 law-breadth-polynomial = segment { $segment } of the half turn is a general polynomial whose neighbour is not yet determined
     .help = use 3-4-5 or 4-5-6-7
 law-breadth-lift = the half turn of a constant-breadth cam must go from 0 to its maximum lift, but it ends at { $lift } and ranges from { $low } to { $high }
@@ -37,9 +37,9 @@ law-no-condition = a polynomial needs at least one condition
 law-interval = invalid interval of a polynomial: { $start } to { $end } rad
     .help = the start must be below the end
 law-many-conditions = { $conditions } conditions require a polynomial of degree { $degree }
-    .help = at most { $most } can be solved accurately; a spline takes any number of points
+    .help = at most { $most } can be solved accurately; use a spline for more points
 law-condition-not-finite = condition { $condition } is not a finite number
-    .help = give its angle and value in numbers
+    .help = give its angle and value as finite numbers
 law-condition-outside = condition { $condition } is at { $at }, outside { $start } … { $end }
     .help = move it into the interval
 law-condition-order = condition { $condition } fixes derivative { $order } of a polynomial of degree { $degree }
@@ -47,7 +47,7 @@ law-condition-order = condition { $condition } fixes derivative { $order } of a 
 law-condition-twice = conditions { $first } and { $second } both fix derivative { $order } at { $at }
     .help = remove one of them
 law-not-fixed = these { $conditions } conditions do not determine a polynomial of degree { $degree }
-    .help = at least one lift is needed, and each point must give lower derivatives before higher ones
+    .help = give at least one lift, and at each point give lower derivatives before higher ones
 law-parameter = `{ $word }` after `{ $motion }` is not a number
     .help = write parameters as in `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` does not take { $given } parameters
@@ -58,27 +58,27 @@ law-unknown-motion = unknown motion `{ $motion }`
        *[other] did you mean `{ $nearest }`?
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1"; or name a CSV file, motion = "table lift.csv"
+    .help = write pairs x s as fractions of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the name of a CSV file, motion = "table lift.csv"
 law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here
-    .help = write a file into the scene file or after --set; a sweep over motions takes rows written out, motion = "table 0 0 0.5 0.3 1 1"
-law-general-degree = a general polynomial of degree { $degree } cannot split its conditions evenly between both ends
+    .help = files can be named in the scene file or after --set; a sweep over motions requires the rows themselves, motion = "table 0 0 0.5 0.3 1 1"
+law-general-degree = the conditions of a general polynomial of degree { $degree } cannot be divided equally between both ends
     .help = use degree 5 (joins s, v, a) or 7 (also j)
 law-scca-shares = the shares b = { $b }, c = { $c }, d = { $d } of an SCCA law do not add to 1
     .help = b, c and d must be 0 or more and add to 1, for example 0.25, 0.25, 0.5
 law-eccentric-ratio = an eccentric of ratio { $ratio } does not enclose its shaft
     .help = the ratio (disc radius + roller radius)/eccentricity must be more than 1, for example 3
-law-table-pairs = a table of { $numbers } numbers: they are not pairs
-    .help = write x and s in turn, for example motion = "table 0 0 0.5 0.3 1 1"
-law-table-rows = { $table }: { $rows } rows are too few
+law-table-pairs = the { $numbers } numbers of a table do not form pairs
+    .help = alternate x and s, for example motion = "table 0 0 0.5 0.3 1 1"
+law-table-rows = { $table }: { $rows } rows are not sufficient
     .help = give at least two rows of x and s
 law-table-not-finite = { $table }: row { $row } is not a finite number
-    .help = give x and s in numbers
+    .help = give x and s as finite numbers
 law-table-order = { $table }: row { $row } has x = { $x } after { $before }
     .help = x must increase from row to row
-law-table-level = { $table }: it ends at its initial lift
-    .help = a motion goes from one lift to another: split the table at its highest point
+law-table-level = { $table }: the last lift equals the first
+    .help = a motion leads from one lift to a different one: split the table at its maximum lift
 law-table-spacing = { $table }: the spacing of its rows is too uneven for a spline
-    .help = space them more evenly
+    .help = space the rows more evenly
 
 # What may stand beside the end of a law.
 joins-dwell = dwell

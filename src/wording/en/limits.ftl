@@ -16,7 +16,7 @@ key-limits-jerk = Maximum jerk |d³s/dt³|.
 name-jerk = jerk
 label-limits-jerk = Jerk
 
-key-limits-force_min = Minimum contact force; without it 0 where only force keeps the contact, none: not judged.
+key-limits-force_min = Minimum contact force. Default: 0 where only force keeps the contact; none: not judged.
 name-force-min = force_min
 label-limits-force_min = Minimum force
 
@@ -28,7 +28,7 @@ key-limits-curvature = Minimum convex radius of curvature of the finished cam.
 name-curvature = curvature
 label-limits-curvature = Minimum radius
 
-key-limits-pressure_angle = Maximum pressure angle on both sides; without it the verdict's own bounds apply (30° and 45° for a slide), and none switches them off.
+key-limits-pressure_angle = Maximum pressure angle on both sides. Default: the bounds of the verdict (30° and 45° for a slide); none: not judged.
 name-pressure-angle = pressure_angle
 label-limits-pressure_angle = Pressure angle
 
@@ -55,7 +55,7 @@ label-limits-torque = Torque
 key-limits-power = Maximum shaft power, driving or braking, without friction.
 label-limits-power = Power
 
-key-limits-power_mean = Maximum mean power of the shaft, without friction: what damping uses up.
+key-limits-power_mean = Maximum mean power of the shaft, without friction: the power dissipated by damping.
 name-power-mean = power_mean
 label-limits-power_mean = Mean power
 
@@ -67,6 +67,6 @@ key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, steel on
 name-hertz-pressure = hertz_pressure
 label-limits-hertz_pressure = Hertz pressure
 
-key-limits-residual = Maximum residual vibration of the follower in a dwell: its amplitude at the start, return spring and damping included.
+key-limits-residual = Maximum residual vibration of the follower in a dwell: its amplitude at the start of the dwell, with return spring and damping.
 name-residual = residual
 label-limits-residual = Residual vibration

@@ -82,7 +82,7 @@ name-harmonics = harmonics
 # Objectives and verdicts.
 name-rms-error-n = force error (RMS)
 name-weighted-rms-error-n = weighted force error (RMS)
-name-max-error-n = force error (largest)
+name-max-error-n = force error (maximum)
 name-radius-m = radius
 name-rms-derivative-2 = acceleration (RMS)
 name-rms-derivative-3 = jerk (RMS)

@@ -1,6 +1,6 @@
 # How a law was found.
 method-programme = motion prescribed; no optimisation
-method-interpolation = as many conditions as coefficients: one linear system
+method-interpolation = one linear system with as many conditions as coefficients
 method-spectral = { $harmonics } harmonics; truncation error { $rest } RMS
 method-harmonics = { $harmonics } harmonics, { $rounds ->
         [one] one exchange iteration
@@ -25,16 +25,16 @@ method-sequence = { $programs ->
 ended-out-of-time = the time limit
 ended-most-steps = maximum number of steps reached
 ended-no-solution = the linearised program is infeasible near the last law
-ended-no-improvement = no part of the last step improves the objective
+ended-no-improvement = no fraction of the last step improves the objective
 ended-small-gain = steps improve the objective by less than one part in ten million
 
 # Why a law is not certified to be the optimum.
 doubt-limits = a limit is exceeded by more than the solver's tolerance
 doubt-gap = the duality gap could not be closed to one part in a million
-doubt-touching-angle = the angle at which the law touches the base circle was searched for, not proved to be the best
-doubt-left-out = no law was found that satisfies the nonconvex limits; they are left out
-doubt-fixed-motion = it is the optimum for one motion of shaft and floor; laws that give the machine another motion were not compared
-doubt-local = the problem is not convex, so only a local optimum is found; the gap is to the best lower bound known
+doubt-touching-angle = the angle at which the law touches the base circle was found by search, without a proof that it is the best
+doubt-left-out = no law was found that satisfies the nonconvex limits; this law does not include them
+doubt-fixed-motion = it is the optimum for one motion of shaft and floor; laws that cause a different motion were not compared
+doubt-local = the problem is not convex, so only a local optimum is found; the gap refers to the best known lower bound
 
 # Why a simpler family was rejected.
 passed-over-accuracy = { $family } exceeds the allowed force error by { $excess }

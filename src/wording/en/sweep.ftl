@@ -1,46 +1,46 @@
 # Faults in a sweep: its axes, its plan, its tolerances and its tables.
 sweep-no-assignment = "{ $typed }" is not a key, = and a value
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
-sweep-no-values = an empty grid: no value is given
+sweep-no-values = the grid is empty: no value is given
     .help = write at least one value between commas, or START:STOP:COUNT
-sweep-sampled-count = a range that is sampled takes no count
+sweep-sampled-count = a sampled range takes no count
     .help = write START:STOP
-sweep-no-count = a range of a grid needs its count
-    .help = write START:STOP:COUNT, or sample the range
+sweep-no-count = a range of a grid has no count
+    .help = write START:STOP:COUNT, or draw random values with --sample
 sweep-not-count = "{ $typed }" is not a whole number of values
     .help = write START:STOP:COUNT
 sweep-different-units = the ends of the range have different units ("{ $first }" and "{ $last }")
     .help = give both in the same unit
 sweep-not-number = "{ $typed }" does not start with a number
-sweep-no-rows = an empty grid: no row to compute
-sweep-too-many-rows = { $rows } combinations
-    .help = too many to compute: use fewer values, or sample them
-sweep-list-lengths = the list gives { $values } values of "{ $key }", and { $first } of its first key
+sweep-no-rows = the grid is empty: there is no row to compute
+sweep-too-many-rows = { $rows } combinations are too many to compute
+    .help = use fewer values, or sample them
+sweep-list-lengths = the list gives { $values } values of "{ $key }", but { $first } of its first key
     .help = give every key of a list the same number of values
-sweep-not-carried = is not among the recordings of this sweep
-sweep-scatter-alone = cannot be combined with another variation: it applies to one design
+sweep-not-carried = this file is not among the recordings of this sweep
+sweep-scatter-alone = cannot be combined with another variation, because it applies to one design
 sweep-no-design = the scene has no feasible cam, so tolerances cannot be applied
-    .help = relax its limits as the summary of the design says
+    .help = relax its limits as suggested in the summary of the design
 sweep-out-of-time = the time limit ended the search for this design
     .help = allow more time
-sweep-fixed = "{ $key }" cannot vary
-    .help = keys that vary: { $known }; and values of a list by number, such as law.segment.2.lift
+sweep-fixed = "{ $key }" cannot be varied
+    .help = the keys { $known } can be varied, and values of a list by number, such as law.segment.2.lift
 sweep-key-twice = "{ $key }" is given twice
 sweep-nothing-to-sample = no key varies, so there is nothing to sample
     .help = vary a key over a range: KEY=START:STOP
 sweep-sobol-axes = Sobol sequences are available for up to { $most } keys
     .help = use Latin hypercube sampling (latin)
-sweep-no-scene = there is no base scene { $scene }
+sweep-no-scene = the base scene { $scene } does not exist
 sweep-no-tolerance-value = "{ $typed }" is not a part, = and a value
     .help = write PART=VALUE, for example profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" takes no tolerance
-    .help = parts with a tolerance: profile, base_radius, mass, speed
+    .help = these parts have a tolerance: profile, base_radius, mass, speed
 sweep-negative-tolerance = the tolerance of { $part } is negative: { $typed }
     .help = give the half width of the tolerance, 0 or more
 sweep-no-force-error = the scene has no target force, so it has no force error
-sweep-scatter-of-arm = tolerances are computed for followers that translate: on an arm the same error of the profile changes the lift differently at every angle; measure a manufactured cam with gaitcam inspect
-sweep-front-without-moving-axis = only on a moving axis does a force limit hold the lift-off speed; use gaitcam sweep and gaitcam front --maximise liftoff_speed
-sweep-front-without-size = the size of the cam follows from the pressure here: give base_radius or prime_radius
+sweep-scatter-of-arm = tolerances are computed only for translating followers; on an arm, the effect of a profile error on the lift varies with the angle: measure a manufactured cam with gaitcam inspect
+sweep-front-without-moving-axis = a force limit controls the lift-off speed only on a moving axis; use gaitcam sweep and gaitcam front --maximise liftoff_speed
+sweep-front-without-size = here the pressure determines the size of the cam: give base_radius or prime_radius
     .help = add [gait] to the scene
 sweep-no-column = "{ $typed }" is not a column of numbers
     .help = { $nearest ->
@@ -59,5 +59,5 @@ differs-value = { $path }: { $old ->
        *[other] { $new }
     } now
 differs-long = { $path }: the text differs
-differs-only-old = { $path }: only the first run has "{ $text }"
-differs-only-new = { $path }: only this run has "{ $text }"
+differs-only-old = { $path }: only the first run contains "{ $text }"
+differs-only-new = { $path }: only this run contains "{ $text }"

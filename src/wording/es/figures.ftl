@@ -1,6 +1,6 @@
 # Cifras de un diseño: la fila de FIGURES cuya columna lleva el nombre. `movement` es el del seguidor o el de la leva.
 figure-force-rms-error-n = error de fuerza RMS
-figure-force-rms-error-percent = error de fuerza RMS, parte de la media
+figure-force-rms-error-percent = error de fuerza RMS relativo a la media
 figure-force-max-error-n = error de fuerza máximo
 figure-target-mean-n = fuerza objetivo media
 figure-force-mean-n = fuerza media

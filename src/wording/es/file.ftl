@@ -1,13 +1,13 @@
 # Fallos al leer escenas y registros y al colocar resultados en carpetas.
 file-cannot-read = { $fault ->
-        [missing] no existe tal archivo o carpeta
-        [denied] este usuario no tiene permiso para leerlo
+        [missing] el archivo o la carpeta no existe
+        [denied] no hay permiso de lectura
        *[other] no se puede leer ({ $fault })
     }
     .help = compruebe la ruta
-file-missing = no hay ningún archivo «{ $file }»
+file-missing = el archivo «{ $file }» no existe
 file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
-file-foreign = no es un archivo de gaitcam, pero tiene el nombre de uno
+file-foreign = este archivo tiene el nombre de un archivo de gaitcam, pero gaitcam no lo escribió
     .help = quítelo, o elija otra carpeta
 file-held = otro gaitcam{ $process ->
         [none] {""}
@@ -20,11 +20,11 @@ file-device = es una tubería o un dispositivo, no un archivo
     .help = indique un archivo, o - para la entrada estándar
 file-too-large = supera { $mib } MiB
 file-not-utf8 = no es texto UTF-8
-    .help = una escena es un archivo TOML, `gaitcam scenes footbridge` muestra una
-file-not-toml = el analizador de TOML dice: { $fault }
-    .help = una escena es un archivo TOML, `gaitcam scenes footbridge` muestra una
+    .help = una escena es un archivo TOML; `gaitcam scenes footbridge` muestra un ejemplo
+file-not-toml = error de sintaxis TOML: { $fault }
+    .help = una escena es un archivo TOML; `gaitcam scenes footbridge` muestra un ejemplo
 file-not-json = no es JSON ({ $fault })
-file-measured-columns = ninguna columna de puntos medidos entre: { $found }
+file-measured-columns = no hay columnas de puntos medidos; las columnas son { $found }
     .help = llámelas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad)
 file-measured-field = "{ $typed }" no es un número finito
     .help = cada línea necesita dos números con punto decimal
@@ -33,49 +33,49 @@ file-no-scene-in-summary = no contiene ninguna escena
     .help = indique un summary.json de gaitcam o un archivo de escena
 file-replaced = se sustituiría { $file }
     .help = un archivo de entrada nunca se sobrescribe; elija otra carpeta
-file-another-sweep = es otro barrido: { $differences }
-    .help = repita el barrido tal como era, o elija otro lugar
+file-another-sweep = contiene un barrido distinto: { $differences }
+    .help = repita el barrido sin cambios, o elija otra carpeta
 file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
     .help = indique una carpeta vacía o la de este barrido
 file-no-table = no se encontró ninguna tabla de números
     .help = el archivo empieza con «{ $start }»; { $purpose ->
         [motor] la curva de par de un motor tiene el encabezado speed_rad_per_s,torque_n_m
        *[table] un movimiento tiene un encabezado como angle_deg,lift_mm
-    } y debajo filas de números
+    }, seguido de filas de números
 file-motor-column = la curva de par no tiene la columna { $column } (columnas: { $columns })
     .help = su encabezado es speed_rad_per_s,torque_n_m
 file-motion-column = no hay columna { $column } (columnas: { $columns })
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
-file-motion-unit = columna { $column }: falta su unidad o es de otra clase
+file-motion-unit = columna { $column }: la unidad falta o tiene una dimensión incorrecta
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
 file-motion-value = columna { $column }: "{ $typed }" no es un número
     .help = cada fila necesita un número finito
 file-motion-order = columna { $column }: { $x } después de { $before }
     .help = debe crecer de fila en fila
 file-motion-many-rows = más de { $most } filas
-    .help = dé una de cada dos filas o menos
+    .help = reduzca el número de filas, por ejemplo a una de cada dos
 file-motion-differs = la columna { $column } abarca { $covered }, pero { $key } es { $typed }
-    .help = corrija uno de los dos, u omita { $key }: entonces se toma del archivo
+    .help = corrija uno de los dos, u omita { $key } para usar el valor del archivo
 file-walkers = { $count ->
         [one] 1 ciclo no puede
        *[other] { $count } ciclos no pueden
-    } tomarse en la población.{ $unreadable ->
+    } usarse en la población.{ $unreadable ->
         [none] {""}
-       *[other] {" "}Sin ciclo en { $unreadable }.
+       *[other] {" "}Archivos sin ciclo: { $unreadable }.
     }{ $weight ->
         [none] {""}
-       *[other] {" "}La fuerza media no es el peso: { $weight }.
+       *[other] {" "}Fuerza media distinta del peso: { $weight }.
     }{ $unit ->
         [none] {""}
-       *[other] {" "}Otra unidad de fuerza: { $unit }.
+       *[other] {" "}Unidad de fuerza distinta: { $unit }.
     }{ $feet ->
         [none] {""}
-       *[other] {" "}Un pie entre ambos, o al revés: { $feet }.
+       *[other] {" "}Fuerza de un pie y de ambos mezcladas: { $feet }.
     }{ $cycle ->
         [none] {""}
-       *[other] {" "}Un paso entre zancadas, o al revés: { $cycle }.
+       *[other] {" "}Pasos y zancadas mezclados: { $cycle }.
     }{ $kind ->
         [none] {""}
-       *[other] {" "}Otro tipo de movimiento: { $kind }.
+       *[other] {" "}Tipo de movimiento distinto: { $kind }.
     }
-    .help = corríjalos o exclúyalos por su nombre, una fila de una tabla también por su línea: gait.leave_out = ["NOMBRE", "ARCHIVO:LÍNEA", …]
+    .help = corríjalos, o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", "ARCHIVO:LÍNEA", …] (ARCHIVO:LÍNEA para una fila de una tabla)

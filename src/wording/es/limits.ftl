@@ -16,7 +16,7 @@ key-limits-jerk = Sobreaceleración máxima |d³s/dt³|.
 name-jerk = sobreaceleración
 label-limits-jerk = Sobreaceleración
 
-key-limits-force_min = Fuerza de contacto mínima; sin ella, 0 donde solo la fuerza mantiene el contacto; none: no se juzga.
+key-limits-force_min = Fuerza de contacto mínima. Por defecto: 0 donde solo la fuerza mantiene el contacto; none: no se juzga.
 name-force-min = fuerza mínima
 label-limits-force_min = Fuerza mínima
 
@@ -28,7 +28,7 @@ key-limits-curvature = Radio de curvatura convexo mínimo de la leva acabada.
 name-curvature = radio de curvatura
 label-limits-curvature = Radio mínimo
 
-key-limits-pressure_angle = Ángulo de presión máximo en ambos lados; sin él valen los límites propios del veredicto (30° y 45° para una guía recta), y none los quita.
+key-limits-pressure_angle = Ángulo de presión máximo en ambos lados. Por defecto: los límites del veredicto (30° y 45° para una guía recta); none: no se juzga.
 name-pressure-angle = ángulo de presión
 label-limits-pressure_angle = Ángulo de presión
 
@@ -55,7 +55,7 @@ label-limits-torque = Par
 key-limits-power = Potencia máxima en el eje, motriz o de freno, sin rozamiento.
 label-limits-power = Potencia
 
-key-limits-power_mean = Potencia media máxima en el eje, sin rozamiento: la que consume el amortiguamiento.
+key-limits-power_mean = Potencia media máxima en el eje, sin rozamiento: la potencia que disipa el amortiguamiento.
 name-power-mean = potencia media
 label-limits-power_mean = Potencia media
 
@@ -67,6 +67,6 @@ key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, acero
 name-hertz-pressure = presión de Hertz
 label-limits-hertz_pressure = Presión de Hertz
 
-key-limits-residual = Vibración residual máxima del seguidor en un detenimiento: su amplitud al principio, con el muelle y el amortiguamiento.
+key-limits-residual = Vibración residual máxima del seguidor en un detenimiento: su amplitud al principio del detenimiento, con el muelle y el amortiguamiento.
 name-residual = vibración residual
 label-limits-residual = Vibración residual

@@ -1,5 +1,5 @@
-# Qué hay de incorrecto en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
-scene-not-toml = no es TOML en la línea { $line }; el analizador de TOML dice: { $fault }
+# Errores en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
+scene-not-toml = error de sintaxis TOML en la línea { $line }: { $fault }
 scene-output-name = «{ $typed }» no puede dar nombre a una carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida
@@ -23,8 +23,8 @@ scene-not-hardness = «{ $typed }» no es una dureza con su escala
     .help = escriba por ejemplo "58 HRC", "650 HV" o "240 HB": 20 … 64 HRC, 105 … 800 HV, 100 … 722 HB
 scene-not-robust = «{ $typed }» no es una medida de los errores de varios caminantes
     .help = escriba "mean", "worst" o por ejemplo "cvar 0.9"
-scene-not-frequencies = «{ $typed }» no da frecuencias de paso
-    .help = escriba una, "1.85 Hz", un intervalo con su número de pasos, "1.4 Hz:2.4 Hz:11", o "normal 1.87 Hz 0.19 Hz"
+scene-not-frequencies = «{ $typed }» no contiene frecuencias de paso
+    .help = escriba una frecuencia, "1.85 Hz", un intervalo con el número de valores, "1.4 Hz:2.4 Hz:11", o una distribución normal, "normal 1.87 Hz 0.19 Hz"
 scene-not-texts = { $typed } no es un texto
     .help = escriba un texto entre comillas, o una lista de ellos
 scene-not-flag = { $typed } no es true ni false
@@ -32,7 +32,7 @@ scene-not-flag = { $typed } no es true ni false
 scene-not-count = { $typed } no es un número entero de { $low } a { $high }
     .help = escriba un número entero de { $low } a { $high }, o "auto"
 scene-not-spans = { $typed } no es un número entero de { $low } a { $high }
-    .help = con más de { $high } tramos no se garantiza un óptimo certificado en un tiempo razonable; una leva necesita de 8 a 60, y "auto" toma los mínimos que alcanzan la precisión
+    .help = con más de { $high } tramos no se garantiza un óptimo certificado en un tiempo razonable; una leva necesita de 8 a 60, y "auto" elige el mínimo que alcanza la precisión
 scene-not-quantity = { $typed } no es un número con su unidad
     .help = escriba un número con su unidad entre comillas, por ejemplo { $example }
 scene-unknown-word = valor no válido «{ $word }»
@@ -57,108 +57,108 @@ scene-needed-in-entry = falta; cada entrada de la lista la requiere
 scene-no-assignment = «{ $typed }» no es una clave, = y un valor
     .help = escriba CLAVE=VALOR, por ejemplo limits.stroke=40 mm
 scene-no-entry = no existe { $list }.{ $number }; { $given ->
-        [0] no se da ninguna
-        [one] se da una
-       *[other] se dan { $given }
+        [0] no se da ninguna entrada
+        [one] se da una entrada
+       *[other] se dan { $given } entradas
     }
     .help = las entradas se cuentan desde 1: { $list }.1
 scene-list-without-number = { $list } es una lista de { $given }
     .help = escriba { $list }.1 para la primera
 scene-value-not-table = { $part } es un valor, no una tabla
     .help = quite lo que sigue a { $part }
-scene-file-and-model = se da más de uno de file, model y harmonics
+scene-file-and-model = solo se puede dar uno de file, model y harmonics
     .help = conserve uno: file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]
 scene-not-harmonic = "{ $typed }" no es un factor de carga con su fase
-    .help = escriba un texto por armónico, el factor como parte del peso (cero o mayor) y la fase que se suma a su seno: ["0.4", "0.1 at -90 deg"]
+    .help = escriba un texto por armónico: el factor como fracción del peso (cero o mayor) y la fase de su seno: ["0.4", "0.1 at -90 deg"]
 scene-not-learned-force = "{ $typed }" no es una fuerza con su fase
-    .help = escriba primero la media y después un texto por armónico de la vuelta de la leva, su fuerza y la fase que se suma a su seno: ["0 N", "3.2 N at -90 deg"]
-scene-learned-forces = { $given } armónicos de la fuerza aprendida son demasiados
+    .help = escriba una lista de textos: la media y después un texto por armónico de la vuelta de la leva con su amplitud y su fase (del seno), como ["0 N", "3.2 N at -90 deg"]
+scene-learned-forces = la fuerza aprendida tiene { $given } armónicos, que son demasiados
     .help = dé la media y los primeros armónicos, como máximo { $most } textos
 scene-harmonics = { $given ->
         [one] el único factor de carga es cero
-       *[other] { $given } factores de carga: todos cero o demasiados
+       *[other] los { $given } factores de carga son todos cero o demasiados
     }
     .help = dé de 1 a { $most } factores, al menos uno mayor que cero, por ejemplo ["0.4", "0.1 at -90 deg"]
 scene-no-force-named = no se da ni un registro ni un modelo de carga
     .help = dé file = "walk.mot", model = "young" o harmonics = ["0.4", "0.1 at -90 deg"]; quite [gait] para una ley dada por segmentos o puntos
-scene-no-phases = de { $from } a { $to } no es un intervalo de fases válido
+scene-no-phases = el intervalo de fases de { $from } a { $to } no es válido
     .help = las fases van de 0 a 360 deg; en un intervalo que pasa por el final del ciclo, to es menor que from
 scene-nothing-weighed = todas las fases del ciclo tienen peso 0
     .help = dé al menos a un intervalo un peso mayor que 0
 scene-weigh-removed = law.weigh se ha eliminado
-    .help = gaitcam synth --front force_error:prime_radius muestra el compromiso; elija un punto y fije sus límites
+    .help = use gaitcam synth --front force_error:prime_radius: elija un punto del compromiso y fije sus límites
 scene-no-force-to-follow = no se da ninguna fuerza objetivo
     .help = añada [gait] o minimice "jerk", "peak-acceleration" …
 scene-size-not-free = el tamaño de esta leva no es libre
-    .help = se aplica a levas cuyo radio no se da, salvo las de traslación, las cilíndricas y las de seguidor oscilante de hongo
+    .help = esta clave se aplica a levas de disco sin radio dado, salvo con seguidores oscilantes de hongo
 scene-spline-degree = grado de spline no válido { $typed }
     .help = escriba un número entero de 3 a 9, o "auto"
-scene-degree-below-objective = una ley de grado { $degree } no tiene derivada de orden { $order } que minimizar: es cero entre los nudos
+scene-degree-below-objective = la derivada de orden { $order } de una ley de grado { $degree } es cero entre los nudos y no se puede minimizar
     .help = use grado { $order } o mayor, u otro law.minimise
 scene-only-splines = una ley de esta familia ({ $family }) no admite esta clave
     .help = use law.family = "spline"
 scene-program-without-segments = el programa no tiene segmentos
-    .help = escriba [[law.segment]] motion = "cycloidal" lift = "10 mm" angle = "90 deg" para cada uno
+    .help = escriba para cada segmento: [[law.segment]] motion = "cycloidal" lift = "10 mm" angle = "90 deg"
 scene-polynomial-without-points = un polinomio necesita al menos dos puntos
-    .help = escriba [[law.point]] angle = "0 deg" lift = "0" velocity = "0" para cada uno
+    .help = escriba para cada punto: [[law.point]] angle = "0 deg" lift = "0" velocity = "0"
 scene-nothing-asked = la ley no tiene fuerza objetivo ni puntos ni segmentos
     .help = añada [gait] con una fuerza, entradas [[law.point]], o family = "program" con segmentos
-scene-no-speed = "auto" necesita una fuerza objetivo: la velocidad se deduce de su período
+scene-no-speed = "auto" requiere una fuerza objetivo, porque su período determina la velocidad
     .help = escriba por ejemplo "60 rpm"
-scene-no-mass = "auto" necesita una fuerza objetivo: la masa se deduce de su media
+scene-no-mass = "auto" requiere una fuerza objetivo, porque su media determina la masa
     .help = escriba por ejemplo "70 kg"
-scene-base-and-prime = también se da base_radius; cada uno se deduce del otro
+scene-base-and-prime = también se da base_radius, pero cada uno determina el otro
     .help = quite uno de los dos
-scene-radius-and-breadth = el radio base se deduce de la anchura: (anchura − elevación) / 2
+scene-radius-and-breadth = la anchura determina el radio base: (anchura − elevación) / 2
     .help = quite base_radius y prime_radius
-scene-breadth-without-program = la anchura constante necesita un programa con mitades simétricas
+scene-breadth-without-program = la anchura constante requiere un programa; su segunda mitad refleja la primera
     .help = ponga law.family = "program" con segmentos
-scene-roller-fills-prime = el radio del rodillo o del arco, { $roller }, deja un radio base de { $base }
+scene-roller-fills-prime = con el radio del rodillo o del arco, { $roller }, el radio base es { $base }
     .help = el radio primario debe superar el radio del rodillo
 scene-base-in-bore = el radio base de { $base } queda dentro del agujero de { $bore }
     .help = use un radio base mayor que { $least }
 scene-keyway-without-bore = un chavetero necesita un agujero
     .help = dé cam.bore, por ejemplo "20 mm"
 scene-no-keyway-for-bore = DIN 6885-1 no tiene chavetero para un agujero de { $bore }
-    .help = va de más de 6 mm a 150 mm; dé una anchura, o quite el chavetero
+    .help = la norma abarca agujeros de más de 6 mm hasta 150 mm; dé una anchura, u omita el chavetero
 scene-no-keyway-of-width = DIN 6885-1 no tiene chavetero de { $width }
-    .help = sus anchuras son { $widths } mm
+    .help = las anchuras normalizadas son { $widths } mm
 scene-keyway-too-wide = un chavetero de { $width } no cabe en un agujero de { $bore }
-    .help = escriba "auto", que toma la anchura de DIN 6885-1 para el agujero
+    .help = escriba "auto" para la anchura de DIN 6885-1
 scene-offset-reaches-prime = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
     .help = reduzca la excentricidad o aumente el radio primario
-scene-force-needs-turn = una fuerza objetivo define una elevación en una vuelta, que este seguidor ({ $follower }) no tiene
+scene-force-needs-turn = una fuerza objetivo requiere una elevación en una vuelta, pero este seguidor ({ $follower }) no tiene una leva que gire
     .help = use un seguidor sobre una leva de disco, o quite [gait] y dé un programa
 scene-length-needs-program = una ley sobre una longitud debe darse como programa
     .help = ponga law.family = "program" con segmentos
 scene-turns-need-program = una ley de varias vueltas debe darse como programa
     .help = ponga law.family = "program" con segmentos
-scene-arm-on-moving-axis = el eje de una leva de eje móvil descansa sobre un seguidor de traslación; este seguidor oscila alrededor de un pivote fijo
-    .help = use kind = "fixed-axis", cuyos inertia, spring_rate y preload se refieren al pivote, o "hydraulic"
-scene-pair-not-closed = debe darse exactamente una de las dos: esta clave o base_radius
-    .help = dé la distancia entre caras o centros de rodillo (oscilantes: el ángulo entre los brazos), o el base_radius de la segunda leva
+scene-arm-on-moving-axis = una leva de eje móvil descansa sobre un seguidor de traslación, pero este seguidor oscila alrededor de un pivote fijo
+    .help = use kind = "hydraulic", o kind = "fixed-axis" con inertia, spring_rate y preload respecto al pivote
+scene-pair-not-closed = dé esta clave o base_radius, solo una de las dos
+    .help = dé la distancia entre caras o centros de rodillo (seguidores oscilantes: el ángulo entre los brazos), o base_radius de la segunda leva
 scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren del seguidor
     .help = quite una de las dos
-scene-motor-line = un motor necesita uno de slope, stall_torque y curve
-    .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], el par que se pierde por rad/s en el eje de la leva
+scene-motor-line = un motor requiere uno de slope, stall_torque y curve
+    .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], la disminución del par por rad/s en el eje de la leva
 scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
-    .help = indique ambos, o solo la pendiente slope: se busca su velocidad en vacío
-scene-motor-curve = el par del motor debe bajar con su velocidad, de fila en fila
-    .help = nombre un archivo con las columnas speed_rad_per_s y torque_n_m y dos filas o más, velocidades crecientes y pares decrecientes, o escriba los pares: "0 50 10 20 12 -4"
-scene-motor-without-inertia = falta; el motor necesita el momento de inercia de su eje
-    .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine], volante y rotor reducidos al eje de la leva
-scene-floor-lacks = falta; un suelo que se mueve necesita masa modal, frecuencia y razón de amortiguamiento
+    .help = indique ambos, o solo slope; su velocidad en vacío se calcula entonces
+scene-motor-curve = el par del motor debe disminuir con su velocidad
+    .help = dé al menos dos filas con velocidades crecientes y pares decrecientes: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas como "0 50 10 20 12 -4"
+scene-motor-without-inertia = falta; el motor requiere el momento de inercia de su eje
+    .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine] para volante y rotor, reducidos al eje de la leva
+scene-floor-lacks = falta; un suelo que se mueve requiere masa modal, frecuencia y razón de amortiguamiento
     .help = escriba por ejemplo "{ $example }" en [machine.floor]
-scene-floor-twice = el suelo está dos veces: como un modo y como una lista
+scene-floor-twice = el suelo se da como un modo y como una lista de modos
     .help = pase los números de [machine.floor] a un [[machine.floor.mode]]
-scene-walker-phases = no es un ángulo para cada uno de los { $count } peatones de machine.walkers.count
-    .help = escriba { $count } ángulos, primero el excitador, por ejemplo ["0 deg", "90 deg"] para 2; u omita la clave: se sortean
-scene-walker-weights = no es un peso positivo para cada uno de los { $count } peatones de machine.walkers.count
-    .help = escriba { $count } pesos, primero el excitador, por ejemplo ["700 N", "850 N"] para 2; u omita la clave: todos pesan lo mismo
-scene-floor-alone = no está disponible sobre un suelo que se mueve
-    .help = omítalo u omita [machine.floor]
-scene-floor-needs-shaker = un suelo se mueve bajo una masa que sigue una fuerza: drive.kind = "moving-axis", con [gait], sin law.polydyne
-    .help = omita [machine.floor] o use tal accionamiento
+scene-walker-phases = se requiere un ángulo para cada uno de los { $count } peatones de machine.walkers.count
+    .help = escriba { $count } ángulos, primero el excitador, como ["0 deg", "90 deg"] para 2; u omita la clave para sortear las fases
+scene-walker-weights = se requiere un peso positivo para cada uno de los { $count } peatones de machine.walkers.count
+    .help = escriba { $count } pesos, primero el excitador, como ["700 N", "850 N"] para 2; u omita la clave para pesos iguales
+scene-floor-alone = no está disponible con un suelo que se mueve
+    .help = omita esta clave, u omita [machine.floor]
+scene-floor-needs-shaker = un suelo que se mueve requiere drive.kind = "moving-axis" con [gait] y sin law.polydyne
+    .help = omita [machine.floor], o use este accionamiento
 scene-residual-without-frequency = falta; el límite de vibración residual la requiere
     .help = escriba por ejemplo "60 Hz" en [machine]
 scene-force-range = { $low } no es menor que force_max = { $high }
@@ -167,15 +167,15 @@ scene-polydyne-without-stiffness = una leva polidina necesita la rigidez del seg
     .help = escriba stiffness = "9 kN/m" o natural_frequency = "60 Hz" en [machine]
 scene-polydyne-family = una leva polidina necesita una ley con cuatro derivadas continuas, que esta familia ({ $family }) no garantiza
     .help = use family = "spline" o "harmonic", o un programa de segmentos 5-6-7-8-9
-scene-polydyne-degree = la elevación de una leva polidina contiene la fuerza: por debajo del grado 5 su aceleración sería discontinua
+scene-polydyne-degree = la elevación de una leva polidina incluye la deformación del seguidor por la fuerza: por debajo del grado 5 su aceleración sería discontinua
     .help = use grado 5 a 9
-scene-polydyne-on-slide = una leva polidina debe girar: una ley que no se repite no tiene régimen permanente
+scene-polydyne-on-slide = una leva polidina debe girar, porque una ley que no se repite no tiene régimen permanente
     .help = quite law.polydyne o use otro seguidor
-scene-polydyne-breadth = una leva polidina no mantiene la anchura constante: el seguidor se deforma de otro modo media vuelta después
+scene-polydyne-breadth = una leva polidina no puede tener anchura constante, porque la deformación del seguidor es distinta media vuelta después
     .help = quite law.polydyne o cam.breadth
-scene-no-such-scene = no hay ninguna escena incorporada «{ $typed }»
+scene-no-such-scene = la escena incorporada «{ $typed }» no existe
     .help = { $nearest ->
-        [none] están incorporadas { $known }
+        [none] las escenas incorporadas son { $known }
        *[other] ¿quiso decir «{ $nearest }»?
     }
 

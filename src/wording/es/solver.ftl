@@ -1,6 +1,6 @@
 # Cómo se obtuvo la ley.
 method-programme = movimiento prescrito; sin optimización
-method-interpolation = tantas condiciones como coeficientes: un sistema lineal
+method-interpolation = un sistema lineal con tantas condiciones como coeficientes
 method-spectral = { $harmonics } armónicos; error de truncamiento { $rest } RMS
 method-harmonics = { $harmonics } armónicos, { $rounds ->
         [one] una iteración de intercambio
@@ -31,10 +31,10 @@ ended-small-gain = los pasos mejoran el objetivo en menos de una parte en diez m
 # Por qué no se certifica que la ley sea el óptimo.
 doubt-limits = un límite se supera en más de la tolerancia del método
 doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
-doubt-touching-angle = el ángulo en que la ley toca el círculo base se buscó, sin demostrar que sea el mejor
-doubt-left-out = no se encontró ninguna ley que cumpla los límites no convexos; quedan fuera
-doubt-fixed-motion = es el óptimo para un movimiento dado del eje y del suelo; no se compararon leyes que dan otro movimiento a la máquina
-doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la brecha es respecto a la mejor cota inferior conocida
+doubt-touching-angle = el ángulo en que la ley toca el círculo base se obtuvo por búsqueda, sin demostrar que sea el mejor
+doubt-left-out = no se encontró ninguna ley que cumpla los límites no convexos; esta ley no los incluye
+doubt-fixed-motion = es el óptimo para un movimiento dado del eje y del suelo; no se compararon leyes que causan otro movimiento
+doubt-local = el problema no es convexo y solo se obtiene un óptimo local; la brecha se refiere a la mejor cota inferior conocida
 
 # Por qué se descartó una familia más sencilla.
 passed-over-accuracy = { $family }: supera el error de fuerza admitido en { $excess }

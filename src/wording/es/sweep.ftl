@@ -1,46 +1,46 @@
 # Errores de un barrido: sus ejes, su plan, sus tolerancias y sus tablas.
 sweep-no-assignment = «{ $typed }» no es una clave, = y un valor
     .help = escriba CLAVE=VALORES, por ejemplo limits.stroke=20 mm:60 mm:5 o law.family=spline,harmonic
-sweep-no-values = rejilla vacía: no se da ningún valor
+sweep-no-values = la rejilla está vacía: no se da ningún valor
     .help = escriba al menos un valor entre comas, o INICIO:FIN:CANTIDAD
 sweep-sampled-count = un intervalo que se muestrea no lleva cantidad
     .help = escriba INICIO:FIN
-sweep-no-count = el intervalo de una rejilla necesita su cantidad
-    .help = escriba INICIO:FIN:CANTIDAD, o muestree el intervalo
+sweep-no-count = el intervalo de una rejilla no tiene cantidad
+    .help = escriba INICIO:FIN:CANTIDAD, o sortee valores con --sample
 sweep-not-count = "{ $typed }" no es un número entero de valores
     .help = escriba INICIO:FIN:CANTIDAD
 sweep-different-units = los extremos del intervalo tienen unidades distintas ("{ $first }" y "{ $last }")
     .help = dé ambos en la misma unidad
 sweep-not-number = "{ $typed }" no empieza por un número
-sweep-no-rows = rejilla vacía: no hay filas que calcular
-sweep-too-many-rows = { $rows } combinaciones
-    .help = son demasiadas para calcularlas: tome menos valores, o una muestra
-sweep-list-lengths = la lista da { $values } valores de "{ $key }" y { $first } de su primera clave
+sweep-no-rows = la rejilla está vacía: no hay filas que calcular
+sweep-too-many-rows = { $rows } combinaciones son demasiadas para calcularlas
+    .help = use menos valores, o una muestra
+sweep-list-lengths = la lista da { $values } valores de "{ $key }", pero { $first } de su primera clave
     .help = dé a cada clave de una lista el mismo número de valores
-sweep-not-carried = no está entre los registros de este barrido
-sweep-scatter-alone = no se puede combinar con otra variación: se aplica a un solo diseño
+sweep-not-carried = este archivo no está entre los registros de este barrido
+sweep-scatter-alone = no se puede combinar con otra variación, porque se aplica a un solo diseño
 sweep-no-design = la escena no tiene una leva factible, así que no se pueden aplicar tolerancias
-    .help = relaje sus límites como dice el resumen del diseño
+    .help = relaje sus límites como se sugiere en el resumen del diseño
 sweep-out-of-time = el límite de tiempo terminó la búsqueda de este diseño
     .help = permita más tiempo
-sweep-fixed = "{ $key }" no puede variar
-    .help = claves que varían: { $known }; y valores de una lista por su número, como law.segment.2.lift
+sweep-fixed = "{ $key }" no se puede variar
+    .help = se pueden variar las claves { $known }, y valores de una lista por su número, como law.segment.2.lift
 sweep-key-twice = "{ $key }" aparece dos veces
 sweep-nothing-to-sample = no varía ninguna clave, así que no hay nada que muestrear
     .help = varíe una clave en un intervalo: CLAVE=INICIO:FIN
 sweep-sobol-axes = las sucesiones de Sobol están disponibles hasta { $most } claves
     .help = use el hipercubo latino (latin)
-sweep-no-scene = no hay escena base { $scene }
+sweep-no-scene = la escena base { $scene } no existe
 sweep-no-tolerance-value = «{ $typed }» no es una parte, = y un valor
     .help = escriba PARTE=VALOR, por ejemplo profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" no admite tolerancia
-    .help = partes con tolerancia: profile, base_radius, mass, speed
+    .help = estas partes tienen tolerancia: profile, base_radius, mass, speed
 sweep-negative-tolerance = la tolerancia de { $part } es negativa: { $typed }
     .help = dé la semianchura de la tolerancia, 0 o más
 sweep-no-force-error = la escena no tiene fuerza objetivo, así que no tiene error de fuerza
-sweep-scatter-of-arm = las tolerancias se calculan para seguidores de traslación: en un brazo, el mismo error del perfil cambia la elevación de forma distinta en cada ángulo; mida una leva fabricada con gaitcam inspect
-sweep-front-without-moving-axis = solo en un eje móvil un límite de fuerza fija la velocidad de pérdida de contacto; use gaitcam sweep y gaitcam front --maximise liftoff_speed
-sweep-front-without-size = aquí el tamaño de la leva se deduce de la presión: indique base_radius o prime_radius
+sweep-scatter-of-arm = las tolerancias solo se calculan para seguidores de traslación; en un brazo, el efecto de un error del perfil sobre la elevación depende del ángulo: mida una leva fabricada con gaitcam inspect
+sweep-front-without-moving-axis = un límite de fuerza fija la velocidad de pérdida de contacto solo en un eje móvil; use gaitcam sweep y gaitcam front --maximise liftoff_speed
+sweep-front-without-size = aquí la presión determina el tamaño de la leva: indique base_radius o prime_radius
     .help = añada [gait] a la escena
 sweep-no-column = "{ $typed }" no es una columna de números
     .help = { $nearest ->
@@ -59,5 +59,5 @@ differs-value = { $path }: antes { $old ->
        *[other] { $new }
     }
 differs-long = { $path }: el texto es distinto
-differs-only-old = { $path }: solo la primera ejecución tiene "{ $text }"
-differs-only-new = { $path }: solo esta ejecución tiene "{ $text }"
+differs-only-old = { $path }: solo la primera ejecución contiene "{ $text }"
+differs-only-new = { $path }: solo esta ejecución contiene "{ $text }"
