@@ -171,8 +171,8 @@ def recordings(gaitcam, folder, place):
     for _ in range(5):
         settings = ["--set", f"gait.leave_out={json.dumps(left)}", "--set", "law.robust=worst"]
         done = subprocess.run([gaitcam, "cover", place, "--cams", "1:6", "--out", folder / "try", *settings], capture_output=True, text=True)
-        left += re.findall(r"([\w.-]+\.[a-z0-9]{2,5})(?: line \d+)?: ", "".join(re.findall(r"No cycle in (.*)", done.stderr)))
-        names = re.findall(r"(?:the weight:|of force:|reverse:|movement:) (.*?)\.(?= |;)", done.stderr)
+        left += re.findall(r"([\w.-]+\.[a-z0-9]{2,5})(?: line \d+)?: ", "".join(re.findall(r"Files without a cycle: (.*)", done.stderr)))
+        names = re.findall(r"(?:the weight:|of force:|mixed:|movement:) (.*?)\.(?= |;)", done.stderr)
         if done.returncode in (0, 3):
             break
         for name in filter(None, re.split(r", ", ", ".join(names))):

@@ -136,7 +136,7 @@ fn conjugate_of_ejemplo8_has_a_base_of_80() {
     assert!(
         none.contains("140 mm")
             && none.contains("145 mm")
-            && none.contains("without undercut exists"),
+            && none.contains("has no undercut"),
         "{none}"
     );
     assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());

@@ -25,12 +25,12 @@ gait-samples = samples
 gait-doubt = open
 gait-unacceptable = The recording cannot be used: { $list }. { $others ->
         [0] Record again with a larger range.
-       *[other] Record again with a larger range, or leave the clipped column out (--force).
+       *[other] Record again with a larger range, or exclude the clipped column (--force).
     }
-gait-doubts = Check { $list }; then give the option named, or accept with gait.accept = "{ $names }".
+gait-doubts = Check { $list }. Then give the named option, or accept with gait.accept = "{ $names }".
 gait-trial-columns = file  kind  used  rejected  stride s  mass kg  mean N  notes  joint mean
 gait-used = used
-gait-left-out = left out: { $reason }
+gait-left-out = excluded: { $reason }
 gait-joint-mean = { $trials ->
         [one] joint mean of one recording
        *[other] joint mean of { $trials } recordings
@@ -43,5 +43,5 @@ gait-joint-mean = { $trials ->
     }
 gait-no-joint-mean = no joint mean
 gait-as-given = one cycle
-gait-several-sources = of several sources
-gait-one-cycle = one force cycle, used as given (no stance detection)
+gait-several-sources = from several sources
+gait-one-cycle = one force cycle, used unchanged (no stance detection)

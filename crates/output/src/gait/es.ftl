@@ -27,7 +27,7 @@ gait-unacceptable = El registro no se puede usar: { $list }. { $others ->
         [0] Registre de nuevo con un rango mayor.
        *[other] Registre de nuevo con un rango mayor, o excluya la columna recortada (--force).
     }
-gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
+gait-doubts = Compruebe { $list }. Indique después la opción citada, o acepte con gait.accept = "{ $names }".
 gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
 gait-used = usado
 gait-left-out = excluido: { $reason }
@@ -44,4 +44,4 @@ gait-joint-mean = { $trials ->
 gait-no-joint-mean = sin media conjunta
 gait-as-given = un ciclo
 gait-several-sources = de varias fuentes
-gait-one-cycle = un ciclo de fuerza, usado tal cual (sin detección de apoyos)
+gait-one-cycle = un ciclo de fuerza, usado sin cambios (sin detección de apoyos)

@@ -83,8 +83,8 @@ fn tables_of_an_arm_have_angles_in_radians_and_forces_in_newtons_at_the_lever() 
     }
     let table = simulation::table(&out, Measures::Oscillating, Language::En);
     for (name, words) in [
-        ("normal_force_n", "normal force at most"),
-        ("side_thrust_n", "side thrust at most"),
+        ("normal_force_n", "normal force up to"),
+        ("side_thrust_n", "side thrust up to"),
     ] {
         let most = column(name)
             .iter()

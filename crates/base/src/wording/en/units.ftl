@@ -6,13 +6,13 @@ units-grouped = "{ $text }" contains a thousands separator
 units-no-unit = "{ $text }" has no unit
     .help = write for example { $example }
 units-bare-share = "{ $text }" has no unit
-    .help = write "{ $text } %", or "{ $percent } %" if the plain ratio is meant
+    .help = write "{ $text } %", or "{ $percent } %" if { $text } is the ratio
 units-wrong-dimension = "{ $text }" has the wrong dimension ("{ $unit }" is not a unit of { $dimension })
     .help = write for example { $example }
-units-out-of-range = "{ $text }" is larger than 1e30 in SI units
+units-out-of-range = "{ $text }" exceeds 1e30 in SI units
 units-exponent = "{ $factor }" has an exponent that is not a small integer
 units-unknown-unit = unknown unit "{ $unit }"
     .help = { $nearest ->
-        [none] units are SI, in, ft, lb, lbf, psi, deg, rpm, Hz, bar and their products
+        [none] valid units are SI units, in, ft, lb, lbf, psi, deg, rpm, Hz, bar and their products
        *[other] did you mean "{ $nearest }"?
     }

@@ -236,7 +236,7 @@ fn a_folder_in_the_place_of_a_file_costs_nothing_that_is_there() {
     );
     assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
     assert!(
-        stderr(&output).contains("profile.csv: is not a file of gaitcam"),
+        stderr(&output).contains("profile.csv: this file has the name of a gaitcam file"),
         "{}",
         stderr(&output)
     );
@@ -310,7 +310,7 @@ fn a_folder_that_a_stopped_process_holds_is_given_up_within_the_time_limit() {
 #[test]
 fn a_pipe_in_the_place_of_a_file_is_refused_at_once() {
     let here = tempfile::tempdir().unwrap();
-    let lock = "is not a file of gaitcam";
+    let lock = "this file has the name of a gaitcam file";
     let table = "is a pipe or a device";
     let sweep = "sweep --vary law.family=spline,harmonic --out t.csv";
     for (pipe, arguments, said) in [

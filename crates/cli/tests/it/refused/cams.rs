@@ -129,7 +129,7 @@ fn a_law_without_constant_breadth_is_refused_for_parallel_faces() {
     says(
         synth(&text, &[]),
         3,
-        &["cam.breadth", "does not keep a breadth", "180°"],
+        &["cam.breadth", "does not have a constant breadth", "180°"],
     );
     let text = scene("camdas_06_constant_breadth");
     says(

@@ -104,7 +104,7 @@ fn measurements_that_cannot_be_used_are_refused_by_line() {
         writeln!(other, "{},{}", 10.0 * angle.cos(), 3.0 * angle.sin()).unwrap();
     }
     let other = refused(&other);
-    assert!(other.contains("not those of this cam"), "{other}");
+    assert!(other.contains("do not belong to this cam"), "{other}");
     fs::write(&file, "x_mm,y_mm\n").unwrap();
     let run = gaitcam(&["inspect", "no_such.toml", &file]);
     assert_eq!(run.status.code(), Some(2));

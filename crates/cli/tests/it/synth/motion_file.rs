@@ -369,7 +369,7 @@ fn a_sweep_over_files_says_that_it_takes_rows() {
     assert_eq!(output.status.code(), Some(2));
     let said = stderr(&output);
     assert!(
-        said.contains("lift.csv") && said.contains("rows written out"),
+        said.contains("lift.csv") && said.contains("the rows themselves"),
         "{said}"
     );
 }

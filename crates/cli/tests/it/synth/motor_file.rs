@@ -32,8 +32,8 @@ fn faults_of_a_motor_curve_speak_of_a_torque_curve() {
             "a,b\n1,2\n2,1\n",
             ["motor.csv line 1: the torque curve", "columns: a, b"],
         ),
-        (&one_row, ["machine.motor.curve", "two rows or more"]),
-        (&rising, ["motor.csv line 3", "torques decreasing"]),
+        (&one_row, ["machine.motor.curve", "at least two rows"]),
+        (&rising, ["motor.csv line 3", "decreasing torques"]),
         (&word, ["motor.csv line 4", "\"much\" is not a number"]),
     ] {
         let said = refusal(content, "en");

@@ -123,7 +123,7 @@ fn a_programme_without_load_shows_inertia_and_speaks_of_no_percents() {
     assert!(picture.contains("force of a 1 kg follower"), "{picture}");
     let ran = run("simulate", "camdas_01_roller", &[]);
     assert!(
-        !ran.out.contains("NaN") && ran.out.contains("nothing presses the follower"),
+        !ran.out.contains("NaN") && ran.out.contains("no force presses the follower"),
         "{}",
         ran.out
     );

@@ -2,7 +2,7 @@
 
 force-few-samples = a force cycle of { $samples } samples is too short
     .help = give at least 4 samples per cycle
-force-lengths = { $times } times and { $forces } forces
+force-lengths = { $times } times are given for { $forces } forces
     .help = give one force for each time
 force-sample-not-finite = force sample { $sample } is not a finite number
     .help = every sample must be a finite number of newtons
@@ -11,16 +11,16 @@ force-period-not-positive = invalid period { $period }
 force-unknown-feet = invalid value "{ $word }" for feet
     .help = use both, one, left, right or total
 force-unknown-kind = "{ $word }" is not a kind of movement
-    .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed for walking and running
+    .help = the kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed for walking and running
 force-unknown-doubt = "{ $word }" cannot be accepted
-    .help = list what you accept about the recording: kind, clock, mass
+    .help = list what you have checked in the recording: kind, clock, mass
 force-no-joint-mean = { $trials ->
         [one] the recording gives no
        *[other] none of the { $trials } recordings gives a
     } cycle for a joint mean
-    .help = the table gives the reason for each; one cycle can be used as gait.file
+    .help = the table gives the reasons; one cycle can be used as gait.file
 force-unknown-unit = "{ $word }" is not a unit of force
-    .help = units are N, daN, kN, lbf, kgf, N/kg, BW and %BW
+    .help = the units are N, daN, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
     .help = the load models are { $known }
 force-misspelt-model = "{ $name }" is not a load model
@@ -29,52 +29,52 @@ force-weight-not-positive = invalid body weight { $weight }
     .help = it must be positive, for example "700 N"
 force-frequency-out-of-range = { $model } is not defined for a step frequency of { $frequency }
     .help = give { $low } to { $high }
-force-frequency-missing = { $model } needs a step frequency
+force-frequency-missing = { $model } requires a step frequency
     .help = give for example step_frequency = "1.85 Hz"
-force-both-feet-only = { $model } gives the force of both feet together, not of one
+force-both-feet-only = { $model } gives the total force of both feet, not the force of one foot
     .help = use feet = "both", or a single-foot model: li-2010, iso-22675
-force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is not walking
-    .help = give the sampling rate (option rate): the column may count samples
-force-running = the recording of { $duration } is of running (short contacts, flight between them, less than half of the stride on the ground)
+force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is implausible for walking
+    .help = the column may count samples: give the sampling rate (option rate)
+force-running = the recording of { $duration } shows running (short contacts with flight between them)
     .help = use kind = "running" for a running cycle, or give a recording of walking
-force-not-walking = the recording of { $duration } is not of walking: { $movement ->
+force-not-walking = the recording of { $duration } does not show walking: { $movement ->
         [standing] a person stands; the load hardly changes
-        [jumping] both feet leave the ground or land together
-        [sit-to-stand] the load rises from that of the feet alone to the body weight
-       *[other] no periodic gait is found
+        [jumping] both feet leave the ground or land at the same time
+        [sit-to-stand] the load rises from the weight of the feet to the body weight
+       *[other] the gait is not periodic
     }
     .help = give a recording of walking or running; for very slow steps use kind = "walking"; for any other periodic force use gait.period
-force-total-of-both-feet = no complete stance of one foot in { $duration } of recording: the column is the total force of both feet, which does not return to zero
+force-total-of-both-feet = { $duration } of recording contain no complete stance of one foot: the column is the total force of both feet, which does not return to zero
     .help = use feet = "both"
-force-no-stance = no complete walking stance in { $duration } of recording
+force-no-stance = { $duration } of recording contain no complete walking stance
     .help = { $contacts ->
         [one] one contact was found, from { $from } to { $to }
        *[other] { $contacts } contacts were found, the first from { $from } to { $to }
     }; most frequent reason for rejection: { $reason }
-force-no-stance-file-cut = no complete walking stance in { $duration } of recording: the header states { $announced } rows, the file has { $found }
+force-no-stance-file-cut = { $duration } of recording contain no complete walking stance: the header states { $announced } rows, but the file has { $found }
     .help = export the complete trial; most frequent reason for rejection: { $reason }
-force-force-too-low = no channel carries a load in { $duration } of recording: the highest force is { $peak }
-    .help = perhaps it is in N/kg or body weights under a header of N: give its unit (option unit) and the mass (option mass)
-force-no-live-channel = no complete walking stance in { $duration } of recording: no channel carries a load
+force-force-too-low = no channel carries a load in { $duration } of recording: the maximum force is { $peak }
+    .help = if the force is in N/kg or body weights, give its unit (option unit) and the mass (option mass)
+force-no-live-channel = { $duration } of recording contain no complete walking stance, because no channel carries a load
     .help = name the force column (option force)
-force-no-contact = no complete walking stance in { $duration } of recording: no channel exceeds 20 N
+force-no-contact = { $duration } of recording contain no complete walking stance, because no channel exceeds 20 N
     .help = check the unit of force and the force column (options unit and force)
 force-no-stance-of-foot = no complete stance of the { $foot } foot
     .help = all stances are of the other foot; use feet = "one" or "both"
 force-feet-not-named = no complete stance of the { $foot } foot
-    .help = the file does not say which foot is which; use feet = "one" or "both"
+    .help = the file does not identify the feet; use feet = "one" or "both"
 
-note-rows-differ = the header states { $announced } rows, the file has { $found }
-note-frames-missing = the header states { $announced } frames, the file has { $found }
-note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
-note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are taken as left and right insole
-note-insole-beside-plate = forces of a plate ({ $plate }) and of an insole ({ $insole }) are in one table: the plate is taken; name the columns of the insole to take it (option force)
-note-stance-per-row = one stance per row, { $rows } rows
+note-rows-differ = the header states { $announced } rows, but the file has { $found }
+note-frames-missing = the header states { $announced } frames, but the file has { $found }
+note-lines-skipped = lines without a row of numbers were skipped; the first is line { $first-line }
+note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are used as left and right insole
+note-insole-beside-plate = the table contains forces of a plate ({ $plate }) and of an insole ({ $insole }); the plate is used; name the columns of the insole to use it instead (option force)
+note-stance-per-row = the table has one stance per row, { $rows } rows
 note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
-note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed
-note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; give the rate if this is wrong
-note-rate-overrides-times = the given rate of { $rate } replaces the time column, which gives { $column }
-note-time-unit-guessed = the time column has steps of { $step }; it is taken as { $unit ->
+note-durations-lost = all stances have { $samples } samples, so their durations are unknown; a duration of { $assumed } is assumed
+note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; if this is wrong, give the rate
+note-rate-overrides-times = the given rate of { $rate } replaces the rate of the time column, { $column }
+note-time-unit-guessed = the time column has steps of { $step }; the assumed unit is { $unit ->
         [ms] milliseconds
         [us] microseconds
        *[ns] nanoseconds
@@ -83,44 +83,44 @@ note-samples-missing = { $count ->
         [one] one sample is missing
        *[other] { $count } samples are missing
     }, the first near { $first }; the sampling rate is computed from the samples present
-note-rates-differ = the header gives a rate of { $header }, the time column { $column }; the time column is used
+note-rates-differ = the header gives a rate of { $header }, but the time column gives { $column }; the time column is used
 note-uneven-samples = the samples are unevenly spaced in time and were resampled at constant intervals
-note-unit-guessed = the unit of force is not given; from the peak of { $peak } it is taken as { $unit }
-note-unit-label-rejected = a peak of { $peak } is implausible in { $label }; the unit is taken as { $unit }
+note-unit-guessed = the unit of force is not given; the peak of { $peak } indicates { $unit }
+note-unit-label-rejected = a peak of { $peak } is implausible in { $label }; the unit is assumed to be { $unit }
 note-low-force = no force exceeds { $peak }; if the forces are in body weights, give unit BW and the mass
-note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is taken as vertical
-note-feet-guessed = ground_force is taken as the right foot, 1_ground_force as the left (convention of OpenSim's examples)
-note-no-plates = the file describes no force plate; analog channels are chosen by their labels
-note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (types 1 to 7 are); name its force channel to use it
+note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is used as the vertical force
+note-feet-guessed = ground_force is used for the right foot, 1_ground_force for the left foot (convention of OpenSim's examples)
+note-no-plates = the file describes no force plate; analog channels are selected by their labels
+note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (supported: 1 to 7); to use the plate, name its force channel
 note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel } is not in the file
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
-note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
-note-clipped = { $column } is clipped: its readings stop at about { $level }, below the peaks of the force
-note-missing-is-unloaded = samples of { $column } are missing between its contacts; the plate is taken as unloaded there
+note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated; give the walker's mass
+note-clipped = { $column } is clipped: its readings do not exceed about { $level }, which is below the peaks of the force
+note-missing-is-unloaded = samples of { $column } are missing between its contacts; the plate is assumed to be unloaded there
 note-spikes-removed = { $count ->
-        [one] a single sample of { $column } at { $first } lies far from both neighbours and was
-       *[other] { $count } single samples of { $column } lie far from both neighbours (the first at { $first }) and were
+        [one] a single sample of { $column } at { $first } differs strongly from both neighbours and was
+       *[other] { $count } single samples of { $column } differ strongly from both neighbours (the first at { $first }) and were
     } replaced by a straight line
 note-drop-outs = { $column } lost samples { $count ->
         [one] once, at { $first }
        *[other] { $count } times, first at { $first }
     }: its readings are zero under load; stances with such gaps are not used
-note-unloaded-differs = { $column } reads { $level } between contacts and { $at-ends } at both ends of the recording: cross-talk of another plate or a changed offset makes the mass uncertain: give it (option mass)
+note-unloaded-differs = { $column } reads { $level } between contacts, but { $at-ends } at both ends of the recording; cross-talk of another plate or a changed offset makes the mass uncertain; give the mass (option mass)
 note-stance-fills-span = { $stances ->
         [one] the stance from { $from } to { $to } fills the span
        *[other] the mean of { $stances } stances, the first from { $from } to { $to }, fills the span
     }; the rest of the turn is unloaded
-note-cross-talk-removed = { $column } reads { $share } of the force of { $of } while nothing stands on it (cross-talk); this share was subtracted
-note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was left out
+note-cross-talk-removed = while { $column } is unloaded, it shows { $share } of the force of { $of } (cross-talk); this share was subtracted
+note-column-repeats = { $column } repeats { $original } (raw and filtered, or a copy) and was excluded
 note-drift-removed = the unloaded reading of { $column } drifts by { $rise } per second; the drift was removed
-note-stride-varies = the strides last { $period } ± { $spread }: more than one speed, or no steady walk; give a recording of one speed
-note-stride-from-one = the stride time of { $period } is from one step or stride and uncertain by { $error }; the stroke of a cam grows with its square and is uncertain by { $stroke }
+note-stride-varies = the stride time is { $period } ± { $spread }, which is typical of several speeds or unsteady walking; give a recording at one speed
+note-stride-from-one = the stride time of { $period } is from one step or stride, with an uncertainty of { $error }; the stroke of a cam is proportional to its square, with an uncertainty of { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] one stance of one foot is
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
-note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the part of the turn that the stance fills (options mass, period and span)
+note-stride-assumed = the recording does not contain the stride time; { $period } is assumed, with a stance of { $duty } of the stride: give the mass, the duration of a stride, or the angle that the stance covers (options mass, period and span)
 note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
 note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
 note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
@@ -129,10 +129,10 @@ note-mean-force-not-weight = the mean force over a stride is { $ratio } times { 
        *[whole] the
     } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
-note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
-note-clock-differs = by its own clock the file lasts { $clock }, but the period given is { $period }: the rows are stretched to it
-note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
-note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement ->
+note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass would be { $mass }, which is implausible for an adult: give the unit or the mass (options unit and mass)
+note-clock-differs = according to its time column the file lasts { $clock }, but the given period is { $period }: the time is scaled to the given period
+note-count-or-milliseconds = the time column increases by 1 and has no unit; in milliseconds a stride would take { $stride }, but the column may also count samples: give the sampling rate (option rate)
+note-kind-differs = kind { $typed } is given, but the contacts show { $movement ->
         [running] { kind-running }
         [standing] { kind-standing }
         [jumping] { kind-jumping }
@@ -140,12 +140,12 @@ note-kind-differs = kind { $typed } is given, but the contacts are those of { $m
         [walking] { kind-walking }
        *[other] { kind-other }
     }
-note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
-note-few-alike = only { $used } of { $stances } contacts of a steady walk last alike; the others carry a part of a foot, or of the other one too, and are left out
-note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most { $most } is expected: partial contacts, cross-talk, two feet on one plate, or feet that differ: give the mass (option mass), or name the columns of whole stances (option force)
-note-total-column = the column is taken as the total force of both feet
-note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time
-note-several-masses = the recordings are of walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
+note-speed-changes = the speed changes during the recording; the mean is computed from { $used } of { $stances } stances or steps that last { $low } to { $high }, the largest group of one speed
+note-few-alike = only { $used } of { $stances } contacts of a steady walk have a similar duration; the others are partial contacts or include the other foot, and are excluded
+note-stances-differ = the stances differ by { $share }; at most { $most } is expected (share of the body weight, or of the mean impulse of both feet). Possible causes: partial contacts, cross-talk, two feet on one plate, or feet that differ. Give the mass (option mass), or name the columns of whole stances (option force)
+note-total-column = the column is used as the total force of both feet
+note-plates-summed = the feet move from plate to plate, so the mean cycle is computed from the sum of { $plates } plates, which always carry the walker
+note-several-masses = the recordings show walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
 note-counts-scaled = the readings are converter counts without calibration; they are scaled so that the mean force is the weight of { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -179,7 +179,7 @@ kind-running = running
 kind-standing = standing
 kind-jumping = jumping
 kind-sit-to-stand = sit-to-stand
-kind-other = another movement
+kind-other = a different movement
 
 open-kind = the kind of movement
 open-clock = the time scale
@@ -198,8 +198,8 @@ left-out-other-kind = { $movement ->
         [running] { kind-running }
        *[walking] { kind-walking }
     }
-left-out-other-speed = another speed: a stride of { $period }, and most take { $low } to { $high }
-left-out-mean-already = a mean cycle already, not a recording
+left-out-other-speed = different speed: its stride takes { $period }, but most take { $low } to { $high }
+left-out-mean-already = already a mean cycle, not a recording
 left-out-no-cycle = no cycle
 
 clock-user = given
@@ -213,7 +213,7 @@ name-marked-strikes = consecutive marked strikes of one foot
 name-heel-markers = heel markers
 name-doubled-steps = twice the mean step time
 name-impulse = the impulse balance with the body mass
-name-usual-duty = an assumed share of the stance in the stride (not in the recording)
+name-usual-duty = an assumed ratio of stance to stride (not in the recording)
 name-total-force = upward crossings of the mean total force
 
 mass-from-user = given
@@ -232,14 +232,14 @@ contact-edge-fragment = partial contact at the edge of the recording, ignored
 contact-never-unloaded = never unloaded: standing, or both feet on one plate
 contact-missing-samples = samples are missing during the stance
 contact-too-short = too short for a step
-contact-running = contact of running
+contact-running = contact typical of running
 contact-jumping = take-off or landing of both feet
-contact-cross-talk = cross-talk of a foot on another plate
+contact-cross-talk = cross-talk from a foot on another plate
 contact-other-speed = whole stance at another speed
-contact-unlike = duration, peak or impulse differs from those of the other stances
+contact-unlike = different from the other stances in duration, peak or impulse
 contact-standing = too long for a step: standing
 contact-cross-over = too long for one foot: both feet on one plate
-contact-two-plates = the foot lies across two plates
+contact-two-plates = foot on two plates
 contact-partial-contact = partial contact: the force is too low for a full step
 
 name-cut-at-start = { contact-cut-at-start }
@@ -276,11 +276,11 @@ name-right = right
 name-vertical = vertical
 name-integers = integers
 name-floats = floats
-force-no-walkers = a population without a walker
+force-no-walkers = the population contains no walker
     .help = give at least one cycle
 force-walker-impossible = the walker { $walker } has no positive weight or mean force
-    .help = correct the cycle, or leave it out
+    .help = correct the cycle, or omit it
 force-walker-column-missing = the table of walkers has no column { $column }
-    .help = give walker, period_s and f_000 to f_100 (N at equal steps of the cycle); speed_m_per_s, mass_kg and weight as known
+    .help = the table needs the columns walker, period_s and f_000 to f_100 (N at equal steps of the cycle); speed_m_per_s, mass_kg and weight are optional
 force-walker-value = invalid value "{ $value }" in column { $column }
-    .help = give a number, of period_s and weight a positive one; only speed_m_per_s, mass_kg and weight may be empty
+    .help = give a number (positive for period_s and weight); only speed_m_per_s, mass_kg and weight may be empty

@@ -1,4 +1,4 @@
-# Files of force: what is wrong with them.
+# Faults in files of force.
 
 read-empty = the file is empty
     .help = give a file with a header and rows of numbers
@@ -27,91 +27,91 @@ read-header-without-rows = the header has a force column ("{ $column }"), but no
     .help = export the samples as well; each row should start with a time or a number
 read-no-force-column = no column of vertical force found
     .help = the columns are { $columns }; name the force column (option force)
-read-many-forces = { $found } columns of force are more than a walkway has
-    .help = name those that are meant (option force)
-read-single-sensors = the { $sensors } numbered columns are readings of single sensors, such as the pressures of an insole, and none is a force
-    .help = export the total force of each insole in newtons; pressures make a force only with the area of each sensor
-read-long-table = a long table of { $cycles ->
+read-many-forces = { $found } columns of force are more than usual for a walkway
+    .help = name the columns to use (option force)
+read-single-sensors = the { $sensors } numbered columns are readings of single sensors, such as pressures of an insole, and not forces
+    .help = export the total force of each insole in newtons, because forces cannot be computed from pressures without the area of each sensor
+read-long-table = the table with { $cycles ->
         [one] one cycle
        *[other] { $cycles } cycles
-    } over their phase, one for each subject, task and step, has no clock
-    .help = give the duration of the cycle (option period): the mean of the cycles is read. Forces in body weights also need the mass (option mass)
-read-long-tasks = the cycles of this table are of several tasks: { $tasks }
-    .help = keep the rows of one task
-read-long-forces = only one force of a long table is read, not { $columns }
-    .help = name the one that is meant (option force)
+    } contains the phase, but no time
+    .help = give the duration of the cycle (option period); the mean of the cycles is then used. Forces in body weights also require the mass (option mass)
+read-long-tasks = the cycles of this table belong to several tasks: { $tasks }
+    .help = keep only the rows of one task
+read-long-forces = only one force of this table is used, not { $columns }
+    .help = name the force to use (option force)
 read-nameless-columns = the columns have no names, and none resembles a vertical force
-    .help = give the number of the force column (option force), and of the time column where there is one (option time)
-read-no-column = no column "{ $column }"
+    .help = give the number of the force column (option force) and, if there is one, of the time column (option time)
+read-no-column = the column "{ $column }" does not exist
     .help = the columns are { $columns }
-read-misspelt-column = no column "{ $column }"
+read-misspelt-column = the column "{ $column }" does not exist
     .help = did you mean "{ $near }"? The columns are { $columns }
-read-no-column-number = no column "{ $column }"
+read-no-column-number = the column "{ $column }" does not exist
     .help = the columns have no names; give a number from 1 to { $count }
 read-no-force-unit = the unit of column "{ $column }" is { $unit }, which is not a unit of force
     .help = export calibrated forces, or give the unit of the readings (option unit)
-read-force-is-time = the column named as force is the time column
+read-force-is-time = the given force column is the time column
     .help = name another force column, or the time column (option time)
 read-time-backwards = time decreases ({ $time } after { $after })
     .help = give one recording per file, in ascending time
 read-short-rows = the rows have far fewer fields than the header
     .help = each row should have { $fields } fields
-read-commas-twice = { $columns } columns, and { $fields } fields in a row: decimal commas, with commas between the columns
-    .help = export with semicolons or tabs between the columns, or with decimal points
+read-commas-twice = the header has { $columns } columns, but a row has { $fields } fields: commas are used as decimal marks and as separators
+    .help = export with semicolons or tabs as separators, or with decimal points
 read-few-samples = { $samples ->
         [0] the recording has no samples
         [one] the recording has one sample
        *[other] the recording has { $samples } samples
     }
     .help = give at least one complete stance
-read-time-stands-still = time does not increase from { $at } on
+read-time-stands-still = time does not increase after { $at }
     .help = name the time column (option time) or give the sampling rate (option rate)
 read-mostly-gaps = samples are missing for { $lost } of { $whole }
     .help = split the recording at its gaps
-read-counts-without-mass = the file holds converter counts without calibration
-    .help = give the mass of the walker (option mass), by which they are scaled, or the unit of the counts (option unit), or the .c3d file of the trial
-read-mat-without-force = no array of the MATLAB file is known to be a force; its arrays are { $arrays }
+read-counts-without-mass = the file contains converter counts without calibration
+    .help = give the mass of the walker (option mass) to scale the counts, their unit (option unit), or the .c3d file of the trial
+read-mat-without-force = no array of the MATLAB file is recognised as a force; its arrays are { $arrays }
     .help = name the force (option force); save the trial as numeric arrays or structs, because tables and timetables of MATLAB cannot be read
-read-mat-cut = the file was cut: its array { $array } has { $found } of { $announced } values
+read-mat-cut = the file is incomplete: its array { $array } has { $found } of { $announced } values
     .help = copy or export the file again
 read-phase-without-period = { $column } is the phase of a cycle, not a time
     .help = give the duration of the cycle (option period), for example "1.1 s"
-read-phase-of-stance = { $column } is the phase of a stance, which is a part of the cycle
+read-phase-of-stance = { $column } is the phase of a stance, not of the whole cycle
     .help = give the duration of the cycle and the part of the turn that the stance covers (options period and span), for example "1.1 s" and "223 deg"
 read-cycle-in-c3d = a C3D file is a recording, not a table of one cycle
-    .help = leave out the period; give a span only where the file has a whole stance (options period and span)
+    .help = omit the period; give a span only if the file contains a whole stance (options period and span)
 read-cycle-forces = one cycle has one force, not { $columns }
-    .help = name the one that is meant (option force)
+    .help = name the force to use (option force)
 read-no-rate = the file contains neither time nor sampling rate
     .help = give the rate (option rate), for example "1000 Hz"
-read-mass-missing = the force is in { $unit } and the body mass is not known
+read-mass-missing = the force is in { $unit }, but the body mass is not known
     .help = give the mass (option mass), for example "70 kg"
 
-read-stance-sample = sample { $sample } of the stance is "{ $text }"
-    .help = samples must be numbers, empty fields only at the end of the row
+read-stance-sample = sample { $sample } of the stance is not a number: "{ $text }"
+    .help = samples must be numbers; only the end of a row may contain empty fields
 read-no-stance-row = no stance found
-    .help = each row should hold the samples of one stance
-read-row-mass-missing = the force is in { $unit } and the mass of row { $row } is not known
-    .help = give the mass (option mass), or put the table of subjects beside the file
+    .help = each row should contain the samples of one stance
+read-row-mass-missing = the force is in { $unit }, but the mass of row { $row } is not known
+    .help = give the mass (option mass), or place the table of subjects in the folder of the file
 
-read-cycle-column-missing = no { $column ->
+read-cycle-column-missing = the file has no { $column ->
         [time] time
        *[force] force
     } column
     .help = the columns are { $columns }
 read-cycle-without-table = the file is marked as a cycle but contains no table of numbers
     .help = give columns time_s and force_n
-read-cycle-row = this row does not hold a time and a force
-    .help = every row of a cycle needs both
+read-cycle-row = this row does not contain a time and a force
+    .help = every row of a cycle requires a time and a force
 read-cycle-value = a value is missing or not a number
-    .help = every row of a cycle needs a time and a force
+    .help = every row of a cycle requires a time and a force
 read-cycle-too-long = the samples span { $span }, longer than the period of { $period }
     .help = correct period_s, or give one cycle only
 read-cycle-period-missing = the period of the critical points is not given
     .help = write "# period_s = 0.5" above the table
-read-points-not-rising = at least two critical points in ascending time are needed
+read-points-not-rising = at least two critical points in ascending time are required
     .help = sort the rows by time
-read-point-beyond-period = a point at { $at } lies beyond the period of { $period }
+read-point-beyond-period = the point at { $at } is outside the period of { $period }
     .help = correct period_s or the point
 
 read-processor = unknown C3D processor type { $code }
@@ -124,13 +124,13 @@ read-no-frame = the file contains no complete frame of data
     .help = a frame has { $bytes } bytes; the file is truncated
 read-no-frame-rate = the file gives no frame rate
     .help = POINT:RATE must be positive
-read-no-channel = no analog channel "{ $channel }"
+read-no-channel = the analog channel "{ $channel }" does not exist
     .help = the channels are { $channels }
 read-no-plate = neither a force plate nor an analog force channel found
     .help = the analog channels are { $channels }
-read-not-plates-of-one-trial = these files are not the plates of one trial
-    .help = only files that name their plate and have the same time stamp, samples and rate are read together, each once
-read-plate-uncalibrated = force plate { $plate } has no calibration matrix (FORCE_PLATFORM:CAL_MATRIX), which its type needs
-    .help = export the trial with it, or name a channel of calibrated vertical force (option force). The channels are { $channels }
+read-not-plates-of-one-trial = these files are not plates of the same trial
+    .help = give each file once; files are combined only if they name their plate and have the same time stamp, number of samples and rate
+read-plate-uncalibrated = force plate { $plate } has no calibration matrix (FORCE_PLATFORM:CAL_MATRIX), which is required for its type
+    .help = export the trial with this matrix, or name a channel of calibrated vertical force (option force). The channels are { $channels }
 read-plate-type-unknown = force plate { $plate } has the unsupported TYPE { $kind }
     .help = types 1 to 7 are supported; name its vertical force channel (option force). The channels are { $channels }

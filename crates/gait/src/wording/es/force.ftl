@@ -2,7 +2,7 @@
 
 force-few-samples = un ciclo de fuerza de { $samples } muestras es demasiado corto
     .help = dé al menos 4 muestras por ciclo
-force-lengths = { $times } tiempos y { $forces } fuerzas
+force-lengths = se dan { $times } tiempos para { $forces } fuerzas
     .help = dé una fuerza para cada tiempo
 force-sample-not-finite = la muestra de fuerza { $sample } no es un número finito
     .help = cada muestra debe ser un número finito de newtons
@@ -13,12 +13,12 @@ force-unknown-feet = valor no válido «{ $word }» para feet
 force-unknown-kind = «{ $word }» no es un tipo de movimiento
     .help = los tipos son walking, running, standing, jumping, sit-to-stand y other; el ciclo medio se calcula para walking (marcha) y running (carrera)
 force-unknown-doubt = «{ $word }» no se puede aceptar
-    .help = indique lo que acepta del registro: kind (tipo), clock (tiempo), mass (masa)
+    .help = indique lo que ha comprobado en el registro: kind (tipo), clock (tiempo), mass (masa)
 force-no-joint-mean = { $trials ->
         [one] el registro no da
        *[other] ninguno de los { $trials } registros da
     } un ciclo para una media conjunta
-    .help = la tabla da el motivo de cada uno; un ciclo se puede usar como gait.file
+    .help = la tabla da los motivos; un ciclo se puede usar como gait.file
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
     .help = las unidades son N, daN, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
@@ -29,52 +29,52 @@ force-weight-not-positive = peso corporal no válido { $weight }
     .help = debe ser positivo, por ejemplo "700 N"
 force-frequency-out-of-range = { $model } no está definido para una frecuencia de paso de { $frequency }
     .help = dé un valor de { $low } a { $high }
-force-frequency-missing = { $model } necesita una frecuencia de paso
+force-frequency-missing = { $model } requiere una frecuencia de paso
     .help = indique por ejemplo step_frequency = "1.85 Hz"
-force-both-feet-only = { $model } da la fuerza conjunta de ambos pies, no la de uno
+force-both-feet-only = { $model } da la fuerza total de ambos pies, no la de un pie
     .help = use feet = "both" o un modelo de un solo pie: li-2010, iso-22675
-force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es caminar
-    .help = indique la frecuencia de muestreo (opción rate): la columna puede contar muestras
-force-running = el registro de { $duration } es de carrera (contactos cortos, vuelo entre ellos, menos de la mitad de la zancada en el suelo)
+force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es verosímil al caminar
+    .help = la columna puede contar muestras: indique la frecuencia de muestreo (opción rate)
+force-running = el registro de { $duration } muestra carrera (contactos cortos con vuelo entre ellos)
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
-force-not-walking = el registro de { $duration } no es de marcha: { $movement ->
+force-not-walking = el registro de { $duration } no muestra marcha: { $movement ->
         [standing] una persona está de pie; la carga apenas cambia
         [jumping] ambos pies dejan el suelo o caen a la vez
-        [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
-       *[other] no se encuentra una marcha periódica
+        [sit-to-stand] la carga sube desde el peso de los pies hasta el peso corporal
+       *[other] la marcha no es periódica
     }
     .help = dé un registro de marcha o carrera; para pasos muy lentos use kind = "walking"; para cualquier otra fuerza periódica use gait.period
-force-total-of-both-feet = ningún apoyo completo de un pie en { $duration } de registro: la columna es la fuerza total de ambos pies, que no vuelve a cero
+force-total-of-both-feet = { $duration } de registro no contienen ningún apoyo completo de un pie: la columna es la fuerza total de ambos pies, que no vuelve a cero
     .help = use feet = "both"
-force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
+force-no-stance = { $duration } de registro no contienen ningún apoyo completo de marcha
     .help = { $contacts ->
         [one] se encontró un contacto, de { $from } a { $to }
        *[other] se encontraron { $contacts } contactos, el primero de { $from } a { $to }
     }; motivo de rechazo más frecuente: { $reason }
-force-no-stance-file-cut = ningún apoyo completo de marcha en { $duration } de registro: la cabecera indica { $announced } filas y el archivo tiene { $found }
+force-no-stance-file-cut = { $duration } de registro no contienen ningún apoyo completo de marcha: la cabecera indica { $announced } filas, pero el archivo tiene { $found }
     .help = exporte el ensayo completo; motivo de rechazo más frecuente: { $reason }
 force-force-too-low = ningún canal lleva carga en { $duration } de registro: la fuerza máxima es { $peak }
-    .help = quizá esté en N/kg o en pesos corporales bajo una cabecera de N: indique su unidad (opción unit) y la masa (opción mass)
-force-no-live-channel = ningún apoyo completo de marcha en { $duration } de registro: ningún canal lleva carga
+    .help = si la fuerza está en N/kg o en pesos corporales, indique su unidad (opción unit) y la masa (opción mass)
+force-no-live-channel = { $duration } de registro no contienen ningún apoyo completo de marcha, porque ningún canal lleva carga
     .help = indique la columna de fuerza (opción force)
-force-no-contact = ningún apoyo completo de marcha en { $duration } de registro: ningún canal supera 20 N
+force-no-contact = { $duration } de registro no contienen ningún apoyo completo de marcha, porque ningún canal supera 20 N
     .help = compruebe la unidad de fuerza y la columna de fuerza (opciones unit y force)
 force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
     .help = todos los apoyos son del otro pie; use feet = "one" o "both"
 force-feet-not-named = ningún apoyo completo del pie { $foot }
-    .help = el archivo no indica qué pie es cada uno; use feet = "one" o "both"
+    .help = el archivo no identifica los pies; use feet = "one" o "both"
 
-note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { $found }
-note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
-note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
-note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se toman como plantilla izquierda y derecha
-note-insole-beside-plate = la tabla contiene fuerzas de una placa ({ $plate }) y de una plantilla ({ $insole }): se toma la placa; para tomar la plantilla, indique sus columnas (opción force)
-note-stance-per-row = un apoyo por fila, { $rows } filas
+note-rows-differ = la cabecera indica { $announced } filas, pero el archivo tiene { $found }
+note-frames-missing = la cabecera indica { $announced } cuadros, pero el archivo tiene { $found }
+note-lines-skipped = se omitieron líneas sin una fila de números; la primera es la línea { $first-line }
+note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se usan como plantilla izquierda y derecha
+note-insole-beside-plate = la tabla contiene fuerzas de una plataforma ({ $plate }) y de una plantilla ({ $insole }); se usa la plataforma; para usar la plantilla, indique sus columnas (opción force)
+note-stance-per-row = la tabla tiene un apoyo por fila, { $rows } filas
 note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añada las demás a la tabla de sujetos (metadata)
-note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone { $assumed }
-note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; indíquela si no es correcta
-note-rate-overrides-times = la frecuencia de { $rate } indicada sustituye a la columna de tiempo, que da { $column }
-note-time-unit-guessed = la columna de tiempo tiene incrementos de { $step }; se toma como { $unit ->
+note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone una duración de { $assumed }
+note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; si no es correcta, indique la frecuencia
+note-rate-overrides-times = la frecuencia indicada, { $rate }, sustituye a la de la columna de tiempo, { $column }
+note-time-unit-guessed = la columna de tiempo tiene incrementos de { $step }; la unidad supuesta es { $unit ->
         [ms] milisegundos
         [us] microsegundos
        *[ns] nanosegundos
@@ -83,44 +83,44 @@ note-samples-missing = { $count ->
         [one] falta una muestra
        *[other] faltan { $count } muestras
     }, la primera cerca de { $first }; la frecuencia de muestreo se calcula con las muestras presentes
-note-rates-differ = la cabecera da una frecuencia de { $header } y la columna de tiempo { $column }; se usa la columna de tiempo
+note-rates-differ = la cabecera da una frecuencia de { $header }, pero la columna de tiempo da { $column }; se usa la columna de tiempo
 note-uneven-samples = las muestras no son equidistantes en el tiempo y se remuestrearon a intervalos constantes
-note-unit-guessed = no se da la unidad de fuerza; por el pico de { $peak } se toma como { $unit }
-note-unit-label-rejected = un pico de { $peak } no es verosímil en { $label }; la unidad se toma como { $unit }
+note-unit-guessed = no se da la unidad de fuerza; el pico de { $peak } indica { $unit }
+note-unit-label-rejected = un pico de { $peak } no es verosímil en { $label }; se supone la unidad { $unit }
 note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos corporales, indique la unidad BW y la masa
-note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se toma como vertical
-note-feet-guessed = ground_force se toma como pie derecho y 1_ground_force como izquierdo (convenio de los ejemplos de OpenSim)
+note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se usa como fuerza vertical
+note-feet-guessed = ground_force se usa para el pie derecho y 1_ground_force para el izquierdo (convenio de los ejemplos de OpenSim)
 note-no-plates = el archivo no describe ninguna plataforma de fuerza; los canales analógicos se eligen por sus etiquetas
-note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (sí los tipos 1 a 7); para usarla, indique su canal de fuerza
+note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (se admiten 1 a 7); para usarla, indique su canal de fuerza
 note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $channel } no está en el archivo
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
-note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
-note-clipped = { $column } está recortada: sus lecturas se detienen en unos { $level }, por debajo de los picos de la fuerza
-note-missing-is-unloaded = faltan muestras de { $column } entre sus contactos; ahí la plataforma se toma como descargada
+note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas; indique la masa de la persona
+note-clipped = { $column } está recortada: sus lecturas no superan unos { $level }, por debajo de los picos de la fuerza
+note-missing-is-unloaded = faltan muestras de { $column } entre sus contactos; se supone que ahí la plataforma no tiene carga
 note-spikes-removed = { $count ->
-        [one] una muestra aislada de { $column } en { $first } queda lejos de sus dos vecinas y se ha sustituido
-       *[other] { $count } muestras aisladas de { $column } quedan lejos de sus dos vecinas (la primera en { $first }) y se han sustituido
+        [one] una muestra aislada de { $column } en { $first } difiere mucho de sus dos vecinas y se ha sustituido
+       *[other] { $count } muestras aisladas de { $column } difieren mucho de sus dos vecinas (la primera en { $first }) y se han sustituido
     } por una línea recta
 note-drop-outs = { $column } perdió muestras { $count ->
         [one] una vez, en { $first }
        *[other] { $count } veces, la primera en { $first }
     }: sus lecturas son cero bajo carga; los apoyos con esos huecos no se usan
-note-unloaded-differs = { $column } lee { $level } entre contactos y { $at-ends } en ambos extremos del registro: la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa: indíquela (opción mass)
+note-unloaded-differs = { $column } lee { $level } entre contactos, pero { $at-ends } en ambos extremos del registro; la diafonía de otra plataforma o un cambio de la lectura sin carga hace incierta la masa; indique la masa (opción mass)
 note-stance-fills-span = { $stances ->
         [one] el apoyo de { $from } a { $to } ocupa la parte de la vuelta
        *[other] la media de { $stances } apoyos, el primero de { $from } a { $to }, ocupa la parte de la vuelta
     }; en el resto no hay carga
-note-cross-talk-removed = { $column } lee un { $share } de la fuerza de { $of } cuando nada la pisa (diafonía); esta parte se restó
+note-cross-talk-removed = mientras { $column } está sin carga, muestra un { $share } de la fuerza de { $of } (diafonía); esta parte se restó
 note-column-repeats = { $column } repite { $original } (sin filtrar y filtrada, o una copia) y se ha omitido
 note-drift-removed = la lectura sin carga de { $column } deriva { $rise } por segundo; la deriva se ha eliminado
-note-stride-varies = las zancadas duran { $period } ± { $spread }: más de una velocidad, o una marcha no estable; indique un registro de una sola velocidad
-note-stride-from-one = el tiempo de zancada de { $period } procede de un solo paso o zancada y tiene una incertidumbre de { $error }; la carrera de una leva crece con su cuadrado y tiene una incertidumbre de { $stroke }
+note-stride-varies = la duración de la zancada es { $period } ± { $spread }, propia de varias velocidades o de una marcha no estable; indique un registro a una sola velocidad
+note-stride-from-one = la duración de la zancada, { $period }, procede de un solo paso o zancada, con una incertidumbre de { $error }; la carrera de una leva es proporcional a su cuadrado, con una incertidumbre de { $stroke }
 note-one-foot-for-both = { $stances ->
         [one] un apoyo de un pie se repite
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
-note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o la parte de la vuelta que ocupa el apoyo (opciones mass, period y span)
+note-stride-assumed = el registro no contiene la duración de la zancada; se supone { $period }, con un apoyo del { $duty } de la zancada: indique la masa, la duración de la zancada o el ángulo que cubre el apoyo (opciones mass, period y span)
 note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
 note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
 note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
@@ -129,10 +129,10 @@ note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces 
        *[whole] el
     } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
-note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
-note-clock-differs = según su propio reloj el archivo dura { $clock }, pero el periodo dado es { $period }: las filas se adaptan a él
-note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
-note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement ->
+note-unit-unconfirmed = no se da la unidad de fuerza; en { $unit } la masa sería { $mass }, que no es verosímil en un adulto: indique la unidad o la masa (opciones unit y mass)
+note-clock-differs = según su columna de tiempo el archivo dura { $clock }, pero el período dado es { $period }: el tiempo se escala al período dado
+note-count-or-milliseconds = la columna de tiempo aumenta de 1 en 1 y no tiene unidad; en milisegundos una zancada duraría { $stride }, pero la columna también puede contar muestras: indique la frecuencia de muestreo (opción rate)
+note-kind-differs = se indica kind { $typed }, pero los contactos muestran { $movement ->
         [running] { kind-running }
         [standing] { kind-standing }
         [jumping] { kind-jumping }
@@ -140,12 +140,12 @@ note-kind-differs = se indica kind { $typed }, pero los contactos son de { $move
         [walking] { kind-walking }
        *[other] { kind-other }
     }
-note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
-note-few-alike = solo { $used } de { $stances } contactos de una marcha regular duran lo mismo; los demás llevan parte de un pie, o también del otro, y no se usan
-note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo { $most }: contactos parciales, diafonía, dos pies en una plataforma o pies distintos: indique la masa (opción mass) o nombre las columnas de apoyos enteros (opción force)
-note-total-column = la columna se toma como la fuerza total de ambos pies
-note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
-note-several-masses = los registros son de personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
+note-speed-changes = la velocidad cambia durante el registro; la media se calcula con { $used } de { $stances } apoyos o pasos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
+note-few-alike = solo { $used } de { $stances } contactos de una marcha regular tienen una duración similar; los demás son contactos parciales o incluyen el otro pie, y se excluyen
+note-stances-differ = los apoyos difieren en { $share }; se espera como máximo { $most } (parte del peso corporal, o del impulso medio de ambos pies). Causas posibles: contactos parciales, diafonía, dos pies en una plataforma o pies distintos. Indique la masa (opción mass) o las columnas de apoyos enteros (opción force)
+note-total-column = la columna se usa como la fuerza total de ambos pies
+note-plates-summed = los pies pasan de una plataforma a otra, así que el ciclo medio se calcula con la suma de { $plates } plataformas, que siempre soportan a la persona
+note-several-masses = los registros muestran personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
 note-counts-scaled = las lecturas son cuentas del convertidor sin calibración; se escalan de modo que la fuerza media sea el peso de { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -294,11 +294,11 @@ name-right = derecho
 name-vertical = vertical
 name-integers = con enteros
 name-floats = con coma flotante
-force-no-walkers = una población sin ningún caminante
+force-no-walkers = la población no contiene ningún caminante
     .help = dé al menos un ciclo
 force-walker-impossible = el caminante { $walker } no tiene un peso o una fuerza media positivos
     .help = corrija el ciclo o exclúyalo
 force-walker-column-missing = la tabla de caminantes no tiene la columna { $column }
-    .help = dé walker, period_s y f_000 a f_100 (N en pasos iguales del ciclo); speed_m_per_s, mass_kg y weight si se conocen
+    .help = la tabla necesita las columnas walker, period_s y f_000 a f_100 (N en pasos iguales del ciclo); speed_m_per_s, mass_kg y weight son opcionales
 force-walker-value = valor no válido «{ $value }» en la columna { $column }
     .help = dé un número, positivo en period_s y weight; solo speed_m_per_s, mass_kg y weight pueden estar vacías

@@ -1,4 +1,4 @@
-# Archivos de fuerza: qué hay de incorrecto en ellos.
+# Errores en archivos de fuerza.
 
 read-empty = el archivo está vacío
     .help = use un archivo con un encabezado y filas de números
@@ -28,25 +28,25 @@ read-header-without-rows = la cabecera tiene una columna de fuerza («{ $column 
 read-no-force-column = no se encontró ninguna columna de fuerza vertical
     .help = las columnas son { $columns }; indique la columna de fuerza (opción force)
 read-many-forces = { $found } columnas de fuerza son más de las que tiene un pasillo de marcha
-    .help = indique las que se quieren (opción force)
-read-single-sensors = las { $sensors } columnas numeradas son lecturas de sensores sueltos, como las presiones de una plantilla, y ninguna es una fuerza
-    .help = exporte la fuerza total de cada plantilla en newtons; las presiones dan una fuerza solo con el área de cada sensor
-read-long-table = una tabla larga de { $cycles ->
+    .help = indique las columnas que se usan (opción force)
+read-single-sensors = las { $sensors } columnas numeradas son lecturas de sensores sueltos, como las presiones de una plantilla, y no fuerzas
+    .help = exporte la fuerza total de cada plantilla en newtons, porque de las presiones no se obtiene una fuerza sin el área de cada sensor
+read-long-table = la tabla con { $cycles ->
         [one] un ciclo
        *[other] { $cycles } ciclos
-    } según su fase, uno por sujeto, tarea y paso, no tiene reloj
-    .help = indique la duración del ciclo (opción period): se lee la media de los ciclos. Las fuerzas en pesos corporales necesitan también la masa (opción mass)
+    } contiene la fase, pero no el tiempo
+    .help = indique la duración del ciclo (opción period); se usa entonces la media de los ciclos. Las fuerzas en pesos corporales requieren también la masa (opción mass)
 read-long-tasks = los ciclos de esta tabla son de varias tareas: { $tasks }
     .help = conserve las filas de una sola tarea
-read-long-forces = de una tabla larga se lee una sola fuerza, no { $columns }
-    .help = nombre la que corresponde (opción force)
+read-long-forces = de esta tabla se usa una sola fuerza, no { $columns }
+    .help = nombre la fuerza que se usa (opción force)
 read-nameless-columns = las columnas no tienen nombre y ninguna se parece a una fuerza vertical
     .help = indique el número de la columna de fuerza (opción force), y el de la columna de tiempo si la hay (opción time)
-read-no-column = no hay ninguna columna «{ $column }»
+read-no-column = la columna «{ $column }» no existe
     .help = las columnas son { $columns }
-read-misspelt-column = no hay ninguna columna «{ $column }»
+read-misspelt-column = la columna «{ $column }» no existe
     .help = ¿quiso decir «{ $near }»? Las columnas son { $columns }
-read-no-column-number = no hay ninguna columna «{ $column }»
+read-no-column-number = la columna «{ $column }» no existe
     .help = las columnas no tienen nombre; indique un número de 1 a { $count }
 read-no-force-unit = la unidad de la columna «{ $column }» es { $unit }, que no es una unidad de fuerza
     .help = exporte fuerzas calibradas, o indique la unidad de las lecturas (opción unit)
@@ -56,43 +56,43 @@ read-time-backwards = el tiempo disminuye ({ $time } después de { $after })
     .help = dé un registro por archivo, con tiempos crecientes
 read-short-rows = las filas tienen muchos menos campos que la cabecera
     .help = cada fila debe tener { $fields } campos
-read-commas-twice = { $columns } columnas y { $fields } campos en una fila: comas decimales, con comas entre las columnas
-    .help = exporte con punto y coma o tabuladores entre las columnas, o con punto decimal
+read-commas-twice = la cabecera tiene { $columns } columnas, pero una fila tiene { $fields } campos: las comas sirven de coma decimal y de separador
+    .help = exporte con punto y coma o tabuladores como separadores, o con punto decimal
 read-few-samples = { $samples ->
         [0] el registro no tiene muestras
         [one] el registro tiene una muestra
        *[other] el registro tiene { $samples } muestras
     }
     .help = dé al menos un apoyo completo
-read-time-stands-still = el tiempo no aumenta a partir de { $at }
+read-time-stands-still = el tiempo no aumenta después de { $at }
     .help = indique la columna de tiempo (opción time) o la frecuencia de muestreo (opción rate)
 read-mostly-gaps = faltan muestras en { $lost } de { $whole }
     .help = divida el registro por sus huecos
 read-counts-without-mass = el archivo contiene cuentas del convertidor sin calibración
-    .help = indique la masa de la persona (opción mass), con la que se escalan, o la unidad de las cuentas (opción unit), o el archivo .c3d del ensayo
+    .help = indique la masa de la persona (opción mass) para escalar las cuentas, su unidad (opción unit) o el archivo .c3d del ensayo
 read-mat-without-force = ninguna matriz del archivo de MATLAB se reconoce como fuerza; sus matrices son { $arrays }
-    .help = nombre la fuerza (opción force); guarde el registro como matrices numéricas o estructuras, porque las tablas de MATLAB no se pueden leer
-read-mat-cut = el archivo está cortado: su matriz { $array } tiene { $found } de { $announced } valores
+    .help = nombre la fuerza (opción force); guarde el registro como matrices numéricas o estructuras, porque las tablas (table y timetable) de MATLAB no se pueden leer
+read-mat-cut = el archivo está incompleto: su matriz { $array } tiene { $found } de { $announced } valores
     .help = copie o exporte el archivo de nuevo
 read-phase-without-period = { $column } es la fase de un ciclo, no un tiempo
     .help = dé la duración del ciclo (opción period), por ejemplo "1.1 s"
-read-phase-of-stance = { $column } es la fase de un apoyo, que es una parte del ciclo
+read-phase-of-stance = { $column } es la fase de un apoyo, no del ciclo entero
     .help = dé la duración del ciclo y la parte de la vuelta que cubre el apoyo (opciones period y span), por ejemplo "1.1 s" y "223 deg"
 read-cycle-in-c3d = un archivo C3D es un registro, no una tabla de un ciclo
-    .help = omita el periodo; dé una parte de la vuelta solo si el archivo tiene un apoyo completo (opciones period y span)
+    .help = omita el período; dé una parte de la vuelta solo si el archivo contiene un apoyo completo (opciones period y span)
 read-cycle-forces = un ciclo tiene una sola fuerza, no { $columns }
-    .help = nombre la que se quiere (opción force)
+    .help = nombre la fuerza que se usa (opción force)
 read-no-rate = el archivo no contiene tiempos ni frecuencia de muestreo
     .help = indique la frecuencia (opción rate), por ejemplo "1000 Hz"
-read-mass-missing = la fuerza está en { $unit } y no se conoce la masa corporal
+read-mass-missing = la fuerza está en { $unit }, pero no se conoce la masa corporal
     .help = indique la masa (opción mass), por ejemplo "70 kg"
 
-read-stance-sample = la muestra { $sample } del apoyo es «{ $text }»
+read-stance-sample = la muestra { $sample } del apoyo no es un número: «{ $text }»
     .help = las muestras deben ser números; solo puede haber campos vacíos al final de la fila
 read-no-stance-row = no se encontró ningún apoyo
     .help = cada fila debe contener las muestras de un apoyo
-read-row-mass-missing = la fuerza está en { $unit } y no se conoce la masa de la fila { $row }
-    .help = indique la masa (opción mass) o ponga la tabla de sujetos junto al archivo
+read-row-mass-missing = la fuerza está en { $unit }, pero no se conoce la masa de la fila { $row }
+    .help = indique la masa (opción mass) o ponga la tabla de sujetos en la carpeta del archivo
 
 read-cycle-column-missing = falta la columna de { $column ->
         [time] tiempo
@@ -102,16 +102,16 @@ read-cycle-column-missing = falta la columna de { $column ->
 read-cycle-without-table = el archivo está marcado como ciclo pero no contiene ninguna tabla de números
     .help = dé las columnas time_s y force_n
 read-cycle-row = esta fila no contiene un tiempo y una fuerza
-    .help = cada fila de un ciclo necesita ambos
+    .help = cada fila de un ciclo requiere un tiempo y una fuerza
 read-cycle-value = falta un valor o no es un número
-    .help = cada fila de un ciclo necesita un tiempo y una fuerza
+    .help = cada fila de un ciclo requiere un tiempo y una fuerza
 read-cycle-too-long = las muestras abarcan { $span }, más que el período de { $period }
     .help = corrija period_s o dé un solo ciclo
 read-cycle-period-missing = no se da el período de los puntos críticos
     .help = escriba "# period_s = 0.5" encima de la tabla
-read-points-not-rising = se necesitan al menos dos puntos críticos con tiempos crecientes
+read-points-not-rising = se requieren al menos dos puntos críticos con tiempos crecientes
     .help = ordene las filas por tiempo
-read-point-beyond-period = un punto en { $at } queda fuera del período de { $period }
+read-point-beyond-period = el punto en { $at } está fuera del período de { $period }
     .help = corrija period_s o el punto
 
 read-processor = tipo de procesador C3D desconocido { $code }
@@ -124,13 +124,13 @@ read-no-frame = el archivo no contiene ningún cuadro de datos completo
     .help = un cuadro tiene { $bytes } bytes; el archivo está truncado
 read-no-frame-rate = el archivo no da la frecuencia de cuadros
     .help = POINT:RATE debe ser positivo
-read-no-channel = no hay ningún canal analógico «{ $channel }»
+read-no-channel = el canal analógico «{ $channel }» no existe
     .help = los canales son { $channels }
 read-no-plate = no se encontró ninguna plataforma de fuerza ni canal analógico de fuerza
     .help = los canales analógicos son { $channels }
 read-not-plates-of-one-trial = estos archivos no son las plataformas de un mismo ensayo
-    .help = solo se leen juntos archivos que nombran su plataforma y tienen la misma marca de tiempo, muestras y frecuencia, cada uno una vez
-read-plate-uncalibrated = la plataforma { $plate } no tiene matriz de calibración (FORCE_PLATFORM:CAL_MATRIX), que su tipo necesita
-    .help = exporte el ensayo con ella, o indique un canal de fuerza vertical calibrada (opción force). Los canales son { $channels }
+    .help = indique cada archivo una vez; los archivos solo se combinan si nombran su plataforma y tienen la misma marca de tiempo, el mismo número de muestras y la misma frecuencia
+read-plate-uncalibrated = la plataforma { $plate } no tiene la matriz de calibración (FORCE_PLATFORM:CAL_MATRIX) que requiere su tipo
+    .help = exporte el ensayo con esta matriz, o indique un canal de fuerza vertical calibrada (opción force). Los canales son { $channels }
 read-plate-type-unknown = la plataforma de fuerza { $plate } tiene el TYPE { $kind }, que no se admite
     .help = se admiten los tipos 1 a 7; indique su canal de fuerza vertical (opción force). Los canales son { $channels }
