@@ -1,5 +1,5 @@
-# Faults that only the command can meet: files, flags, folders.
-cli-negative-ball = the radius of a probing ball is 0 or more, not { $typed }
+# Faults of the command: files, options, folders.
+cli-negative-ball = the radius of a probing ball must be 0 or more, not { $typed }
 cli-cannot-open = cannot be opened ({ $fault })
 cli-scene-name = "{ $shown }" { $fault ->
         [blank] is blank
@@ -7,99 +7,99 @@ cli-scene-name = "{ $shown }" { $fault ->
         [control] contains a control character or an invisible mark
        *[not-plain] is not a plain file name
     }
-    .help = results go to out/NAME: use letters, digits, - and _, or give the folder
+    .help = use letters, digits, - and _ because results are written to out/NAME; or give the folder
 cli-few-rows = invalid value { $rows }
-    .help = at least { $least } points are required, fewer only with --front
+    .help = at least { $least } points are required; fewer are possible only with --front
 cli-not-stances = { $file } is neither a new .csv file nor a table of stances
-    .help = a table of stances replaces only an earlier one; give another name ending in .csv
-cli-stances-of-several = { $table } is the place of one table, but several recordings are named
-    .help = name one recording, or read them one by one
+    .help = only an existing table of stances can be replaced; give a different name ending in .csv
+cli-stances-of-several = several recordings are named, but { $table } can contain only one table
+    .help = name one recording, or read the recordings one by one
 cli-cycle-ending = { $file } is neither a .csv or .mot file nor a folder
-    .help = the cycle is written as .csv or .mot, with pictures .svg and .png beside it
-cli-table-changed = the finished table was changed after the sweep wrote it
-    .help = move it away to compute it again
+    .help = the cycle is written as .csv or .mot, with pictures .svg and .png in the same folder
+cli-table-changed = the table was changed after the sweep had finished
+    .help = move the table to compute it again
 cli-cams = "{ $typed }" is not a number of cams
-    .help = write one number, or the first and the last: 3, 1:6; at most { $most }
-cli-among-recordings = the results would lie among the recordings in { $folder }
+    .help = write one number, or the first and the last number, as in 3 or 1:6; the maximum is { $most }
+cli-among-recordings = the results would be written among the recordings in { $folder }
     .help = give another folder
 cli-not-cover = this is not a table of gaitcam cover
-    .help = give the folder that gaitcam cover wrote
+    .help = give the output folder of gaitcam cover
 cli-scene-not-recording = is a scene, not a recording
-    .help = gaitcam synth designs its cam, gaitcam doctor checks it; gaitcam gait reads the recording that its gait.file names
+    .help = use gaitcam synth to design its cam, gaitcam doctor to check it, or gaitcam gait with the file of its gait.file
 cli-no-key-contains = no key contains "{ $pattern }"
 cli-input-time = the input was not read within { $limit } s
-    .help = end the input, or give more time
+    .help = end the input, or allow more time
 cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
 cli-speeds = { $typed } is not a range of speeds
-    .help = write first, last and number of speeds, 2 to { $most }: --speeds '1.4 Hz:2.3 Hz:10'
-cli-cam-is-made = this result has a finished profile: changing { $key } needs a new design
-    .help = give only keys of drive and machine, or design the other cam with gaitcam synth SUMMARY.json --set …
+    .help = write first speed, last speed and number of speeds (2 to { $most }): --speeds '1.4 Hz:2.3 Hz:10'
+cli-cam-is-made = this result has a finished profile; a change of { $key } requires a new design
+    .help = change only keys of drive and machine, or design a new cam with gaitcam synth SUMMARY.json --set …
 cli-broken-table = { $fault }
     .help = write it again with gaitcam synth
 cli-field-not-number = a field is not a number
     .help = write it again with gaitcam synth
 cli-empty-table = the table has no row
-cli-no-blocks = this folder holds no blocks of rows of a sweep; name the table that gaitcam sweep wrote, or the folder of its blocks (gaitcam sweep --shard)
-cli-not-sweep-table = is not the table of a sweep: it has no column "{ $column }"
-    .help = give the file that gaitcam sweep wrote
+cli-no-blocks = this folder contains no blocks of a sweep; give the table of gaitcam sweep, or the folder of its blocks (gaitcam sweep --shard)
+cli-not-sweep-table = is not the table of a sweep, because it has no column "{ $column }"
+    .help = give the output file of gaitcam sweep
 cli-no-parquet = this gaitcam was built without Parquet (the feature "parquet")
-    .help = use a .csv table, or build with --features parquet
+    .help = use a .csv table, or build gaitcam with --features parquet
 cli-table-ending = { $file } is neither .csv nor .parquet
-    .help = give the table one of these endings
+    .help = use one of these endings
 cli-no-base-scene = does not name the row's base scene
 cli-row-not-number = row { $row }: "{ $cell }" is not a number
-cli-nothing-varies = an empty grid: no key varies
+cli-nothing-varies = the grid is empty: no key is varied
     .help = write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER
 cli-list-value = { $fault }
 cli-list-cell = a value is missing
-    .help = every row needs every key
-cli-empty-list = an empty grid: the list has no row
-    .help = the first line names keys, each further line gives their values
-cli-no-recordings = there is no file in the folder
+    .help = every row requires a value for every key
+cli-empty-list = the grid is empty: the list has no row
+    .help = write the keys in the first line and their values in each further line
+cli-no-recordings = the folder contains no file
     .help = recordings end in { $endings }
-cli-not-recordings = none of { $files } files has the name of a recording
+cli-not-recordings = none of { $files } files has the name ending of a recording
     .help = recordings end in { $endings }
-cli-many-rows = { $rows } combinations
+cli-many-rows = { $rows } combinations are many
     .help = use fewer values, --sample N, or --yes
     .help = fix the scene with --set
-cli-scatter-csv = the samples of --tolerance are written as .csv
+cli-scatter-csv = the samples of --tolerance can only be written as .csv
 cli-too-many-samples = invalid value { $count }
-    .help = at most { $most }
-cli-no-sample = no sample
-cli-partial-rows = contains { $rows } rows of a sweep that was stopped
-    .help = continue with --resume, or remove it to start again
+    .help = the maximum is { $most }
+cli-no-sample = the number of samples is zero
+cli-partial-rows = contains { $rows } rows of an interrupted sweep
+    .help = continue with --resume, or delete it to start again
 cli-not-partial = is not the partial table of a sweep
-    .help = move it away, or choose another --out
+    .help = move it, or choose another --out
 cli-rows-safe = cannot be written ({ $fault })
-    .help = { $rows } rows are safe in it: free disk space and continue with --resume
+    .help = it contains { $rows } complete rows: free disk space and continue with --resume
 cli-all-rows-safe = cannot be written ({ $fault })
-    .help = all rows are safe beside it: free disk space and continue with --resume
+    .help = all rows are saved in the same folder: free disk space and continue with --resume
 cli-cannot-repair = cannot be repaired ({ $fault })
-cli-file-is-there = is there already and is not overwritten
+cli-file-is-there = already exists and is not overwritten
     .help = give another name with --out
 cli-unknown-flag = unknown option
     .help = { $near ->
         [none] gaitcam COMMAND --help lists the options
        *[other] did you mean { $near }?
     }
-cli-one-too-many = one argument too many
+cli-one-too-many = there is one argument too many
     .help = quote values that contain blanks: --set 'limits.stroke=40 mm'
 cli-unknown-verb = "{ $typed }" is not a command
     .help = { $near ->
-        [none] gaitcam --help lists the commands; a scene follows its command: gaitcam synth SCENE.toml
+        [none] gaitcam --help lists the commands; write the scene after the command: gaitcam synth SCENE.toml
        *[other] did you mean { $near }?
     }
 cli-in-lab = "{ $typed }" has moved to the lab of the source repository: cargo run --release -p gaitcam-lab -- { $typed }
-cli-flag-without-value = needs a value
-cli-flag-choice = "{ $typed }" is not a choice
+cli-flag-without-value = a value is missing
+cli-flag-choice = "{ $typed }" is not a valid choice
     .help = write one of: { $choices }
 cli-flag-value = invalid value "{ $typed }"
     .help = { $fault }
 cli-flag-whole = invalid value "{ $typed }"
     .help = write a whole number
 cli-flag-range = invalid value { $typed }
-    .help = it must lie in { $range }
+    .help = it must be in { $range }
 cli-missing-arguments = missing: { $missing }
     .help = { $choices ->
         [none] see --help
@@ -115,9 +115,9 @@ run-internal-error = internal error; please report it with { $file ->
         [none] the scene
        *[other] { $file }
     }
-run-no-command = No command: designing the built-in footbridge. `gaitcam --help` lists the commands.
-run-stdout = the answer cannot be written to standard output ({ $fault })
-run-files = Files in { $folder }; open { $first } first.
+run-no-command = No command is given; the built-in footbridge is designed. `gaitcam --help` lists the commands.
+run-stdout = the output cannot be written to standard output ({ $fault })
+run-files = Files are in { $folder }; open { $first } first.
 
 # synth: labels of the rows of the summary, at most nine characters.
 label-failed = FAIL
@@ -158,7 +158,7 @@ synth-walkers-n = { $count }: force error { $mean } N on average, { $cvar } N fo
        *[other] { $tail } %
     }, { $worst } N for the worst ({ $who })
 synth-shaft = { $low } … { $high } rad/s, ripple { $ripple } %; motor: no-load speed { $noload } rad/s, torque { $rms } N·m RMS, { $most } N·m peak
-synth-shaft-error = force error over time { $own } % of the mean; of the law for constant speed { $before } %{ $rounds ->
+synth-shaft-error = force error over time { $own } % of the mean; { $before } % with the law for constant speed{ $rounds ->
         [0] {""}
         [one] {"; "}one iteration
        *[other] {"; "}{ $rounds } iterations
@@ -167,13 +167,13 @@ synth-shaft-sensitivity = with 10 % less or more of { $list }
 synth-shaft-differs = { $key }: { $less } %, { $more } %
 synth-active = limit { $limit } { $points ->
         [1] at { $at }
-       *[other] at { $points } points, largest multiplier at { $at }
+       *[other] at { $points } points, maximum multiplier at { $at }
     }
 synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
 synth-solved = method { $tier }, { $solve } ms of { $total } ms: { $status }
 synth-certified = { $family ->
-        [spline] proved: no spline of this degree with these spans is better under these limits
-       *[other] proved: no law of this family is better under these limits
+        [spline] proved: no spline of this degree with these spans is better within these limits
+       *[other] proved: no law of this family is better within these limits
     }
 synth-uncertified = not certified as the optimum: { $why }
 synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
@@ -184,14 +184,14 @@ synth-ended = stopped: { $why }
 synth-no-solid = no solid: { $fault }
 synth-no-step = no STEP file: { $fault }
 synth-no-program = no program for the machine: { $fault }
-synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }: { $radius } mm maximum
-synth-gouge-elsewhere = at { $at } the cutter gouges the profile by { $depth } mm at { $damaged }
-synth-gouge-undercut = the profile is undercut at { $at }: it cannot be cut
+synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }; the maximum is { $radius } mm
+synth-gouge-elsewhere = while the cutter cuts the profile at { $at }, it gouges the profile at { $damaged } by { $depth } mm
+synth-gouge-undercut = the profile is undercut at { $at } and cannot be cut
 
 # synth --front.
-trade-stopped = The time limit ended the search: points of the front are missing. Give a longer --time-limit.
+trade-stopped = The time limit ended the search, and points of the front are missing. Set a longer --time-limit.
 trade-none = no point of the front can be built
-trade-title = { $name }: least force error at each { $quantity }
+trade-title = { $name }: minimum force error for each { $quantity }
 
 # gait.
 gait-cycle-of = cycle of { $file }
@@ -199,36 +199,36 @@ gait-joint-mean-of = joint mean of { $file }
 gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.
-simulate-no-cam = there is no cam to run: { $why }
+simulate-no-cam = there is no cam to simulate: { $why }
 simulate-speeds-error = error, N RMS
 simulate-speeds-torque = torque, N·m
 simulate-speeds-ripple = ripple, %
 simulate-speeds-factors = load factors 1 to 4
 simulate-speeds-lost = contact lost
-simulate-speeds-none = the shaft does not turn: { $why }
-simulate-no-target = no target at this speed: { $why }
+simulate-speeds-none = the shaft stops: { $why }
+simulate-no-target = there is no target at this speed: { $why }
 simulate-as-made = the cam as manufactured, at { $rpm } rpm
-simulate-designed-again = the cam was designed for this drive.speed; --speed runs one cam at another speed
+simulate-designed-again = the cam was designed for this drive.speed; use --speed to run it at another speed
 
 # sweep.
-sweep-skipped = { $count } file(s) beside the recordings are skipped ({ $first }{ $count ->
+sweep-skipped = { $count } file(s) in the folder are not recordings and are skipped ({ $first }{ $count ->
         [1] {""}
        *[other] {" …"}
     })
 sweep-complete = { $file } is already complete.
-sweep-stopped = stopped after { $done } of { $rows } rows; completed rows are saved, continue with --resume
+sweep-stopped = stopped after { $done } of { $rows } rows; completed rows are saved; continue with --resume
 sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable, { $slow } not for high speed), { $infeasible } infeasible, { $errors } errors
 sweep-rate = { $designs } designs in { $seconds } s, { $rate } per second
 sweep-first-error = First error, row { $row }: { $fault }
-sweep-damaged = { $file } is damaged; its rows are computed again
-sweep-no-design = there is no design to apply tolerances to: { $why }
-sweep-samples = { $name }: { $count } manufactured samples; force error by design { $own } % of the mean
-sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, largest { $largest } %
-sweep-yield = yield     { $within } % stay within { $band } %
-sweep-scatter-files = Samples in { $file }, pictures in { $page }.
-sweep-shard = write I/N, for example 3/16: the third of sixteen shares, counted from 1 (or from 0: 0/16 is 16/16)
+sweep-damaged = { $file } is damaged, so its rows are computed again
+sweep-no-design = tolerances cannot be applied without a design: { $why }
+sweep-samples = { $name }: { $count } manufactured samples; force error as designed { $own } % of the mean
+sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, maximum { $largest } %
+sweep-yield = yield     { $within } % of the cams are within { $band } %
+sweep-scatter-files = Samples are in { $file }, pictures in { $page }.
+sweep-shard = write I/N, for example 3/16 for the third of sixteen shares; shares count from 1 (or from 0, then 0/16 means 16/16)
 sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
-        [0] every block is there
+        [0] every block is complete
         [one] one block is missing
        *[other] { $left } blocks are missing
     }
@@ -237,17 +237,17 @@ sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, { $left } s left
 
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter
-scatter-how = Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.
+scatter-how = Each sample is the cam with random errors, distributed uniformly over the tolerances; its force error is computed from these errors.
 scatter-heading = Force error of manufactured samples
 scatter-picture = { $name }: force error of manufactured samples
 scatter-axis = force error RMS, % of the mean
-scatter-own = by design
+scatter-own = as designed
 scatter-band = band
-scatter-by-design = By design
+scatter-by-design = As designed
 scatter-of-mean = of the mean force, RMS
 scatter-median = Median of the samples
-scatter-below = 95 % stay below
-scatter-largest = Largest
+scatter-below = 95 % of the samples are below
+scatter-largest = Maximum
 scatter-yield = Yield
 scatter-within = within { $band } %
 scatter-tolerances = Tolerances
@@ -256,30 +256,30 @@ scatter-tolerance = tolerance
 # front.
 front-none-built = { $file }: no design was built
 front-none-feasible = { $file }: no design is acceptable (--all includes the others)
-front-counts = { $file }: { $candidates } of { $seen } designs are admitted, { $front } of them non-dominated
+front-counts = { $file }: { $candidates } of { $seen } designs are admissible; { $front } of them are non-dominated
 front-missing = { $count ->
         [one] row { $list } is not in the folder
        *[other] { $count } rows are not in the folder ({ $list })
-    }: the front is that of the others. The same sweep, started again, computes what is missing
+    } and are not part of the front. Start the same sweep again to compute the missing rows
 front-low-speed = { $count ->
         [one] one design that is not for high speed is
        *[other] { $count } designs that are not for high speed are
-    } left out; --low-speed includes them
+    } excluded; --low-speed includes them
 front-row = row
 front-best = best compromise
 front-more = … { $count } more in front.csv; best compromise: row { $row }
 front-page-title = Sweep { $name }
-front-page-counts = { $seen } designs, { $candidates } of them admitted; { $front } are non-dominated in { $text }. The best compromise is row { $row }.
+front-page-counts = { $seen } designs, { $candidates } of them admissible; { $front } are non-dominated in { $text }. The best compromise is row { $row }.
 front-page-low-speed = { $count ->
         [one] One design that is not for high speed is
        *[other] { $count } designs that are not for high speed are
-    } left out.
+    } excluded.
 front-heading-front = Front
 front-heading-heat = Heat map
 front-heading-parallel = Parallel coordinates
 front-picture-front = { $name }: front
-front-picture-least = { $name }: least { $text }
-front-picture-largest = { $name }: largest { $text }
+front-picture-least = { $name }: minimum { $text }
+front-picture-largest = { $name }: maximum { $text }
 front-picture-parallel = { $name }: designs, front in blue
 front-table = The front
 front-best-table = The best compromise
@@ -304,22 +304,22 @@ cover-who = worst walker (main error component)
 cover-weight = mean force
 cover-speed = size at this speed
 cover-shape = shape
-cover-bound-worst = minimised: the worst error; bound: no cams of this number have a smaller worst error. others: walkers left out of the design (five parts in turn)
-cover-bound-mean = minimised: the root mean square of the errors; bound: no cams of this number have a smaller one. others: walkers left out of the design (five parts in turn)
-cover-bound-tail = minimised: the root mean square of the errors of the worst part of the walkers; bound: no cams of this number have a smaller one. others: walkers left out of the design (five parts in turn)
-cover-stopped = The time limit ended the search: numbers of cams are missing. Give a longer --time-limit.
-cover-cut = The time limit ended the search: better covers may exist. Give a longer --time-limit.
+cover-bound-worst = minimised: the worst error; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
+cover-bound-mean = minimised: the root mean square of the errors; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
+cover-bound-tail = minimised: the root mean square of the errors of the worst walkers; bound: lower bound for this number of cams. others: error for new walkers, by five-fold cross-validation
+cover-stopped = The time limit ended the search before all numbers of cams. Set a longer --time-limit.
+cover-cut = The time limit ended the search; better assignments may exist. Set a longer --time-limit.
 cover-error = RMS force error, % of the mean force
 cover-error-n = RMS force error, N
 cover-number = number of cams
-cover-what = Error against the number of cams
+cover-what = Error as a function of the number of cams
 against-head = Cams of { $folder }
 against-walker = walker
 against-cams = cams
 against-cam = assigned cam
 against-error = error %
 against-error-n = error, N
-against-reason = largest part of the error
+against-reason = largest component of the error
 
 # compare.
 compare-diagrams = Diagrams in { $folder }
@@ -331,7 +331,7 @@ compare-built = built
 compare-infeasible = infeasible
 compare-over-angle = cam angle θ, degrees
 compare-over-travel = travel of the cam x, mm
-compare-over-both = cam angle θ, degrees; of a sliding cam its travel, mm
+compare-over-both = cam angle θ, degrees; for a translating cam its travel, mm
 compare-laws = Laws
 compare-lifts = lift and its derivatives
 compare-profiles = Profiles
@@ -341,37 +341,37 @@ compare-force = force, N
 compare-target = target of { $name }
 
 # laws.
-laws-head = Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|
+laws-head = Rise by 1 in time 1: maximum velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|
 laws-law = law
 laws-joins = joins
 
 # synth --explain.
 explain-title = { $name }: model selection
 explain-because = because { $reason }
-explain-none-passed-over = it is the simplest family that was tried
+explain-none-passed-over = it is the simplest of the families that were tried
 explain-family-degree = { $family } of degree { $degree }
 explain-constant-speed = constant speed
-explain-motor = the speed that the motor gives
-explain-forecast = inertia and the energy that swings forecast a ripple of { $ripple } % and a change of the force by { $change } % of the mean RMS; { $neglected } % is neglected{ $enough ->
-        [true] {": "}constant speed is enough
+explain-motor = the speed of the shaft with the motor
+explain-forecast = from inertia and alternating energy, the forecast is a ripple of { $ripple } % and a force change of { $change } % of the mean (RMS); { $neglected } % is neglected{ $enough ->
+        [true] {": "}constant speed is sufficient
        *[other] {""}
     }
 
 # keys.
 keys-default = default { $text }
 
-init-shaker = A mass that rides on the cam and shakes a footbridge as a walker does: F = M (g + d²s/dt²).
-init-walk = A cam from your own recording of walking, played back by a mass that rides on it.
-init-heel-tester = A heel tester: the lift presses oil or air in a cylinder, the force grows with the lift.
-init-spring-bench = A test bench with a spring: F = F₀ + k s + m d²s/dt²; for prosthetic feet, shoes, joints.
-init-programme = A classical cam from a programme of rises, falls and dwells, without a force.
-init-written = { $file } written
-init-how = Design the cam: gaitcam synth { $file }. Every key: gaitcam keys. Lines that begin with "# key =" are offered and left out.
+init-shaker = A mass on the cam that shakes a footbridge like a walker: F = M (g + d²s/dt²).
+init-walk = A cam for your own recording of walking, reproduced by a mass on the cam.
+init-heel-tester = A heel tester: the lift compresses oil or air in a cylinder, and the force increases with the lift.
+init-spring-bench = A test bench with a spring for prosthetic feet, shoes or joints: F = F₀ + k s + m d²s/dt².
+init-programme = A classical cam from a programme of rises, falls and dwells, without a target force.
+init-written = { $file } was written
+init-how = Design the cam with gaitcam synth { $file }. List every key with gaitcam keys. Lines that begin with "# key =" are inactive options.
 doctor-toml = { $file }: { $keys } values
-doctor-keys-right = every key is known, every value is in its range
+doctor-keys-right = all keys are known, and all values are in their ranges
 doctor-faults = { $count ->
-        [one] One fault: correct it and run this again.
-       *[other] { $count } faults: correct them and run this again.
+        [one] There is one fault. Correct it and run this again.
+       *[other] There are { $count } faults. Correct them and run this again.
     }
 doctor-one-cycle = { $file }: one cycle of { $period } s
 doctor-recording = { $file }: { $columns ->
@@ -380,22 +380,22 @@ doctor-recording = { $file }: { $columns ->
     }, { $used ->
         [one] one contact
        *[other] { $used } contacts
-    } used, { $rejected } left out
+    } used, { $rejected } excluded
 doctor-unacceptable = Found: { $sentence }. Give another recording or column.
-doctor-doubt = Open: { $sentence }. Check it; then give the key that answers it, or accept what was assumed with gait.accept = "{ $name }".
-doctor-recording-options = Missing information can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
+doctor-doubt = Open: { $sentence }. Check this. Then give the key with the missing information, or accept the assumption with gait.accept = "{ $name }".
+doctor-recording-options = Missing information can be given with gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
 
 # inspect.
 inspect-no-cam = there is no cam to compare with: { $why }
-inspect-fit = { $points } points; the cam lies turned by { $turn }° with its centre at x { $x } mm, y { $y } mm
-inspect-alike = the cam repeats itself: it fits as well turned by { $others }
+inspect-fit = { $points } points; the cam is turned by { $turn }°, with its centre at x { $x } mm, y { $y } mm
+inspect-alike = the cam is symmetric: it fits equally well if it is turned by { $others }
 inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
 inspect-outliers = { $count } { $count ->
-        [one] point lies
-       *[other] points lie
-    } up to { $most } µm off the others (lines { $lines }) and are left out
-inspect-part = a part of the profile is measured: no point lies between { $from } and { $to }; force and motion as manufactured are unknown
-inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
+        [one] point differs
+       *[other] points differ
+    } by up to { $most } µm from the others (lines { $lines }); these are excluded
+inspect-part = only a part of the profile is measured, without points between { $from } and { $to }; force and motion as manufactured are unknown
+inspect-waves = { $waves } waves per turn explain the deviation; the noise is { $left } RMS
 inspect-rms = force error RMS: as designed { $before }, as manufactured { $after } { $unit }
 inspect-max = force error maximum: as designed { $before }, as manufactured { $after } { $unit }
 inspect-least-force = minimum force: as designed { $before }, as manufactured { $after } { $unit }
@@ -405,15 +405,15 @@ inspect-liftoff = lift-off speed: as designed { $before }, as manufactured { $af
 inspect-lifts-off = this cam loses contact at the speed of the scene
 # Electronic cams.
 synth-no-ecam = no electronic cam: { $fault }
-ecam-no-cam = no cam to run: { $why }
+ecam-no-cam = there is no cam to simulate: { $why }
 ecam-file = File { $file }.
 ecam-quintic = quintic
 ecam-cubic = cubic spline
 ecam-below = less than { $least }
-ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS, of which the file adds { $added } % of the mean
-ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; force off the law by { $error } N RMS with this controller, { $added } % of the largest
-ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; acceleration off the law by { $added } % of the largest, RMS
+ecam-force = { $file }: { $points } intervals, { $curve }, { $number }; force error with this controller { $error } N RMS; RMS deviation from the designed force { $added } % of the mean
+ecam-law = { $file }: { $points } intervals, { $curve }, { $number }; RMS deviation from the designed force { $error } N with this controller ({ $added } % of the maximum force)
+ecam-acceleration = { $file }: { $points } intervals, { $curve }, { $number }; RMS deviation from the designed acceleration { $added } % of its maximum
 
 # identify, recut.
-identify-no-cam = no cam that could have run: { $why }
-recut-error = force error measured before { $before } N RMS, predicted after this cut { $after } N RMS
+identify-no-cam = no cam exists for this log: { $why }
+recut-error = force error measured before { $before } N RMS, predicted with the new cam { $after } N RMS

@@ -201,7 +201,7 @@ fn a_scene_names_the_plates_of_a_trial_together_as_gait_prints_them() {
             let run = design(&format!("gait.file={} + {second}", names[0]));
             assert_eq!(run.status.code(), Some(2));
             assert!(
-                stderr(&run).contains("plates of one trial"),
+                stderr(&run).contains("plates of the same trial"),
                 "{}",
                 stderr(&run)
             );

@@ -40,7 +40,7 @@ fn a_folder_gives_one_table_and_one_joint_mean() {
     assert_eq!(run.status.code(), Some(0), "{said}");
     let line = |name: &str| said.lines().find(|l| l.contains(name)).unwrap();
     assert!(line("trial1.csv").ends_with("used") && line("trial2.csv").ends_with("used"));
-    assert!(line("standing.csv").contains("left out"), "{said}");
+    assert!(line("standing.csv").contains("excluded"), "{said}");
     assert!(said.contains("joint mean of 2 recordings") && !said.contains("readme"));
     let curve = fs::read_to_string(&out).unwrap();
     assert!(curve.starts_with("# cycle, period_s = 1.1"), "{curve:.60}");

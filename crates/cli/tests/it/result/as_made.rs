@@ -128,7 +128,7 @@ fn a_scene_is_designed_anew_for_its_speed_and_run_at_that_of_the_flag() {
         "--out",
         &path("anew"),
     ]));
-    assert!(anew.contains("--speed runs one cam"), "{anew}");
+    assert!(anew.contains("use --speed to run it"), "{anew}");
     let same = object(&gaitcam(&[
         "simulate",
         &scene,
@@ -330,7 +330,7 @@ fn a_speed_without_a_target_or_without_a_turning_shaft_is_a_row_that_says_so() {
     ];
     let weak = gaitcam(&[&["simulate", &made], &set[..]].concat());
     assert!(
-        stdout(&weak).contains("the shaft does not turn"),
+        stdout(&weak).contains("the shaft stops"),
         "{}",
         stdout(&weak)
     );

@@ -328,7 +328,7 @@ fn a_front_of_a_folder_without_blocks_says_what_it_expects() {
     let folder = tempfile::tempdir().unwrap();
     let name = folder.path().to_str().unwrap();
     for (language, words) in [
-        ("en", "no blocks of rows of a sweep"),
+        ("en", "no blocks of a sweep"),
         ("es", "no contiene bloques"),
     ] {
         let refused = gaitcam(&["front", name, "--lang", language]);

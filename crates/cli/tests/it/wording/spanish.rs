@@ -265,7 +265,7 @@ fn sweeps_in_spanish_hold_no_english_word() {
             "Parallel",
             "compromise",
             "manufactur",
-            "By design",
+            "As designed",
             "Yield",
         ] {
             assert!(!page.contains(heading), "{heading}");
