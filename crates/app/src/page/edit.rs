@@ -1,13 +1,15 @@
 //! Changes of a scene's table: values by their keys, entries of its lists.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use toml::{Table, Value};
 
 use crate::page::fault::StudioError;
-use gaitcam::error::{Error, Place, Placed, Result, SceneError};
+use crate::page::form::typed;
+use gaitcam::error::{Error, Place, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene, unset};
-use gaitcam::units::{Dimension, parse};
 
 /// One change of a scene.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -43,17 +45,36 @@ pub enum Edit {
         /// Number of the entry after the move.
         to: usize,
     },
-    /// Scales the angles of all segments but one so that they cover the turn.
-    Rebalance {
-        /// The segment that keeps its angle; 0 for none.
-        keep: usize,
+    /// Replaces the segments of the programme as a whole. The family becomes the programme, and what contradicts it
+    /// is removed; without segments the family is removed.
+    Programme {
+        /// Texts of each segment by column; empty texts are left out.
+        segments: Vec<BTreeMap<String, String>>,
     },
 }
 
 /// Attempts to complete a scene after a choice.
 const MENDINGS: usize = 12;
-/// Decimals of the angles in degrees that rebalancing writes.
-const PLACES: f64 = 1e6;
+/// Keys that do not apply to a programme: the wanted force with all that follows from it, and keys of other families.
+const SET_ASIDE: [&str; 15] = [
+    "gait",
+    "accuracy",
+    "limits.force_min",
+    "limits.force_max",
+    "machine.floor",
+    "law.degree",
+    "law.spans",
+    "law.harmonics",
+    "law.minimise",
+    "law.robust",
+    "law.error",
+    "law.monotone",
+    "law.polydyne",
+    "law.point",
+    "law.dwell",
+];
+/// Shaft speed of a programme in a scene whose speed followed from its force.
+const SPEED: &str = "60 rpm";
 
 /// Reads a scene with the files of its motions.
 pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
@@ -99,7 +120,7 @@ pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
             entries.insert(to - 1, entry);
             Ok(())
         }
-        Edit::Rebalance { keep } => rebalance(table, *keep),
+        Edit::Programme { segments } => programme(table, segments, read),
     }
 }
 
@@ -138,15 +159,7 @@ fn insert(table: &mut Table, list: &str, number: usize) -> Result<()> {
             .get(at.saturating_sub(1))
             .or(entries.last())
             .cloned();
-        let mut entry = like.unwrap_or_else(|| first(list));
-        if list == "law.segment"
-            && let Value::Table(entry) = &mut entry
-        {
-            // A rest between its neighbours leaves the lifts closed.
-            entry.insert("motion".to_string(), "dwell".into());
-            entry.remove("lift");
-        }
-        entries.insert(at, entry);
+        entries.insert(at, like.unwrap_or_else(|| first(list)));
         return Ok(());
     }
     let known = keys::KEYS.iter().any(|k| k.list() == Some(list));
@@ -165,7 +178,6 @@ fn insert(table: &mut Table, list: &str, number: usize) -> Result<()> {
 /// The first entry of a list.
 fn first(list: &str) -> Value {
     let pairs: &[(&str, &str)] = match list {
-        "law.segment" => &[("motion", "dwell"), ("angle", "360 deg")],
         "law.point" => &[("angle", "0"), ("lift", "0")],
         "law.dwell" => &[("from", "0"), ("to", "30 deg")],
         _ => &[("from", "0"), ("to", "90 deg"), ("weight", "2")],
@@ -211,47 +223,55 @@ fn example(key: &Key) -> String {
     example.split('"').nth(1).unwrap_or("0").to_string()
 }
 
-fn rebalance(table: &mut Table, keep: usize) -> Result<()> {
-    let entries = entries(table, "law.segment")?;
-    let mut angles = Vec::new();
-    for (i, entry) in entries.iter().enumerate() {
-        let text = entry.get("angle").and_then(Value::as_str).unwrap_or("0");
-        let place = |e: Error| e.at_key(&format!("law.segment.{}.angle", i + 1));
-        angles.push(parse(text, Dimension::Angle).map_err(place)?);
-    }
-    let turn = std::f64::consts::TAU;
-    let kept = keep
-        .checked_sub(1)
-        .and_then(|i| angles.get(i).copied())
-        .unwrap_or(0.0);
-    let others: f64 = angles.iter().sum::<f64>() - kept;
-    if others <= 0.0 || kept >= turn {
+/// The segments of a programme in place of the law.
+fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Read) -> Result<()> {
+    if segments.is_empty() {
+        unset(table, "law.segment");
+        unset(table, "law.family");
         return Ok(());
     }
-    // Degrees are written to a millionth; the last free segment takes what rounding leaves.
-    let degrees = |x: f64| (x.to_degrees() * PLACES).round() / PLACES;
-    let mut left = 360.0 - degrees(kept);
-    let last = (0..angles.len()).rev().find(|i| i + 1 != keep);
-    for (i, entry) in entries
-        .iter_mut()
-        .enumerate()
-        .filter(|(i, _)| i + 1 != keep)
-    {
-        let scaled = degrees(angles[i] * (turn - kept) / others);
-        let written = if Some(i) == last {
-            (left * PLACES).round() / PLACES
-        } else {
-            scaled
-        };
-        left -= scaled;
-        if let Value::Table(entry) = entry {
-            entry.insert("angle".to_string(), format!("{written} deg").into());
-        }
+    let family = typed(table, "law.family");
+    let has_segments = !typed(table, "law.segment").is_empty();
+    let is_programme = family == "program" || family.is_empty() && has_segments;
+    if !is_programme {
+        set_aside(table)?;
     }
-    if kept > 0.0
-        && let Some(Value::Table(entry)) = entries.get_mut(keep - 1)
-    {
-        entry.insert("angle".to_string(), format!("{} deg", degrees(kept)).into());
+    let law = table
+        .entry("law")
+        .or_insert_with(|| Value::Table(Table::new()));
+    let no_law = || no_entry("law.segment", 1);
+    let law = law.as_table_mut().ok_or_else(no_law)?;
+    let entry = |texts: &BTreeMap<String, String>| {
+        let filled = texts.iter().filter(|(_, text)| !text.trim().is_empty());
+        Value::Table(
+            filled
+                .map(|(key, text)| (key.clone(), Value::from(text.as_str())))
+                .collect(),
+        )
+    };
+    law.insert("family".to_string(), "program".into());
+    law.insert(
+        "segment".to_string(),
+        segments.iter().map(entry).collect::<Vec<_>>().into(),
+    );
+    if !is_programme {
+        mend(table, read);
+    }
+    Ok(())
+}
+
+/// Removes what contradicts a programme. A mass or a speed that followed from the force has no source any more.
+fn set_aside(table: &mut Table) -> Result<()> {
+    for key in SET_ASIDE {
+        unset(table, key);
+    }
+    let is_open = |text: String| text.is_empty() || text == "auto";
+    if typed(table, "drive.kind") == "moving-axis" && is_open(typed(table, "drive.mass")) {
+        set(table, "drive.kind", "fixed-axis")?;
+        unset(table, "drive.mass");
+    }
+    if is_open(typed(table, "drive.speed")) {
+        set(table, "drive.speed", SPEED)?;
     }
     Ok(())
 }
@@ -296,33 +316,55 @@ mod tests {
         }
     }
 
+    fn segments(rows: &[(&str, &str, &str)]) -> Edit {
+        let segment = |(motion, lift, angle): &(&str, &str, &str)| {
+            let pairs = [("motion", *motion), ("lift", *lift), ("angle", *angle)];
+            pairs.map(|(k, v)| (k.to_string(), v.to_string())).into()
+        };
+        let segments = rows.iter().map(segment).collect();
+        Edit::Programme { segments }
+    }
+
+    const DOUBLE_DWELL: [(&str, &str, &str); 4] = [
+        ("cycloidal", "20 mm", "60 deg"),
+        ("dwell", "", "120 deg"),
+        ("cycloidal", "-20 mm", "60 deg"),
+        ("dwell", "", "120 deg"),
+    ];
+
     #[test]
-    fn angles_are_rebalanced_to_the_turn_and_the_kept_one_stays() {
+    fn a_programme_can_take_the_place_of_every_law() {
+        for built_in in scene::SCENES {
+            let before = table(built_in.toml);
+            let follower = typed(&before, "cam.follower");
+            if follower.contains("oscillating") || follower == "translating-cam" {
+                continue;
+            }
+            let after = changed(built_in.toml, &[segments(&DOUBLE_DWELL)]);
+            let read = scene::read(&after).unwrap_or_else(|e| panic!("{}: {e}", built_in.name));
+            assert_eq!(read.law.family, scene::Family::Program, "{}", built_in.name);
+            assert_eq!(read.law.segments.len(), 4);
+            let was = typed(&before, "law.family") == "program";
+            assert_eq!(
+                after.get("gait").is_some(),
+                was && before.contains_key("gait")
+            );
+        }
+    }
+
+    #[test]
+    fn a_programme_on_the_default_scene_is_acceptable() {
+        let after = changed(scene::DEFAULT, &[segments(&DOUBLE_DWELL)]);
+        let design = scene::read(&after).unwrap().design().unwrap();
+        assert_eq!(design.verdict.name(), "acceptable");
+        assert!((design.cam.law.stroke() - 0.02).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_programme_without_segments_has_no_family() {
         let toml = scene::built_in("camdas_09_eight_motions").unwrap().toml;
-        let after = changed(
-            toml,
-            &[
-                to("law.segment.2.angle", "70 deg"),
-                Edit::Rebalance { keep: 2 },
-            ],
-        );
-        let angles: Vec<f64> = after["law"]["segment"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|s| {
-                parse(s["angle"].as_str().unwrap(), Dimension::Angle)
-                    .unwrap()
-                    .to_degrees()
-            })
-            .collect();
-        assert!(
-            (angles.iter().sum::<f64>() - 360.0).abs() < 1e-9,
-            "{angles:?}"
-        );
-        assert!((angles[1] - 70.0).abs() < 1e-12);
-        assert!((angles[0] / angles[2] - 1.0).abs() < 1e-9);
-        assert!(scene::read(&after).is_ok());
+        let after = changed(toml, &[segments(&[])]);
+        assert!(after.get("law").is_none(), "{after}");
     }
 
     #[test]
@@ -338,7 +380,6 @@ mod tests {
             }],
         );
         assert_eq!(count(&added), 9);
-        assert_eq!(added["law"]["segment"][1]["motion"].as_str(), Some("dwell"));
         let back = changed(
             toml,
             &[
