@@ -75,10 +75,19 @@ pub const SCENES: [BuiltIn; 25] = scenes![
 pub const DEFAULT: &str = SCENES[0].toml;
 
 /// The input files of the built-in scenes, under their paths in the scenes.
-const FILES: [(&str, &[u8]); 1] = [(
-    "../data/gait_curves/heel_tester_critical_points.csv",
-    include_bytes!("../../data/gait_curves/heel_tester_critical_points.csv"),
-)];
+const FILES: [(&str, &[u8]); 2] = [
+    (
+        "../data/gait_curves/heel_tester_critical_points.csv",
+        include_bytes!("../../data/gait_curves/heel_tester_critical_points.csv"),
+    ),
+    (
+        EXAMPLE_RECORDING,
+        include_bytes!("../../data/recordings/made_walk.csv"),
+    ),
+];
+
+/// The path of a recording that comes with the library, for `measured_walk`, the scene that names none.
+pub const EXAMPLE_RECORDING: &str = "../data/recordings/made_walk.csv";
 
 /// The content of a file of a built-in scene, by its path in the scene.
 pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {

@@ -16,7 +16,7 @@ mod walkers;
 mod write;
 
 pub(crate) use crate::criterion::LimitKind;
-pub use builtin::{DEFAULT, SCENES, built_in, built_in_file};
+pub use builtin::{DEFAULT, EXAMPLE_RECORDING, SCENES, built_in, built_in_file};
 pub use files::{BETWEEN_PLATES, Files, content, plates};
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub(crate) use parts::{Adjust, Band, ForceScale, Phase, PhaseWeight, StepFrequencies};

@@ -8,8 +8,8 @@ use crate::page::questions::variation::is_traded;
 use crate::page::sources::Files;
 use crate::page::{table, words};
 use gaitcam::error::Result;
-use gaitcam::law::Rise;
-use gaitcam::scene::{self, SCENES, built_in, keys};
+use gaitcam::law::{End, Rise};
+use gaitcam::scene::{self, EXAMPLE_RECORDING, SCENES, built_in, keys};
 use gaitcam::synth::{Design, FIGURES, synthesise};
 use gaitcam::wording::{Language, people, scene_doc};
 use gaitcam_output::report::parts;
@@ -23,7 +23,7 @@ pub fn start(start: &Start) -> Value {
     let scenes = SCENES.iter().map(|s| {
         json!({
             "name": s.name,
-            "toml": s.toml,
+            "toml": with_recording(s.name, s.toml),
             "doc": {"en": scene_doc(Language::En, s.name), "es": scene_doc(Language::Es, s.name)},
         })
     });
@@ -40,6 +40,15 @@ pub fn start(start: &Start) -> Value {
     })
 }
 
+/// The text of a built-in scene; the one that names no recording gets the one that comes with the program.
+fn with_recording(name: &str, toml: &str) -> String {
+    let file = format!("[gait]\nfile = \"{EXAMPLE_RECORDING}\"\n");
+    match name {
+        "measured_walk" => toml.replacen("[gait]\n", &file, 1),
+        _ => toml.to_string(),
+    }
+}
+
 /// Name of a built-in scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -53,12 +62,8 @@ pub struct Picture {
 /// # Errors
 /// Unknown names of scenes.
 pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
-    let mut table = table(built_in(&asked.name)?.toml)?;
-    if scene::read(&table).is_err() {
-        // The picture of a scene that still waits for its recording is that of a load model.
-        scene::set(&mut table, "gait.model=young")?;
-        scene::set(&mut table, "gait.step_frequency=1.85 Hz")?;
-    }
+    let scene = built_in(&asked.name)?;
+    let table = table(&with_recording(scene.name, scene.toml))?;
     let scene = scene::read(&table)?;
     let target = files.target(&scene)?.map(|t| t.0);
     let design = synthesise(&scene, target.as_ref())?;
@@ -110,7 +115,16 @@ fn at_rest(design: &Design) -> String {
 /// None that a law of the catalogue has.
 pub fn laws() -> Result<Value> {
     let all: Result<Vec<Value>> = Rise::catalogue().iter().map(law).collect();
-    Ok(json!({"laws": all?}))
+    let dwell = Rise::Dwell.name();
+    let title = |language| parts::name(dwell, language);
+    Ok(json!({"laws": all?, "dwell": {"en": title(Language::En), "es": title(Language::Es)}}))
+}
+
+/// The letter of VDI 2143 for an end: rest, reversal, constant velocity, motion.
+fn vdi(end: &End) -> Option<&'static str> {
+    let letters = ["R", "U", "G", "B"];
+    let at = End::JOINS.iter().position(|join| *join == end.joins())?;
+    letters.get(at).copied()
 }
 
 fn law(rise: &Rise) -> Result<Value> {
@@ -125,11 +139,14 @@ fn law(rise: &Rise) -> Result<Value> {
     }
     let [s, v, a, j] = curves;
     let joins = |language| [ends.start.joins_in(language), ends.end.joins_in(language)];
+    let title = |language| parts::name(rise.name(), language);
     let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
     Ok(json!({
         "name": rise.name(), "written": rise.written(), "formula": rise.formula(),
+        "title": {"en": title(Language::En), "es": title(Language::Es)},
         "advice": {"en": laws_report::advice(rise, Language::En), "es": laws_report::advice(rise, Language::Es)},
         "cv": finite(factors.cv), "ca": finite(factors.ca), "cj": finite(factors.cj), "ct": finite(factors.ct),
+        "vdi": [vdi(&ends.start), vdi(&ends.end)],
         "joins": {"en": joins(Language::En), "es": joins(Language::Es)},
         "s": s, "v": v, "a": a, "j": j,
     }))
