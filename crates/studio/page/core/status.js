@@ -59,7 +59,8 @@ function faults(v) {
 
 function line(change) {
   const { fault } = change;
-  const message = fault.code === "broken" ? t("studio-broken", { fault: fault.message }) : fault.message;
+  const broken = { broken: "studio-broken", silent: "studio-silent" }[fault.code];
+  const message = broken ? t(broken, { fault: fault.message }) : fault.message;
   const box = make("div", {}, make("p", {}, make("strong", {}, fault.place ? `${fault.place}: ` : ""), message,
     fault.help ? make("span", { class: "help" }, ` – ${fault.help}`) : null));
   const button = (text, action) => make("button", { type: "button", onclick: action }, text);

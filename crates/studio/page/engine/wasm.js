@@ -1,6 +1,10 @@
 // The engine inside the page, in workers: one for what follows the hand, one for what takes longer, and one with the whole
 // module for files, runs and recordings, loaded when the first of them is asked for.
 
+// A search ends itself after 60 s; a worker that is silent longer has been ended by the browser, ms.
+const PATIENCE = 75000;
+const SILENT = "no answer";
+
 const inline = (id) => document.getElementById(id)?.textContent;
 const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
 
@@ -30,14 +34,18 @@ function worker() {
   return new Worker(url);
 }
 
-// Questions wait here, not in the worker: one that is given up while it waits ends no work.
-class Lane {
+// Questions wait here, not in the worker: one that is given up while it waits ends no work. A worker that fails, or that
+// is silent longer than any question may take, is ended; the next question begins another one.
+export class Lane {
   waiting = [];
   busy = null;
   worker = null;
+  clock = 0;
 
-  constructor(name) {
-    this.name = name;
+  // `begun` gives a worker that is ready for questions, `patience` is in milliseconds.
+  constructor(begun, patience = PATIENCE) {
+    this.begun = begun;
+    this.patience = patience;
   }
 
   ask(message, signal) {
@@ -55,31 +63,42 @@ class Lane {
     const job = this.busy = this.waiting.shift();
     try {
       if (!this.worker) await this.begin();
-      if (this.busy === job) this.worker.postMessage(job.message);
+      if (this.busy !== job) return;
+      this.worker.postMessage(job.message);
+      this.clock = setTimeout(() => this.answered({ broken: SILENT }), this.patience);
     } catch (error) {
       this.end(job, "reject", error);
     }
   }
 
   async begin() {
-    const ready = await module(this.name);
-    if (this.worker) return;
-    this.worker = worker();
-    this.worker.onmessage = ({ data }) => {
-      // A module that has failed in the middle of something is begun anew.
-      if (data.broken) this.stop();
-      if (this.busy) this.end(this.busy, "resolve", data);
+    const ready = await this.begun();
+    if (this.worker) return ready.terminate();
+    this.worker = ready;
+    ready.onmessage = ({ data }) => this.answered(data);
+    ready.onerror = (event) => {
+      event.preventDefault?.();
+      this.answered({ broken: event.message || SILENT });
     };
-    this.worker.postMessage({ module: ready });
+  }
+
+  // A module that has failed in the middle of something is begun anew.
+  answered(data) {
+    if (data.broken) this.stop();
+    if (this.busy) this.end(this.busy, "resolve", data);
   }
 
   end(job, how, value) {
-    if (this.busy === job) this.busy = null;
+    if (this.busy === job) {
+      this.busy = null;
+      clearTimeout(this.clock);
+    }
     job[how](value);
     this.next();
   }
 
   stop() {
+    clearTimeout(this.clock);
     this.worker?.terminate();
     this.worker = null;
   }
@@ -91,9 +110,16 @@ class Lane {
   }
 }
 
-const hand = new Lane("engine");
-const long = new Lane("engine");
-const whole = new Lane("whole");
+const begun = (name) => async () => {
+  const ready = await module(name);
+  const next = worker();
+  next.postMessage({ module: ready });
+  return next;
+};
+
+const hand = new Lane(begun("engine"));
+const long = new Lane(begun("engine"));
+const whole = new Lane(begun("whole"));
 const LANES = {
   relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long, range: long,
   export: whole, simulate: whole, identify: whole, recording: whole, contacts: whole,
@@ -101,7 +127,7 @@ const LANES = {
 const lane = (route) => LANES[route] ?? hand;
 
 // A question at which the engine fails is not asked again: it would fail again.
-const failed = (message) => ({ error: { code: "broken", message } });
+const failed = (message) => ({ error: { code: message === SILENT ? "silent" : "broken", message } });
 
 export async function ask(route, text, signal) {
   const { answer, broken } = await lane(route).ask({ route, text }, signal);
