@@ -70,10 +70,19 @@ export function picture(text) {
   return document.importNode(root, true);
 }
 
+// An open dialog makes all outside of it inert: what has to be read and closed beside it goes inside while it is open.
+export function above(box) {
+  const dialog = document.querySelector("dialog[open]");
+  if (!dialog || box.parentElement === dialog) return;
+  dialog.append(box);
+  dialog.addEventListener("close", () => document.body.append(box), { once: true });
+}
+
 // Shows a short notice that goes by itself.
 let timer = 0;
 export function notice(text, lasting = false) {
   const box = $("notice");
+  above(box);
   $("notice-text").textContent = text;
   box.hidden = !text;
   box.dataset.lasting = String(lasting);

@@ -1,6 +1,6 @@
 // Theme, tabs and dialog.
 
-import { $, clear, make, say } from "./dom.js";
+import { $, above, clear, make, render, say } from "./dom.js";
 import { t, onLanguage } from "./words.js";
 
 const TABS = ["values", "force", "programme", "compare", "text"];
@@ -76,8 +76,23 @@ export function dialog(title, fill) {
     fill(clear($("dialog-body")));
   };
   filling();
-  if (!$("dialog").open) $("dialog").showModal();
-  $("dialog").scrollTop = 0;
+  const box = /** @type {HTMLDialogElement} */ ($("dialog"));
+  if (!box.open) box.showModal();
+  above($("notice"));
+  box.scrollTop = 0;
+}
+
+// Opens the dialog with a template; returns what draws it anew.
+export function sheet(title, className, template) {
+  let box = null;
+  const refresh = () => { if (box.isConnected) render(template(), box); };
+  dialog(title, (body) => {
+    body.className = "";
+    box = make("div", { class: className });
+    body.append(box);
+    refresh();
+  });
+  return refresh;
 }
 
 // A picture in a narrow place opens large.
