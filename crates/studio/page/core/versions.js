@@ -9,6 +9,8 @@
 //   files      hash of the contents by the name that the scene gives to the file
 //   recording  {file, without}: the recording and the contacts that do not count
 //   hand       {period_s, points}: the force drawn by hand
+//   programme  {locks, rest, last, former}: angles that are locked, the segment that takes the rest, the one typed last,
+//              and the values that the programme took the place of
 //   gesture    what made it: a later change of the same gesture takes its place
 //   title      what changed, and `made` the values, for the list of versions
 
@@ -43,18 +45,27 @@ function push(next) {
   become({ ...present, list: [...list, next], at: list.length });
 }
 
-const keysOf = (edits) => edits.map((e) => (e.set ? e.set.key : JSON.stringify(e)));
+const SEGMENTS = "law.segment";
+const keyOf = (e) => (e.programme ? SEGMENTS : e.set ? e.set.key : JSON.stringify(e));
+const keysOf = (edits) => edits.map(keyOf);
+// A whole programme replaces values of its segments too.
+const replaced = (keys) => (key) => keys.includes(key) || (keys.includes(SEGMENTS) && key.startsWith(`${SEGMENTS}.`));
 
 // Changes values; `more` are the files, the recording and the drawn force that come with them.
 export function edit(edits, gesture, { title = "", ...more } = {}) {
   const before = now();
   const keys = keysOf(edits);
   // A new value takes the place of one that waits or was refused under the same key.
-  const others = before.pending.filter((p) => !p.keys.every((k) => keys.includes(k)));
+  const others = before.pending.filter((p) => !p.keys.every(replaced(keys)));
   const next = Object.freeze({ edits, keys, gesture, fault: null });
   // A force chosen by its name is neither a recording with ticks nor a drawn one.
   if (keys.includes("gait.file") && !more.files) more = { recording: null, hand: null, ...more };
   push(version({ ...before, ...more, pending: [...others, next], gesture, title, made: edits.filter((e) => e.set).map((e) => e.set), files: { ...before.files, ...more.files } }));
+}
+
+// A step that changes no value of the scene.
+export function note(more) {
+  push(version({ ...now(), ...more, gesture: null, made: [] }));
 }
 
 // Another scene; the present one can be returned to.
