@@ -1,9 +1,9 @@
 // A sheet for a class: what is given and what is to be found; the answers are shown by a button, on paper they have a page
 // of their own.
 
-import { make, notice } from "../core/dom.js";
+import { html, notice } from "../core/dom.js";
 import { t, local } from "../core/words.js";
-import { dialog } from "../core/view.js";
+import { sheet } from "../core/view.js";
 import * as units from "../core/units.js";
 import * as designs from "../core/designs.js";
 import * as charts from "../charts/charts.js";
@@ -18,36 +18,42 @@ export function open() {
     return;
   }
   const { answer } = designs.present();
-  dialog("studio-exercise", (body) => {
-    body.className = "sheet";
-    const diagrams = () => charts.pictures(DIAGRAMS).map(([id, name, picture]) => make("figure", { class: `copy ${id}` }, make("figcaption", {}, name), picture));
-    const figures = (value) => make("dl", { class: "find-these" }, ...answer.figures.map((f) => make("div", {}, make("dt", {}, f.name), make("dd", {}, value(f)))));
-    const answers = make("section", { class: "answers", hidden: true }, make("h3", {}, `${answer.name}: ${t("studio-exercise-answers")}`),
-      make("p", {}, t(`studio-verdict-${answer.infeasible ? "infeasible" : answer.verdict}`), " ", units.text(answer.reasons)),
-      figures((f) => units.text([f.value, f.more].filter(Boolean).join(", "))), make("div", { class: "copies" }, make("figure", { class: "copy" }, stage.picture()), ...diagrams()));
-    const show = make("button", { type: "button", class: "main", id: "show-answers", "aria-pressed": "false", onclick: () => {
-      answers.hidden = !answers.hidden;
-      show.setAttribute("aria-pressed", String(!answers.hidden));
-    } }, t("studio-exercise-show"));
-    body.append(make("p", { class: "buttons" }, show, make("button", { type: "button", onclick: () => window.print() }, t("studio-exercise-print"))),
-      make("section", {}, make("h3", {}, `${answer.name}: ${t("studio-exercise-given")}`), ...given(answer.fields), make("h3", {}, t("studio-exercise-find")), figures(() => ""),
-        make("div", { class: "copies blank" }, ...diagrams())), answers);
-  });
+  let shown = false;
+  const diagrams = () => charts.pictures(DIAGRAMS).map(([id, name, picture]) =>
+    html`<figure class="copy ${id}"><figcaption>${name}</figcaption>${picture}</figure>`);
+  const [blank, filled] = [diagrams(), diagrams()];
+  const cam = stage.picture();
+  const figures = (value) => html`<dl class="find-these">${answer.figures.map((f) => html`<div><dt>${f.name}</dt><dd>${value(f)}</dd></div>`)}</dl>`;
+  const value = (f) => units.text([f.value, f.more].filter(Boolean).join(", "));
+  const toggle = () => {
+    shown = !shown;
+    refresh();
+  };
+  const refresh = sheet("studio-exercise", "sheet", () => html`<p class="buttons">
+      <button type="button" class="main" id="show-answers" aria-pressed=${String(shown)} @click=${toggle}>${t("studio-exercise-show")}</button>
+      <button type="button" @click=${() => window.print()}>${t("studio-exercise-print")}</button></p>
+    <section><h3>${answer.name}: ${t("studio-exercise-given")}</h3>${given(answer.fields)}
+      <h3>${t("studio-exercise-find")}</h3>${figures(() => "")}<div class="copies blank">${blank}</div></section>
+    <section class="answers" ?hidden=${!shown}><h3>${answer.name}: ${t("studio-exercise-answers")}</h3>
+      <p>${t(`studio-verdict-${answer.infeasible ? "infeasible" : answer.verdict}`)} ${units.text(answer.reasons)}</p>
+      ${figures(value)}<div class="copies"><figure class="copy">${cam}</figure>${filled}</div></section>`);
 }
 
 // The values of the scene as a list, its segments and points as tables.
 function given(fields) {
   const set = Object.entries(fields).filter(([key, { text }]) => text !== "" && key !== "name");
   const plain = set.filter(([key]) => !/\.\d+\./.test(key));
-  const out = [make("dl", { class: "given" }, ...plain.map(([key, { text }]) => make("div", {}, make("dt", {}, label(key)), make("dd", {}, local(text)))))];
-  for (const list of new Set(set.flatMap(([key]) => /^(.*)\.\d+\./.exec(key)?.[1] ?? []))) {
-    const mine = set.filter(([key]) => key.startsWith(`${list}.`)).map(([key, { text }]) => [...key.slice(list.length + 1).split("."), text]);
-    const columns = [...new Set(mine.map(([, column]) => column))];
-    const rows = Map.groupBy(mine, ([number]) => number);
-    out.push(make("table", {}, make("caption", {}, t(`studio-list-${list.replace(".", "-")}`)),
-      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "#"), ...columns.map((c) => make("th", { scope: "col" }, t(`studio-column-${c}`))))),
-      make("tbody", {}, ...[...rows].map(([number, cells]) => make("tr", {}, make("th", { scope: "row" }, number),
-        ...columns.map((c) => make("td", {}, local(cells.find(([, column]) => column === c)?.[2] ?? ""))))))));
-  }
-  return out;
+  const lists = [...new Set(set.flatMap(([key]) => /^(.*)\.\d+\./.exec(key)?.[1] ?? []))];
+  return html`<dl class="given">${plain.map(([key, { text }]) => html`<div><dt>${label(key)}</dt><dd>${local(text)}</dd></div>`)}</dl>
+    ${lists.map((list) => table(list, set))}`;
+}
+
+function table(list, set) {
+  const mine = set.filter(([key]) => key.startsWith(`${list}.`)).map(([key, { text }]) => [...key.slice(list.length + 1).split("."), text]);
+  const columns = [...new Set(mine.map(([, column]) => column))];
+  const numbers = [...new Set(mine.map(([number]) => number))];
+  const cell = (number, column) => local(mine.find(([n, c]) => n === number && c === column)?.[2] ?? "");
+  return html`<table><caption>${t(`studio-list-${list.replace(".", "-")}`)}</caption>
+    <thead><tr><th scope="col">#</th>${columns.map((c) => html`<th scope="col">${t(`studio-column-${c}`)}</th>`)}</tr></thead>
+    <tbody>${numbers.map((n) => html`<tr><th scope="row">${n}</th>${columns.map((c) => html`<td>${cell(n, c)}</td>`)}</tr>`)}</tbody></table>`;
 }

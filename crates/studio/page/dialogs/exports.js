@@ -1,20 +1,109 @@
-// Every file that the command writes, as a download; of the design that is shown, never of another.
+// Every file that the command writes, as a download, by what it is wanted for; of the design that is shown, never of another.
 
-import { make, notice } from "../core/dom.js";
+import { html, nothing, notice } from "../core/dom.js";
 import { t } from "../core/words.js";
 import { engine } from "../core/net.js";
-import { dialog } from "../core/view.js";
+import { sheet } from "../core/view.js";
+import { zipSync } from "../core/vendor.js";
 import * as blobs from "../core/blobs.js";
-import { turning } from "./turning.js";
-import { zip } from "../core/zip.js";
 import { pack } from "../core/packing.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
+import { turning } from "./turning.js";
 
 // The file that the page itself makes.
 const FILM = "cam.gif";
-// Files that are made for a cutter.
+// Files that are made for a cutter, and those that are compressed already.
 const CUTTER = ["cutter.csv", "cutter.nc", "cutter_second.nc"];
+const COMPRESSED = /\.(png|gif|pdf|xlsx|3mf)$/;
+
+// Files by what they are wanted for; any other belongs to the last.
+const INTENTS = {
+  cut: [
+    "profile.dxf", "cam.step", "drawing.pdf", "profile.svg", "profile.csv", "second_profile.csv", "cutter.csv", "cutter.nc",
+    "cutter_second.nc", "wire.nc",
+  ],
+  print: ["profile.stl", "profile.3mf", "groove_upper.stl", "groove_lower.stl"],
+  control: ["ecam_codesys.st", "ecam_twincat.st", "ecam_rockwell.st", "ecam_segments.csv", "ecam_csv.csv", "law.csv"],
+  show: ["report.html", "cam.png", "cam.svg", FILM],
+};
+
+// The names under each intent, in the order of the table; names that it does not know come last.
+export function sorted(names) {
+  const known = new Set(Object.values(INTENTS).flat());
+  const others = names.filter((name) => !known.has(name));
+  const all = Object.entries(INTENTS).map(([intent, list]) => [intent, list.filter((name) => names.includes(name))]);
+  return all.map(([intent, list]) => [intent, intent === "show" ? [...list, ...others] : list]).filter(([, list]) => list.length > 0);
+}
+
+// A scene or recording as the name of a file.
+export function fileName(name, recording) {
+  const base = (recording ?? name).replace(/^.*[/\\]/, "").replace(/\.(c3d|mot|sto|csv|tsv|txt|asc)$/i, "");
+  return base || "cam";
+}
+
+const said = (error) => [error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost");
+
+// Hands a file to the browser.
+export function download(blob, name) {
+  const a = document.createElement("a");
+  Object.assign(a, { href: URL.createObjectURL(blob), download: name });
+  a.click();
+  setTimeout(() => URL.revokeObjectURL(a.href), 2000);
+}
+
+// A link whose file is made when it is asked for.
+function link(name, made) {
+  const get = async (event) => {
+    event.preventDefault();
+    try {
+      download(await made(), name);
+    } catch (error) {
+      notice(said(error));
+    }
+  };
+  return html`<a href="#" download=${name} @click=${get}>${name}</a>`;
+}
+
+// All files as one archive; those that cannot be made are named.
+async function archive(names, made) {
+  const [files, without] = [{}, []];
+  const mtime = new Date();
+  for (const name of names) {
+    try {
+      const bytes = new Uint8Array(await (await made(name)).arrayBuffer());
+      files[name] = [bytes, { mtime, level: COMPRESSED.test(name) ? 0 : 6 }];
+    } catch {
+      without.push(name);
+    }
+  }
+  return { blob: new Blob([zipSync(files)], { type: "application/zip" }), without };
+}
+
+function all(title, names, made) {
+  const get = async (event) => {
+    const button = event.currentTarget;
+    button.disabled = true;
+    try {
+      const { blob, without } = await archive(names, made);
+      download(blob, `${title}.zip`);
+      if (without.length > 0) notice(t("studio-export-without", { files: without.join(", ") }), true);
+    } finally {
+      button.disabled = false;
+    }
+  };
+  return html`<button type="button" class="main" id="export-all" @click=${get}>${t("studio-export-all", { count: names.length })}</button>`;
+}
+
+// This page with the scene inside, and how another page shows it.
+function page(name) {
+  const made = async () => engine.page((await pack(versions.now())).text);
+  const frame = `<iframe src="${name}?embed=force,s" title="${name}" width="900" height="800"></iframe>`;
+  return { item: html`<li>${link(name, made)}<small>${t("studio-file-page")}</small></li>`,
+    more: html`<p class="lead">${t("studio-export-frame")}</p><code id="frame">${frame}</code>` };
+}
+
+let preview = "";
 
 export function open() {
   if (!designs.isCurrent()) {
@@ -22,75 +111,27 @@ export function open() {
     return;
   }
   const { answer, files } = designs.present();
-  const make_ = (name, tool) => (name === FILM ? turning(answer) : engine.download({ scene: answer.scene, files: blobs.listed(files), name, tool }));
-  const groups = answer.infeasible ? answer.exports : [...answer.exports, ["film", [FILM]]];
-  dialog("studio-export", (body) => {
-    body.className = "exports";
-    const tool = make("input", { type: "text", value: answer.cutter, id: "tool", size: 8 });
-    if (!answer.infeasible) body.append(preview(() => make_("cam.svg")));
-    for (const [group, names] of groups) {
-      const links = names.map((name) => make("li", {}, link(name, () => make_(name, CUTTER.includes(name) ? tool.value : undefined)),
-        make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`))));
-      body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), make("ul", {}, ...links)));
-    }
-    if (engine.page) body.append(page(`${answer.name}.html`));
-    body.append(make("p", {}, whole(answer.name, groups, make_)));
-    if (!answer.infeasible) body.append(make("p", {}, make("label", { for: "tool" }, t("studio-tool")), " ", tool));
-    body.append(make("p", { class: "lead" }, t("studio-export-tolerance")));
-  });
-}
-
-// A link whose file is made when it is asked for.
-function link(name, made) {
-  const a = make("a", { href: "#", download: name, onclick: async (event) => {
-    if (a.dataset.ready) return;
-    event.preventDefault();
-    try {
-      a.href = URL.createObjectURL(await made());
-      a.dataset.ready = "true";
-      a.click();
-    } catch (error) {
-      notice([error.message, error.help].filter(Boolean).join(" – "));
-    } finally {
-      setTimeout(() => { URL.revokeObjectURL(a.href); a.href = "#"; delete a.dataset.ready; }, 2000);
-    }
-  } }, name);
-  return a;
-}
-
-// This page with the scene inside, and how another page shows it.
-function page(name) {
-  const made = async () => engine.page((await pack(versions.now())).text);
-  const frame = `<iframe src="${name}?embed=force,s" title="${name}" width="900" height="600"></iframe>`;
-  return make("section", {}, make("h3", {}, t("studio-export-page")),
-    make("ul", {}, make("li", {}, link(name, made), make("small", {}, t("studio-file-page")))),
-    make("p", { class: "lead" }, t("studio-export-frame")), make("code", { id: "frame" }, frame));
-}
-
-// All files in one archive; one that cannot be made is left out and named.
-function whole(title, groups, made) {
-  const names = groups.flatMap(([, list]) => list);
-  const button = make("button", { type: "button", class: "main", id: "export-all", onclick: async () => {
-    button.disabled = true;
-    const [files, without] = [[], []];
-    for (const name of names) {
-      try {
-        files.push([name, new Uint8Array(await (await made(name)).arrayBuffer())]);
-      } catch {
-        without.push(name);
-      }
-    }
-    const a = make("a", { href: URL.createObjectURL(zip(files)), download: `${title}.zip` });
-    a.click();
-    button.disabled = false;
-    if (without.length > 0) notice(t("studio-export-without", { files: without.join(", ") }));
-  } }, t("studio-export-all", { count: names.length }));
-  return button;
-}
-
-function preview(made) {
-  const image = make("img", { alt: t("studio-export-preview") });
-  made().then((blob) => { image.src = URL.createObjectURL(blob); }, () => {});
-  image.addEventListener("load", () => URL.revokeObjectURL(image.src));
-  return make("figure", {}, image);
+  let tool = answer.cutter;
+  const made = (name) => (name === FILM ? turning(answer)
+    : engine.download({ scene: answer.scene, files: blobs.listed(files), name, tool: CUTTER.includes(name) ? tool : undefined }));
+  const names = answer.exports.flatMap(([, list]) => list).concat(answer.infeasible ? [] : [FILM]);
+  const groups = sorted(names);
+  const title = fileName(answer.name, versions.now().recording?.file);
+  const own = engine.page ? page(`${title}.html`) : null;
+  const item = (name) => html`<li>${link(name, () => made(name))}<small>${t(`studio-file-${name.replaceAll(".", "-")}`)}</small></li>`;
+  const cutter = html`<p><label for="tool">${t("studio-tool")}</label>
+    <input type="text" id="tool" size="8" value=${tool} @input=${(event) => { tool = event.target.value; }}></p>`;
+  const group = ([intent, list]) => html`<section data-intent=${intent}><h3>${t(`studio-export-${intent}`)}</h3>
+    <p class="lead">${t(`studio-export-${intent}-lead`)}</p><ul>${list.map(item)}${intent === "show" && own ? own.item : nothing}</ul>
+    ${intent === "cut" && list.some((name) => CUTTER.includes(name)) ? cutter : nothing}${intent === "show" && own ? own.more : nothing}</section>`;
+  URL.revokeObjectURL(preview);
+  preview = "";
+  const refresh = sheet("studio-export", "exports", () => html`<div class="whole">
+    ${answer.infeasible ? nothing : html`<figure><img alt=${t("studio-export-preview")} src=${preview || nothing}></figure>`}
+    <div>${all(title, groups.flatMap(([, list]) => list), made)}<p class="lead">${t("studio-export-tolerance")}</p></div></div>${groups.map(group)}`);
+  if (answer.infeasible) return;
+  made("cam.svg").then((blob) => {
+    preview = URL.createObjectURL(blob);
+    refresh();
+  }, () => {});
 }

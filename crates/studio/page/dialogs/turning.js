@@ -2,10 +2,10 @@
 
 import { move, partsOf } from "../core/motion.js";
 import * as stage from "../panels/stage.js";
-import { gif } from "./gif.js";
+import { GIFEncoder, applyPalette, quantize } from "../core/vendor.js";
 
-// Pixels of the longer side, pictures of one turn, and hundredths of a second for each.
-const [SIZE, COUNT, DELAY] = [400, 48, 8];
+// Pixels of the longer side, pictures of one turn, milliseconds for each, and how many pictures give the colours.
+const [SIZE, COUNT, DELAY, SAMPLES] = [400, 48, 80, 6];
 const COLOURS = ["--blue", "--orange", "--green", "--purple", "--red", "--quiet", "--ink", "--grid"];
 
 // One turn of the cam on the screen, without marks and other designs.
@@ -32,5 +32,20 @@ export async function turning({ motion }) {
     canvas.drawImage(image, 0, 0);
     frames.push(canvas.getImageData(0, 0, width, height));
   }
-  return gif(motion.back ? frames.reverse() : frames, DELAY);
+  return encoded(motion.back ? frames.reverse() : frames);
+}
+
+// Frames of one size with common colours, shown again and again.
+function encoded(frames) {
+  const [{ width, height }] = frames;
+  const some = frames.filter((_, i) => i % Math.ceil(frames.length / SAMPLES) === 0);
+  const sample = new Uint8Array(some.length * width * height * 4);
+  some.forEach(({ data }, i) => sample.set(data, i * data.length));
+  const palette = quantize(sample, 256);
+  const film = GIFEncoder();
+  frames.forEach(({ data }, i) => {
+    film.writeFrame(applyPalette(data, palette), width, height, { delay: DELAY, ...(i === 0 ? { palette } : {}) });
+  });
+  film.finish();
+  return new Blob([film.bytes()], { type: "image/gif" });
 }
