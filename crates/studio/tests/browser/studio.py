@@ -168,6 +168,8 @@ class Page:
 
     def opens(self, scene):
         self.page.click("#open-scenes")
+        # Some scenes are found by the search only.
+        self.page.fill("#find-scene", scene.replace("_", " "))
         self.page.wait_for_selector(f'[data-scene="{scene}"]')
         self.does(lambda: self.page.click(f'[data-scene="{scene}"]'))
 

@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from studio import ROOT, Pages, of_server
+from studio import ROOT, Pages
 
 WALK = ROOT / "data" / "recordings" / "made_walk.csv"
 # What a diagram draws at the whole of its degrees.
@@ -143,43 +143,6 @@ class Class(Pages):
         self.assertEqual(set(seen["lasting"]), {80_000})
         self.assertEqual(len(set(seen["sums"])), 3)
         self.assertGreater(min(seen["sums"]), 0)
-
-    @of_server
-    def test_pictures_of_any_kind_are_packed_without_loss(self):
-        """Noise fills the table of codes many times; plain areas give the longest codes."""
-        worst = self.page().page.evaluate(
-            """async () => {
-                const {gif} = await import(new URL("dialogs/gif.js", document.baseURI));
-                const worst = [];
-                for (const [width, height, colours] of [[1, 1, 1], [3, 2, 5], [64, 64, 1], [97, 61, 2], [211, 173, 256], [300, 200, 7]]) {
-                    const frames = [0, 1].map((f) => {
-                        const frame = new ImageData(width, height);
-                        let state = 12345 + f;
-                        for (let i = 0; i < frame.data.length; i += 4) {
-                            state = (state * 1103515245 + 12345) % 2147483648;
-                            const k = Math.floor(state / 65536) % colours;
-                            frame.data.set([(k & 31) * 8, (k >> 5) * 32, f * 64, 255], i);
-                        }
-                        return frame;
-                    });
-                    const decoder = new ImageDecoder({data: await gif(frames, 5).arrayBuffer(), type: "image/gif"});
-                    await decoder.tracks.ready;
-                await decoder.completed;
-                    for (const [frameIndex, frame] of colours > 128 ? [[0, frames[0]]] : frames.entries()) {
-                        const {image} = await decoder.decode({frameIndex});
-                        const canvas = new OffscreenCanvas(width, height).getContext("2d");
-                        canvas.drawImage(image, 0, 0);
-                        const {data} = canvas.getImageData(0, 0, width, height);
-                        worst.push(data.reduce((m, x, i) => Math.max(m, Math.abs(x - frame.data[i])), 0));
-                    }
-                }
-                return worst;
-            }"""
-        )
-        print(f"\n  {len(worst)} pictures")
-        self.assertEqual(len(worst), 11)
-        # Of 512 colours in two frames only the more frequent half has its own place.
-        self.assertEqual([x for k, x in enumerate(worst) if k != 8], [0] * 10)
 
     def test_two_recordings_stand_side_by_side(self):
         page = self.page()

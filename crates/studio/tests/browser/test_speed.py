@@ -89,8 +89,6 @@ class Speed(Pages):
         page.page.keyboard.press("Escape")
         pictures, events, medians, grey, stretch = [], [], {}, 0, []
         for name in names:
-            if name == "measured_walk":  # its recording is not on the page
-                continue
             page.opens(name)
             stretch.append(slowness(page))
             found = page.page.evaluate(DRAG)

@@ -140,8 +140,9 @@ class State(Pages):
 
     def test_a_scene_without_its_recording_has_its_own_name_and_no_verdict(self):
         page = self.page()
-        page.page.click("#open-scenes")
-        page.page.click('[data-scene="measured_walk"]')
+        page.page.click("#tab-text")
+        page.page.fill("#scene-text", (ROOT / "scenes" / "measured_walk.toml").read_text())
+        page.page.click("#text .main")
         page.until("the fault is named", lambda: page.page.is_visible("#fault"))
         self.assertEqual(page.page.inner_text("#scene-name"), "measured_walk")
         self.assertEqual(page.verdict(), "pending")
