@@ -100,7 +100,7 @@ const isProgramme = () => isPending() || textOf("law.family") === "program";
 // --- changes ---------------------------------------------------------------------------------------
 
 function change(next, title, gesture = null) {
-  const former = version.programme?.former ?? (isProgramme() ? null : formerValues());
+  const former = isProgramme() ? version.programme?.former ?? null : formerValues();
   const { locks, rest, last } = next;
   const list = next.rows.map(({ motion, lift, angle }) => ({ motion, lift, [column()]: angle }));
   const back = list.length === 0 && former ? restored(former) : [];
@@ -337,7 +337,7 @@ const valueOf = (key) => version.pending.flatMap((p) => p.edits).findLast((e) =>
 
 function other(list) {
   const n = count(list);
-  const applies = list === "gait.weight" ? Object.keys(seen.fields).some((key) => key.startsWith("gait.")) : !isProgramme();
+  const applies = list === "gait.weight" ? Object.entries(seen.fields).some(([key, f]) => key.startsWith("gait.") && f.text !== "") : !isProgramme();
   if (n === 0 && !applies) return nothing;
   const name = list.replace(".", "-");
   const found = new Set(Object.keys(seen.fields).filter((key) => key.startsWith(`${list}.`)).map((key) => key.split(".").at(-1)));
