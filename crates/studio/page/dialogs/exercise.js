@@ -7,7 +7,7 @@ import { sheet } from "../core/view.js";
 import * as units from "../core/units.js";
 import * as designs from "../core/designs.js";
 import * as charts from "../charts/charts.js";
-import { label } from "../panels/form.js";
+import { label } from "../panels/names.js";
 import * as stage from "../panels/stage.js";
 
 const DIAGRAMS = ["force", "s", "v", "a", "j"];

@@ -8,7 +8,7 @@ import { unpack } from "../core/packing.js";
 import * as autosave from "../core/autosave.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
-import { label } from "../panels/form.js";
+import { label } from "../panels/names.js";
 import { download } from "./exports.js";
 
 let folder = "";

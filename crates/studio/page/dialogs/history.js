@@ -4,7 +4,7 @@ import { html, nothing } from "../core/dom.js";
 import { t } from "../core/words.js";
 import * as versions from "../core/versions.js";
 import { closeDialog, sheet } from "../core/view.js";
-import { label } from "../panels/form.js";
+import { label } from "../panels/names.js";
 
 const LISTED = 100;
 

@@ -9,7 +9,7 @@ import * as designs from "../core/designs.js";
 import * as segments from "../core/segments.js";
 import * as typed from "../core/typed.js";
 import * as versions from "../core/versions.js";
-import { label } from "./form.js";
+import { label } from "./names.js";
 import { catalogue, curve, nameOf } from "../dialogs/laws.js";
 
 const SEGMENT = "law.segment";
