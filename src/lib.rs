@@ -1,4 +1,4 @@
-//! gaitcam: from a vertical walking force to the cam that reproduces it.
+//! gaitcam: design of cams that reproduce a given force, such as the vertical force of a person walking.
 //!
 //! # The problem
 //!

@@ -1,4 +1,4 @@
-"""From a vertical walking force to the cam that reproduces it: law of motion, profile, checks, sweeps.
+"""Design cams that reproduce a given force: law of motion, profile, checks, sweeps.
 
 A scene states target and limits, a force may come from arrays or a recording, and :func:`synth` gives the cam::
 

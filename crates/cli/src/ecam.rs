@@ -24,14 +24,14 @@ const EXAMPLES: &str = "Examples:
   gaitcam ecam out/footbridge --dialect codesys
   gaitcam ecam out/footbridge --dialect rockwell --points 120";
 
-/// Which design, for which controller.
+/// Arguments of `gaitcam ecam`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct EcamArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// The controller: codesys, twincat (structured text); segments (ends of polynomials); rockwell (CAM array); csv (positions)
+    /// Controller: codesys, twincat (structured text); segments (ends of polynomials); rockwell (CAM array); csv (positions)
     #[arg(long, value_parser = dialects())]
     dialect: Dialect,
     /// Number of equal intervals per cycle (default: the smallest number that reproduces the law)

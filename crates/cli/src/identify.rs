@@ -33,7 +33,7 @@ const RECUT: &str = "Examples:
   gaitcam recut out/footbridge log.csv --out out/second
   gaitcam recut out/footbridge first.csv second.csv";
 
-/// Which machine, and what was logged.
+/// Arguments of `gaitcam identify`.
 #[derive(Args, Debug)]
 #[command(after_help = IDENTIFY)]
 pub struct IdentifyArgs {
@@ -47,7 +47,7 @@ pub struct IdentifyArgs {
     pub json: bool,
 }
 
-/// Which design, and what was logged.
+/// Arguments of `gaitcam recut`.
 #[derive(Args, Debug)]
 #[command(after_help = RECUT)]
 pub struct RecutArgs {
@@ -72,8 +72,8 @@ struct LoggedArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// Logs of the running machine (csv, at any speed): force and time or cam angle, where there are such also speed and torque,
-    /// recognised by their names and units
+    /// Logs of the running machine (csv, at any speed): force and time or cam angle, optionally speed and torque.
+    /// Columns are recognised by name and unit
     #[arg(value_name = "FILE", required = true)]
     logs: Vec<PathBuf>,
     #[command(flatten)]
@@ -98,7 +98,7 @@ struct ColumnArgs {
     /// Name or number of the column of the torque at the camshaft
     #[arg(long, value_name = "COLUMN")]
     torque: Option<String>,
-    /// The cam angle is in counts of an encoder: so many per turn of the cam
+    /// Encoder counts per turn of the cam, if the cam angle is in counts
     #[arg(long, value_name = "N")]
     counts_per_turn: Option<f64>,
 }

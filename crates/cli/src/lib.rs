@@ -37,7 +37,7 @@ use serde_json::{Value, json};
 /// The version, the commit and the solver of this build.
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("GAITCAM_BUILD"), ")");
 
-/// From a vertical walking force to the cam that reproduces it.
+/// Design cams that reproduce a given force.
 #[derive(Parser, Debug)]
 #[command(name = "gaitcam", version = VERSION, about, max_term_width = 100)]
 struct Cli {
@@ -51,33 +51,33 @@ enum Command {
     Synth(synth::SynthArgs),
     /// Read a recording: format, channels, stances, mean cycle
     Gait(gait::GaitArgs),
-    /// Find how many cams serve a population of walkers, and which cam serves whom
+    /// Find the number of cams for a population of walkers, and assign a cam to each walker
     Cover(gait::cover::CoverArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
-    /// Fit measured points of a manufactured cam to its design: deviations, and what this very cam does
+    /// Fit measured points of a manufactured cam to its design: deviations and force of this cam
     Inspect(inspect::InspectArgs),
     /// Identify the machine from logs of its runs: mass, stiffness, damping, friction, with intervals
     Identify(identify::IdentifyArgs),
-    /// Design the next cam: it corrects every force error that repeats in logs of the machine
+    /// Design the next cam, which corrects the repeatable force errors in logs of the machine
     Recut(identify::RecutArgs),
-    /// Write a design as an electronic cam for a motion controller, and say what that controller makes of it
+    /// Write a design as an electronic cam for a motion controller, and compute the force error with this controller
     Ecam(ecam::EcamArgs),
-    /// Design thousands of scenes: a grid, a list or a sample of values, into one table
+    /// Design thousands of scenes (a grid, a list or a sample of values) into one table
     Sweep(sweep::SweepArgs),
-    /// Pareto front of a sweep: table, pictures, and the best design as a normal result
+    /// Compute the Pareto front of a sweep: table, pictures and the best design
     Front(front::FrontArgs),
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
-    /// Open the studio: a page in the browser on which the cam changes with every number
+    /// Open the studio, a page in the browser that updates the cam after every change
     Studio(studio::StudioArgs),
     /// Write a commented scene for a machine
     Init(init::InitArgs),
-    /// Explain what fails in a scene or a recording, and what cures it
+    /// Explain the faults of a scene or a recording, and their corrections
     Doctor(doctor::DoctorArgs),
     /// List the keys of a scene file: values, default and meaning
     Keys(keys::KeysArgs),
-    /// List the scenes that come with the program, or print one
+    /// List the built-in scenes, or print one
     Scenes(keys::ScenesArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws(laws::LawsArgs),

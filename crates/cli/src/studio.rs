@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam studio scenes/heel_tester.toml
   gaitcam studio measurements/ --port 8080 --no-open";
 
-/// What to open, and where.
+/// Arguments of `gaitcam studio`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct StudioArgs {

@@ -37,22 +37,22 @@ const EXAMPLES: &str = "Examples:
   gaitcam gait press.csv --period '0.5 s' --out curve.csv
   gaitcam gait plate.csv --force Fz --unit kN --mass '72.6 kg' --json";
 
-/// Which recordings, and how to read them.
+/// Arguments of `gaitcam gait`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct GaitArgs {
-    /// Recordings, or folders of them: text, OpenSim .mot/.sto, C3D, insole exports; of several a table and their
-    /// joint mean
+    /// Recordings, or folders with recordings: text, OpenSim .mot/.sto, C3D, insole exports. Several recordings give
+    /// a table and their joint mean
     #[arg(required = true, value_name = "FILE|FOLDER")]
     files: Vec<PathBuf>,
-    /// Write the mean cycle (of several recordings the joint mean) as csv or for OpenSim (.mot), with pictures
-    /// (svg, png); in a folder, the cycle of each recording too
+    /// Write the mean cycle, or the joint mean of several recordings, as csv or for OpenSim (.mot), with pictures
+    /// (svg, png). A folder also gets the cycle of each recording
     #[arg(long, value_name = "CURVE.csv|CURVE.mot|DIR")]
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Feet whose force the cycle contains: both, one, left, right; total: the column is the sum of both
+    /// Feet whose force is used: both, one, left, right; total if the column is the sum of both
     #[arg(long, default_value = "both")]
     feet: String,
     /// Name or number of the time column
@@ -70,22 +70,22 @@ pub struct GaitArgs {
     /// Mass of the walker: "72.6 kg"
     #[arg(long)]
     mass: Option<String>,
-    /// What was recorded, if it is not recognised: walking, running
+    /// Movement in the recording, if it is not recognised: walking, running
     #[arg(long)]
     kind: Option<String>,
-    /// The file is exactly one cycle of this duration, of any machine: "0.5 s"
+    /// The file contains exactly one cycle of this duration, for any machine: "0.5 s"
     #[arg(long)]
     period: Option<String>,
-    /// The file covers this part of a turn, the force is zero in the rest: "256 deg"
+    /// Part of the turn that the file covers; the force is zero in the rest: "256 deg"
     #[arg(long)]
     span: Option<String>,
-    /// Take a recording into the joint mean although this is open about it: kind, clock, mass
+    /// Include a recording in the joint mean in spite of these open questions: kind, clock, mass
     #[arg(long, value_name = "LIST", default_value = "")]
     accept: String,
     /// List every stance and every rejected contact of a recording, or write them as a table
     #[arg(long, value_name = "STANCES.csv", num_args = 0..=1)]
     stances: Option<Option<PathBuf>>,
-    /// Which cam of a folder that gaitcam cover wrote serves the walker, and how well
+    /// Assign the walker to a cam in an output folder of gaitcam cover, with the force error
     #[arg(long, value_name = "DIR")]
     against: Option<PathBuf>,
 }

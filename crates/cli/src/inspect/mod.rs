@@ -30,7 +30,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam inspect out/footbridge measured.csv
   gaitcam inspect scenes/heel_tester.toml centres.csv --ball '1 mm' --out out/inspected";
 
-/// Which design, and what was measured.
+/// Arguments of `gaitcam inspect`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct InspectArgs {

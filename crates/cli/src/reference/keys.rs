@@ -14,7 +14,7 @@ use crate::console::language;
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
 
-/// Which keys to print, and how.
+/// Arguments of `gaitcam keys`.
 #[derive(Args, Debug)]
 pub struct KeysArgs {
     /// Only keys that contain this text
@@ -30,7 +30,7 @@ pub struct KeysArgs {
     markdown: bool,
 }
 
-/// Which scene to print, and how.
+/// Arguments of `gaitcam scenes`.
 #[derive(Args, Debug)]
 pub struct ScenesArgs {
     /// Print this scene as TOML

@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam laws cycloidal
   gaitcam laws --json | python3 -m json.tool";
 
-/// How to print it.
+/// Arguments of `gaitcam laws`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct LawsArgs {

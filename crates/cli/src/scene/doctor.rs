@@ -19,7 +19,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam doctor my.toml
   gaitcam doctor walk.c3d";
 
-/// Which file.
+/// Arguments of `gaitcam doctor`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct DoctorArgs {

@@ -41,13 +41,13 @@ const EXAMPLES: &str = "Examples:
 pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// Run the cam as manufactured at this speed of the shaft: --speed '96 rpm'
+    /// Simulate the cam as manufactured at this speed of the shaft: --speed '96 rpm'
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
-    /// Run the cam as manufactured at several speeds: --speeds '1.4 Hz:2.3 Hz:10' (first, last, number)
+    /// Simulate the cam as manufactured at several speeds (first, last, number): --speeds '1.4 Hz:2.3 Hz:10'
     #[arg(long, value_name = "RANGE", conflicts_with = "speed")]
     speeds: Option<String>,
-    /// auto (the simplest that is sufficient), rigid, flexible, contact
+    /// Dynamic model: auto (the simplest sufficient model), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
     /// Folder for dynamics.csv, dynamics.xlsx, simulation.json and report.html (default out/NAME)
@@ -59,16 +59,16 @@ pub struct SimulateArgs {
     /// First natural frequency of the follower train: "60 Hz"
     #[arg(long, value_name = "HZ")]
     natural_frequency: Option<String>,
-    /// Damping ratio of the follower train (default: that of the scene, else 0.05)
+    /// Damping ratio of the follower train (default: value of the scene, or 0.05)
     #[arg(long, value_name = "RATIO")]
     damping_ratio: Option<String>,
-    /// Coefficient of friction between cam and follower (default: that of the scene, else 0)
+    /// Coefficient of friction between cam and follower (default: value of the scene, or 0)
     #[arg(long, value_name = "MU")]
     friction: Option<String>,
-    /// Coefficient of restitution of an impact, 0 … 1 (default: that of the scene, else 0)
+    /// Coefficient of restitution of an impact, 0 … 1 (default: value of the scene, or 0)
     #[arg(long, value_name = "E")]
     restitution: Option<String>,
-    /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
+    /// Angle of a second, equal cam behind the first on the same shaft: "180 deg"
     #[arg(long, value_name = "ANGLE")]
     second_cam: Option<String>,
 }

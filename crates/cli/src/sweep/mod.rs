@@ -34,11 +34,11 @@ const EXAMPLES: &str = "Examples:
   gaitcam sweep --tolerance 'profile=0.02 mm' --band '2 %' --out made.csv
   gaitcam sweep big.toml --vary 'limits.stroke=20 mm:60 mm:1000000' --shard 3/16 --out blocks";
 
-/// What to sweep and where to put it.
+/// Arguments of `gaitcam sweep`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct SweepArgs {
-    /// Scene files; without one, the built-in footbridge
+    /// Scene files (default: the built-in footbridge)
     pub scenes: Vec<PathBuf>,
     /// Change a value in every scene: --set 'limits.stroke=40 mm' (may be repeated)
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -46,7 +46,7 @@ pub struct SweepArgs {
     /// Vary a value: 'gait.step_frequency=1.5 Hz:2.4 Hz:10' or law.family=spline,harmonic (may be repeated)
     #[arg(long, value_name = "KEY=VALUES")]
     pub vary: Vec<String>,
-    /// Rows of values together: a csv whose header names keys
+    /// List of combined values: a csv with keys in its header
     #[arg(long, value_name = "FILE.csv")]
     pub list: Option<PathBuf>,
     /// One design for each recording: files or folders (may be repeated)
@@ -61,14 +61,14 @@ pub struct SweepArgs {
     /// Seed of the random numbers of the sample
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// The table: FILE.csv or FILE.parquet
+    /// Output table: FILE.csv or FILE.parquet
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Compute one of N equal shares, in blocks of rows: --out is a folder that all share, and only missing blocks
+    /// Compute one of N equal shares, in blocks of rows. --out is the common folder of all shares; only missing blocks
     /// are computed
     #[arg(long, value_name = "I/N", value_parser = shard::shard, conflicts_with_all = ["resume", "tolerance"])]
     pub shard: Option<shard::Shard>,
-    /// Rows of a block (default 131072)
+    /// Number of rows of a block (default 131072)
     #[arg(long, value_name = "N", requires = "shard", value_parser = clap::value_parser!(u64).range(1..))]
     pub block_rows: Option<u64>,
     /// Continue an interrupted sweep
@@ -76,16 +76,16 @@ pub struct SweepArgs {
     pub resume: bool,
     #[command(flatten)]
     pub time: TimeLimit,
-    /// Threads; without it, one per core
+    /// Number of threads (default: one per core)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
-    /// Allow more than a hundred million rows
+    /// Allow more than 100 million rows
     #[arg(long)]
     pub yes: bool,
     /// Manufacturing tolerance of one design: 'profile=0.02 mm', base_radius, mass, speed (may be repeated)
     #[arg(long, value_name = "PART=±VALUE")]
     pub tolerance: Vec<String>,
-    /// Force error accepted in a manufactured cam, for the yield: '2 %' of the mean
+    /// Maximum force error of a manufactured cam, for the yield: '2 %' of the mean
     #[arg(long, requires = "tolerance")]
     pub band: Option<String>,
     /// Print JSON

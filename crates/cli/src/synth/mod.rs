@@ -41,7 +41,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam synth my.toml --solid --units inch
   gaitcam synth my.toml --front force_error:prime_radius";
 
-/// Which scene, and what to write.
+/// Arguments of `gaitcam synth`.
 #[derive(Args, Debug, Default)]
 #[command(after_help = EXAMPLES)]
 pub struct SynthArgs {
@@ -58,13 +58,13 @@ pub struct SynthArgs {
     /// Write no PNG pictures
     #[arg(long)]
     pub no_png: bool,
-    /// Print every step of a sequence of convex programs with its merit
+    /// Print every step of a sequence of convex programs
     #[arg(short, long)]
     pub verbose: bool,
-    /// Explain the model selection: the models selected, and why others were passed over
+    /// Explain the selection of each model and the rejection of others
     #[arg(long)]
     pub explain: bool,
-    /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
+    /// Number of rows of law.csv and profile.csv (default 1440), or of points of the front (default 20)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub points: Option<u32>,
     /// Compute a Pareto front instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke,

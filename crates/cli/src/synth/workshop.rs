@@ -19,7 +19,7 @@ pub struct WorkshopArgs {
     /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), workbook (XLSX)
     #[arg(long)]
     pub solid: bool,
-    /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
+    /// Omit reference lines from DXF drawings: circles, marks, pitch curve (layers REF_*)
     #[arg(long)]
     pub cut_only: bool,
     /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
@@ -31,10 +31,10 @@ pub struct WorkshopArgs {
     /// Also write the path of a cutter of this radius: --tool '6 mm'
     #[arg(long, value_name = "RADIUS")]
     pub tool: Option<String>,
-    /// Depth of a pass of that cutter: cutter.nc with Z, spindle and feeds
+    /// Depth of pass of the cutter; cutter.nc then contains Z, spindle and feeds
     #[arg(long, value_name = "DEPTH", requires = "tool")]
     pub pass: Option<String>,
-    /// Also write the path of a wire that cuts at this distance from its centre: --wire '0.14 mm'
+    /// Also write the path of a cutting wire with this radius, spark gap included: --wire '0.14 mm'
     #[arg(long, value_name = "RADIUS")]
     pub wire: Option<String>,
     /// Unit of DXF, drawing and programs

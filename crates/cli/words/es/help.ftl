@@ -48,28 +48,28 @@ value-lang = IDIOMA
 value-command = ORDEN
 value-result = RESULTADO
 
-gaitcam = De una fuerza vertical de la marcha a la leva que la reproduce
+gaitcam = Diseña levas que reproducen una fuerza dada, como la fuerza vertical de una persona al caminar
 synth = Diseña una leva: curva de fuerza o programa → ley → leva → comprobaciones → archivos
 gait = Lee un registro: formato, canales, apoyos, ciclo medio
 identify = Identifica la máquina a partir de registros de su funcionamiento: masa, rigidez, amortiguamiento, rozamiento, con intervalos
-recut = Diseña la leva siguiente: corrige todo error de fuerza que se repite en registros de la máquina
-inspect = Ajusta los puntos medidos de una leva fabricada a su diseño: desviaciones, y qué hará esta misma leva
-ecam = Escribe un diseño como leva electrónica para un control de movimiento, y dice qué hace ese control con ella
-simulate = Simula la leva acabada: fuerza, par, pérdida de contacto, vibración, con el modelo más simple que basta
-sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
-front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
-cover = Busca cuántas levas sirven a una población de caminantes, y cuál sirve a quién
+recut = Diseña la leva siguiente, que corrige los errores de fuerza repetibles de los registros de la máquina
+inspect = Ajusta los puntos medidos de una leva fabricada a su diseño: desviaciones y fuerza de esta leva
+ecam = Escribe un diseño como leva electrónica para un control de movimiento y calcula el error de fuerza con este control
+simulate = Simula la leva acabada: fuerza, par, pérdida de contacto, vibración, con el modelo suficiente más simple
+sweep = Diseña miles de escenas (una rejilla, una lista o una muestra de valores) en una sola tabla
+front = Calcula el frente de Pareto de un barrido: tabla, figuras y el mejor diseño
+cover = Busca el número de levas para una población de caminantes y asigna una leva a cada caminante
 compare = Compara varios resultados: tabla y diagramas superpuestos
-studio = Abre el estudio: una página en el navegador en la que la leva cambia con cada número
+studio = Abre el estudio, una página en el navegador que actualiza la leva con cada cambio
 keys = Enumera las claves de una escena: valores, valor por defecto y significado
-scenes = Enumera las escenas que trae el programa, o muestra una
+scenes = Enumera las escenas incorporadas, o muestra una
 laws = Enumera el catálogo de leyes de subida con sus factores de pico
 init = Escribe una escena comentada para una máquina
-doctor = Explica qué falla en una escena o un registro y qué lo remedia
+doctor = Explica los errores de una escena o un registro y cómo corregirlos
 completions = Escribe el guion de autocompletado de un intérprete de órdenes
 help = Muestra esta ayuda o la de una orden
 
-all-lang = Idioma de mensajes e informes (por defecto: LC_ALL, LANG, si no inglés)
+all-lang = Idioma de mensajes e informes (por defecto: LC_ALL, LANG o, si no, inglés)
 all-help = Muestra la ayuda
 all-version = Muestra la versión
 all-scene = Archivo de escena, nombre de una escena incorporada (gaitcam scenes), o - para la entrada estándar; por defecto footbridge
@@ -80,75 +80,75 @@ all-out = Carpeta de los archivos (por defecto out/NOMBRE)
 
 synth-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
 all-no_png = No escribe figuras PNG
-synth-verbose = Muestra cada paso de una secuencia de programas convexos con su mérito
-synth-explain = Explica la elección de los modelos: cuáles se eligieron y por qué se descartaron otros
-synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del frente (por defecto 20)
+synth-verbose = Muestra cada paso de una secuencia de programas convexos
+synth-explain = Explica la elección de cada modelo y el descarte de otros
+synth-points = Número de filas de law.csv y profile.csv (por defecto 1440), o de puntos del frente (por defecto 20)
 synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
 synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP, STL, 3MF), libro (XLSX)
-synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
+synth-cut_only = Omite en los dibujos DXF las líneas de referencia: círculos, marcas, curva de paso (capas REF_*)
 synth-dxf = Traza los bordes de profile.dxf como arcos (R12) o como splines (R2000)
 synth-ecam = Escribe además una leva electrónica: programa o tabla de puntos para un control de movimiento
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
-synth-pass = Profundidad de pasada de esa fresa: cutter.nc con Z, husillo y avances
+synth-pass = Profundidad de pasada de la fresa; cutter.nc contiene entonces Z, husillo y avances
 synth-units = Unidad del DXF, del plano y de los programas
-synth-wire = Escribe además la trayectoria de un hilo que corta a esta distancia de su centro: --wire '0.14 mm'
+synth-wire = Escribe además la trayectoria de un hilo de corte de este radio, separación incluida: --wire '0.14 mm'
 
-gait-files = Registros, o carpetas de ellos: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas; de varios, una tabla y su media conjunta
-gait-out = Escribe el ciclo medio (de varios registros, la media conjunta) en csv, con figuras (svg, png); en una carpeta, también el ciclo de cada registro
-gait-feet = Pies cuya fuerza contiene el ciclo: both, one, left, right; total: la columna es la suma de ambos
+gait-files = Registros, o carpetas con registros: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas. Varios registros dan una tabla y su media conjunta
+gait-out = Escribe el ciclo medio, o la media conjunta de varios registros, en csv o para OpenSim (.mot), con figuras (svg, png). Una carpeta recibe también el ciclo de cada registro
+gait-feet = Pies cuya fuerza se usa: both, one, left, right; total si la columna es la suma de ambos
 gait-time = Nombre o número de la columna de tiempo
 gait-force = Nombre o número de una columna de fuerza vertical (se puede repetir)
 gait-unit = Unidad de las columnas de fuerza: N, daN, kN, lbf, kgf, N/kg, BW, %BW
 gait-rate = Frecuencia de muestreo, si el archivo no la da: "1000 Hz"
 gait-mass = Masa de quien camina: "72.6 kg"
-gait-kind = Qué se registró, si no se reconoce: walking, running
-gait-period = El archivo es exactamente un ciclo de esta duración, de cualquier máquina: "0.5 s"
-gait-span = El archivo cubre esta parte de la vuelta; en el resto la fuerza es cero: "256 deg"
-gait-stances = Enumera cada apoyo y cada contacto rechazado de un registro
-gait-against = Qué leva de una carpeta que escribió gaitcam cover sirve al caminante, y con qué error
-gait-accept = Incluye en la media conjunta un registro aunque esto quede abierto: kind, clock, mass
+gait-kind = Movimiento del registro, si no se reconoce: walking, running
+gait-period = El archivo contiene exactamente un ciclo de esta duración, para cualquier máquina: "0.5 s"
+gait-span = Parte de la vuelta que cubre el archivo; en el resto la fuerza es cero: "256 deg"
+gait-stances = Enumera cada apoyo y cada contacto rechazado de un registro, o los escribe como tabla
+gait-against = Asigna al caminante una leva de una carpeta de resultados de gaitcam cover, con el error de fuerza
+gait-accept = Incluye un registro en la media conjunta a pesar de estas cuestiones abiertas: kind, clock, mass
 
-simulate-speed = Hace girar la leva fabricada a esta velocidad del eje: --speed '96 rpm'
-simulate-speeds = Hace girar la leva tal como se hizo a varias velocidades: --speeds '1.4 Hz:2.3 Hz:10' (primera, última, número)
-simulate-model = auto (el más simple que basta) | rigid | flexible | contact
+simulate-speed = Simula la leva fabricada a esta velocidad del eje: --speed '96 rpm'
+simulate-speeds = Simula la leva fabricada a varias velocidades (primera, última, número): --speeds '1.4 Hz:2.3 Hz:10'
+simulate-model = Modelo dinámico: auto (el modelo suficiente más simple), rigid, flexible, contact
 simulate-out = Carpeta de dynamics.csv, dynamics.xlsx, simulation.json y report.html (por defecto out/NOMBRE)
 simulate-natural_frequency = Primera frecuencia natural del tren del seguidor: "60 Hz"
-simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por defecto la de la escena, si no 0.05)
-simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el de la escena, si no 0)
-simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el de la escena, si no 0)
-simulate-second_cam = Ángulo con que una segunda leva igual sigue en el mismo eje: "180 deg"
+simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por defecto el valor de la escena, o 0.05)
+simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el valor de la escena, o 0)
+simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el valor de la escena, o 0)
+simulate-second_cam = Ángulo de una segunda leva igual detrás de la primera en el mismo eje: "180 deg"
 
-sweep-scenes = Archivos de escena; sin ninguno, la escena incorporada footbridge
+sweep-scenes = Archivos de escena (por defecto, la escena incorporada footbridge)
 sweep-set = Cambia un valor en todas las escenas: --set 'limits.stroke=40 mm' (se puede repetir)
 sweep-vary = Varía un valor: 'gait.step_frequency=1.5 Hz:2.4 Hz:10' o law.family=spline,harmonic (se puede repetir)
-sweep-list = Filas de valores que van juntos: un csv cuya cabecera nombra claves
+sweep-list = Lista de valores combinados: un csv con claves en su cabecera
 sweep-recordings = Un diseño por registro: archivos o carpetas (se puede repetir)
 sweep-sample = Toma una muestra de N puntos de los intervalos ('CLAVE=INICIO:FIN') en lugar de una rejilla
 sweep-design = Método de muestreo
 sweep-seed = Semilla de los números aleatorios de la muestra
-sweep-out = La tabla: ARCHIVO.csv o ARCHIVO.parquet
-sweep-shard = Calcula una de N partes iguales, en bloques de filas: --out es una carpeta que todas comparten, y solo se calculan los bloques que faltan
-sweep-block_rows = Filas de un bloque (por defecto 131072)
+sweep-out = Tabla de resultados: ARCHIVO.csv o ARCHIVO.parquet
+sweep-shard = Calcula una de N partes iguales, en bloques de filas. --out es la carpeta común de todas; solo se calculan los bloques que faltan
+sweep-block_rows = Número de filas de un bloque (por defecto 131072)
 sweep-resume = Continúa un barrido interrumpido
-sweep-jobs = Hilos; sin ella, uno por núcleo
-sweep-yes = Permite más de cien millones de filas
+sweep-jobs = Número de hilos (por defecto, uno por núcleo)
+sweep-yes = Permite más de 100 millones de filas
 sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', 'base_radius=…', 'mass=…', 'speed=…' (se puede repetir)
-sweep-band = Error de fuerza que se acepta en una leva fabricada, para el rendimiento: '2 %' de la media
+sweep-band = Error de fuerza máximo de una leva fabricada, para el rendimiento: '2 %' de la media
 
-front-file = La tabla que escribió gaitcam sweep, o la carpeta de sus bloques
+front-file = Tabla de gaitcam sweep, o la carpeta de sus bloques
 front-minimise = Columnas que se minimizan, separadas por comas: force_error,torque_max (por defecto force_error,prime_radius)
 front-maximise = Columnas que se maximizan, separadas por comas: liftoff_speed
 front-low_speed = Incluye diseños que no sirven a alta velocidad
-front-best = Escribe además el mejor diseño como resultado normal de synth, en CARPETA/best
-front-all = Incluye todos los diseños, también los inaceptables
+front-best = Escribe además el mejor diseño como resultado de synth, en CARPETA/best
+front-all = Incluye los diseños inaceptables
 front-out = Carpeta de front.csv, figuras y report.html (por defecto out/NOMBRE-front)
 
-cover-walkers = Carpeta de registros, o una tabla de caminantes (por defecto, los de la escena)
-cover-cams = Números de levas, primero y último, o un solo número: se buscan todos desde 1
+cover-walkers = Carpeta de registros, o una tabla de caminantes (por defecto, los caminantes de la escena)
+cover-cams = Primer y último número de levas, o un solo número (el primero es entonces 1)
 cover-scene = Escena con la máquina, sus límites y law.robust; por defecto footbridge
 cover-out = Carpeta de tablas, figuras y escenas de las levas (por defecto out/NOMBRE_cover)
 
-compare-folders = Carpetas que escribió gaitcam synth
+compare-folders = Carpetas de resultados de gaitcam synth
 compare-out = Carpeta de la tabla y los diagramas
 compare-json = Escribe los resúmenes en JSON
 
@@ -163,7 +163,7 @@ scenes-name = Muestra esta escena en TOML
 
 laws-name = Solo esta ley
 
-init-machine = La máquina; sin ella, se enumeran
+init-machine = Máquina; si se omite, se enumeran
 init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)
 
 doctor-file = Archivo de escena, nombre de una escena incorporada, o registro
@@ -173,33 +173,33 @@ completions-shell = El intérprete de órdenes
 
 
 identify-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
-identify-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva, y si los hay velocidad y par, reconocidos por sus nombres y unidades
+identify-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva; velocidad y par son opcionales. Las columnas se reconocen por nombre y unidad
 identify-time = Nombre o número de la columna de tiempo
 identify-angle = Nombre o número de la columna del ángulo de la leva
 identify-force = Nombre o número de la columna de fuerza de la célula de carga
 identify-speed = Nombre o número de la columna de velocidad de la leva
 identify-torque = Nombre o número de la columna de par en el eje de la leva
-identify-counts_per_turn = El ángulo de la leva está en cuentas de un encóder: tantas por vuelta de la leva
+identify-counts_per_turn = Cuentas del encóder por vuelta de la leva, si el ángulo está en cuentas
 identify-out = Carpeta de los archivos (por defecto out/NOMBRE_identified)
 identify-json = Escribe identify.json en lugar del resumen; sin --out no se escribe ningún archivo
 recut-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
-recut-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva, y si los hay velocidad y par, reconocidos por sus nombres y unidades
+recut-logs = Registros de la máquina en funcionamiento (csv, a cualquier velocidad): fuerza y tiempo o ángulo de la leva; velocidad y par son opcionales. Las columnas se reconocen por nombre y unidad
 recut-time = Nombre o número de la columna de tiempo
 recut-angle = Nombre o número de la columna del ángulo de la leva
 recut-force = Nombre o número de la columna de fuerza de la célula de carga
 recut-speed = Nombre o número de la columna de velocidad de la leva
 recut-torque = Nombre o número de la columna de par en el eje de la leva
-recut-counts_per_turn = El ángulo de la leva está en cuentas de un encóder: tantas por vuelta de la leva
+recut-counts_per_turn = Cuentas del encóder por vuelta de la leva, si el ángulo está en cuentas
 recut-out = Carpeta de los archivos (por defecto out/NOMBRE_recut)
 recut-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
 inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
-inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir: un csv con las columnas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad), un punto por línea, en cualquier orden
+inspect-measured = Puntos medidos del perfil en las coordenadas de la máquina de medir: un csv con las columnas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad), un punto por línea, en cualquier orden
 inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
 inspect-set = Cambia un valor de la escena, o accionamiento y máquina de un resultado: --set 'drive.speed=60 rpm' (se puede repetir)
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo
 
 ecam-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada
-ecam-dialect = El control: codesys, twincat (texto estructurado); segments (extremos de polinomios); rockwell (vector CAM); csv (posiciones)
-ecam-points = Intervalos iguales por ciclo (por defecto los menos que llevan la ley)
+ecam-dialect = Control: codesys, twincat (texto estructurado); segments (extremos de polinomios); rockwell (vector CAM); csv (posiciones)
+ecam-points = Número de intervalos iguales por ciclo (por defecto el menor que reproduce la ley)
 ecam-json = Escribe JSON

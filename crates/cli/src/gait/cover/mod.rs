@@ -36,14 +36,14 @@ const EXAMPLES: &str = "Examples:
 /// The cycles of all walkers, from which every cam is designed.
 const CYCLES: &str = "cycles.csv";
 
-/// Which walkers, how many cams.
+/// Arguments of `gaitcam cover`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct CoverArgs {
-    /// Folder of recordings, or a table of walkers (default: those of the scene)
+    /// Folder of recordings, or a table of walkers (default: the walkers of the scene)
     #[arg(value_name = "FOLDER|TABLE")]
     walkers: Option<PathBuf>,
-    /// Numbers of cams, first and last, or one number: all from 1 on are sought
+    /// First and last number of cams, or one number (then the first is 1)
     #[arg(long, value_name = "LIST", default_value = "1:6")]
     cams: String,
     /// Scene with the machine, its limits and law.robust; default footbridge

@@ -24,11 +24,11 @@ const EXAMPLES: &str = "Examples:
   gaitcam compare out/a out/b out/c --out out/three
   gaitcam compare out/a out/b --json";
 
-/// Which results.
+/// Arguments of `gaitcam compare`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct CompareArgs {
-    /// Folders that gaitcam synth wrote
+    /// Output folders of gaitcam synth
     #[arg(required = true, num_args = 2..)]
     folders: Vec<PathBuf>,
     /// Folder for the table and the diagrams

@@ -33,11 +33,11 @@ const EXAMPLES: &str = "Examples:
   gaitcam front grid.csv --minimise torque_max --maximise liftoff_speed
   gaitcam front walks.csv --best";
 
-/// Which table, which objectives.
+/// Arguments of `gaitcam front`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct FrontArgs {
-    /// The table that `gaitcam sweep` wrote, or the folder of its blocks
+    /// Table of gaitcam sweep, or the folder of its blocks
     file: PathBuf,
     /// Columns to minimise, separated by commas: force_error,torque_max (default force_error,prime_radius)
     #[arg(long, value_name = "COLUMNS")]
@@ -48,10 +48,10 @@ pub struct FrontArgs {
     /// Include designs that are not for high speed
     #[arg(long)]
     low_speed: bool,
-    /// Also write the best design as a normal synth result, in DIR/best
+    /// Also write the best design as a result of synth, in DIR/best
     #[arg(long)]
     best: bool,
-    /// Include every design, also those that are unacceptable
+    /// Include unacceptable designs
     #[arg(long)]
     all: bool,
     /// Folder for front.csv, pictures and report.html (default out/NAME-front)

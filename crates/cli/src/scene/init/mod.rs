@@ -27,11 +27,11 @@ const WIDTH: usize = 100;
 /// Prefix of an optional key that the scene leaves out.
 const OFFERED: &str = "#- ";
 
-/// Which machine, and where to.
+/// Arguments of `gaitcam init`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct InitArgs {
-    /// The machine; without it, the machines are listed
+    /// Machine; if omitted, the machines are listed
     machine: Option<Machine>,
     /// File to write, or - for standard output (default MACHINE.toml)
     #[arg(long, value_name = "FILE")]
