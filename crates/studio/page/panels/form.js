@@ -126,8 +126,12 @@ function section(name, rows, fields) {
   if (name === "") return body;
   const isBare = !rows.some((r) => r.isShown) && buttons.length === 0;
   const isOpen = isBare || isSearching || !folded.has(name);
-  return html`<details class="section ${isBare ? "bare" : ""}" .open=${live(isOpen)} @toggle=${(event) => fold(name, event.target.open)}>
-    <summary>${t(`studio-section-${name}`)}</summary>${body}</details>`;
+  const toggle = (event) => {
+    event.preventDefault();
+    fold(name, !isOpen);
+  };
+  return html`<details class="section ${isBare ? "bare" : ""}" ?open=${isOpen}>
+    <summary @click=${toggle}>${t(`studio-section-${name}`)}</summary>${body}</details>`;
 }
 
 function isMissing(values, fields) {
@@ -140,7 +144,7 @@ function together(what, values) {
 }
 
 function fold(name, isOpen) {
-  if (sought() !== "" || isOpen === !folded.has(name)) return;
+  if (sought() !== "") return;
   if (isOpen) folded.delete(name);
   else folded.add(name);
   try { localStorage.setItem(FOLDED, JSON.stringify([...folded])); } catch { /* as above */ }

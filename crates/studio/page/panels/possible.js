@@ -1,6 +1,6 @@
 // What a slider can be set to: the verdicts of the designs over its values, asked for in the background while the hand rests.
 
-import { engine } from "../core/net.js";
+import { engine, Fault } from "../core/net.js";
 import { t, number } from "../core/words.js";
 import { typeset } from "../core/units.js";
 import * as blobs from "../core/blobs.js";
@@ -31,7 +31,10 @@ export function load(onFound) {
 export const aimed = () => aim?.key ?? null;
 
 export function aimAt(key, range) {
-  if (aim?.key === key) return;
+  if (aim?.key === key) {
+    if (!timer && !control) rest();
+    return;
+  }
   aim = { key, range };
   rest();
   draw();
@@ -39,6 +42,7 @@ export function aimAt(key, range) {
 
 function rest() {
   clearTimeout(timer);
+  timer = 0;
   control?.abort();
   control = null;
   if (aim) timer = setTimeout(begin, REST);
@@ -57,8 +61,9 @@ function keep(id, entry) {
 }
 
 async function begin() {
-  const question = asked();
-  if (!question) {
+  timer = 0;
+  if (document.hidden || !document.querySelector(`input[data-key="${aim.key}"]`)?.checkVisibility()) return;
+  if (!designs.isCurrent()) {
     timer = setTimeout(begin, REST);
     return;
   }
@@ -68,33 +73,27 @@ async function begin() {
   if (entry.done) return;
   const { signal } = control = new AbortController();
   try {
-    await fill(entry, question, signal);
+    await fill(entry, versions.now(), aim, signal);
     entry.done = true;
     draw();
-  } catch { /* another input came first, or the engine has no such question */ }
+  } catch (error) {
+    // Another input came first, or the engine has no such question.
+    if (!(error instanceof Fault) && error.name !== "AbortError") throw error;
+  } finally {
+    if (control?.signal === signal) control = null;
+  }
 }
 
-// The question about the present scene, once its design is there.
-function asked() {
-  const version = versions.now();
-  if (!aim || document.hidden || !designs.isCurrent() || !$range()?.checkVisibility()) return null;
-  const { key, range } = aim;
-  return { scene: version.scene, files: blobs.listed(version.files), key, unit: range.unit, range };
-}
-
-const $range = () => document.querySelector(`input[data-key="${aim.key}"]`);
-
-async function fill(entry, { range, ...question }, signal) {
-  const { from, to, step } = range;
+async function fill(entry, version, { key, range: { from, to, step, unit } }, signal) {
+  const question = { scene: version.scene, files: blobs.listed(version.files), key, unit };
   const count = step === 1 ? Math.min(COUNT, to - from + 1) : COUNT;
   const ask = async (block) => {
     const { values } = await engine.ask("range", { ...question, ...block }, { signal });
-    if (values.length === 0) throw new RangeError(question.key);
     entry.points = [...entry.points, ...values].sort(([a], [b]) => a - b);
     draw();
     return values;
   };
-  const at = (i) => from + (to - from) * i / Math.max(1, count - 1);
+  const at = (i) => Number((from + (to - from) * i / Math.max(1, count - 1)).toPrecision(9));
   // One that was stopped goes on where it was.
   for (let i = entry.points.length; i < count;) {
     i += (await ask({ from: at(i), to, count: count - i })).length;

@@ -48,7 +48,7 @@ export const forgetEnds = () => ends.clear();
 export function extent(key, slider) {
   const kept = ends.get(key);
   const isInside = kept?.unit === slider.unit && slider.at >= kept.from && slider.at <= kept.to;
-  if (kept && (isInside || held(key))) return kept;
+  if (kept && (isInside || held(key)?.at !== undefined)) return kept;
   ends.set(key, { from: slider.from, to: slider.to, step: slider.step, unit: slider.unit });
   return ends.get(key);
 }
