@@ -144,7 +144,7 @@ front-all = Incluye los diseños inaceptables
 front-out = Carpeta de front.csv, figuras y report.html (por defecto out/NOMBRE-front)
 
 cover-walkers = Carpeta de registros, o una tabla de caminantes (por defecto, los caminantes de la escena)
-cover-cams = Primer y último número de levas, o un solo número (el primero es entonces 1)
+cover-cams = Primer y último número de levas, o un solo número; la búsqueda empieza siempre en 1
 cover-scene = Escena con la máquina, sus límites y law.robust; por defecto footbridge
 cover-out = Carpeta de tablas, figuras y escenas de las levas (por defecto out/NOMBRE_cover)
 

@@ -43,7 +43,7 @@ pub struct CoverArgs {
     /// Folder of recordings, or a table of walkers (default: the walkers of the scene)
     #[arg(value_name = "FOLDER|TABLE")]
     walkers: Option<PathBuf>,
-    /// First and last number of cams, or one number (then the first is 1)
+    /// First and last number of cams, or one number; the search always starts at 1
     #[arg(long, value_name = "LIST", default_value = "1:6")]
     cams: String,
     /// Scene with the machine, its limits and law.robust; default footbridge
