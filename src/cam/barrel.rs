@@ -1,9 +1,8 @@
-//! Barrel cams: a groove around a cylinder with both walls in space, at any depth.
+//! Barrel cams: a groove around a cylinder, with both walls computed in space at any depth.
 //!
-//! The barrel's axis is z; a roller with a radial axis is at z = s(θ). Seen from the barrel, which
-//! turns counter-clockwise, the roller goes round by −θ. On its axis at radius R the roller slides along
-//! the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq. 30), and touches the walls at ±R_f along
-//! the groove's normal.
+//! The z axis is the barrel's axis. A roller with a radial axis is at z = s(θ). The barrel turns counter-clockwise; in its frame the roller moves
+//! around it by −θ. At the radius R on its axis, the roller slides along the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq.
+//! 30). There it touches the walls at ±R_f along the normal of the groove.
 
 use super::Follower;
 use super::geometry::{Geometry, finished_radius};
@@ -29,17 +28,17 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rollers {
-    /// One roller: it touches one wall at a time, and its sense of rotation changes with the wall.
+    /// One roller. It touches one wall at a time, and its sense of rotation changes with the wall.
     One {
         /// Radius of the roller, m.
         radius: f64,
     },
-    /// Two equal rollers on one stud, one above the other along the stud, set off by ±eccentricity along
-    /// z: each keeps to its own wall (desmodromic, Bautista Morelos 2018).
+    /// Two equal rollers on one stud, one above the other along the stud, with axes at ±eccentricity along z. Each roller touches only one wall
+    /// (desmodromic, Bautista Morelos 2018).
     TwoEccentric {
         /// Radius of both rollers, m.
         radius: f64,
-        /// Offset of each roller's axis from the stud's, m.
+        /// Offset between the axis of each roller and the axis of the stud, m.
         eccentricity: f64,
     },
 }
@@ -51,7 +50,7 @@ impl Rollers {
         }
     }
 
-    /// Distance of each roller's axis from the groove's middle, m.
+    /// Distance between the axis of each roller and the middle of the groove, m; 0 for one roller.
     fn eccentricity(self) -> f64 {
         match self {
             Rollers::One { .. } => 0.0,
@@ -112,11 +111,12 @@ pub struct BarrelGroove {
 }
 
 impl BarrelGroove {
-    /// A groove between the radii `inner` (its floor) and `outer` (the cylinder's surface), m; the law
-    /// may run over several turns.
+    /// Creates a groove between the radii `inner` (floor of the groove) and `outer` (surface of the cylinder), m. The law may extend over several
+    /// turns.
     ///
     /// # Errors
-    /// Rollers that do not fit the groove, or a law that a barrel does not allow.
+    ///
+    /// The rollers do not fit the groove, or the law is not possible for a barrel.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {
@@ -148,12 +148,12 @@ impl BarrelGroove {
         })
     }
 
-    /// The law of motion along z.
+    /// Law of motion along z.
     pub fn law(&self) -> &Law {
         &self.law
     }
 
-    /// Radii of floor and surface, m.
+    /// Radii of the floor of the groove and of the surface of the cylinder, m.
     pub fn depth(&self) -> (f64, f64) {
         (self.inner, self.outer)
     }
@@ -163,44 +163,43 @@ impl BarrelGroove {
         self.rollers.radius()
     }
 
-    /// Offset along z of the axis of the roller that touches a wall, m.
+    /// Offset along z of the axis of the roller that touches `wall`, m.
     pub fn axis_offset(&self, wall: Wall) -> f64 {
         wall.sign() * self.rollers.eccentricity()
     }
 
-    /// Pressure angle on a roller's axis at `radius`, rad, positive when rising: tan φ = v/R.
+    /// Pressure angle at `radius` on the axis of the roller, rad, positive when rising: tan φ = v/R.
     pub fn pressure_angle(&self, theta: f64, radius: f64) -> f64 {
         (self.law.svaj(theta).v / radius).atan()
     }
 
-    /// Smallest and largest pressure angle on the axis at `radius`, rad: steepest at the floor.
+    /// Minimum and maximum pressure angle at `radius` on the axis of the roller, rad. The angles are steepest at the floor of the groove.
     pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
         let (low, high) = self.law.extremes(1);
         let angle = |e: Extreme| e.map(|v| (v / radius).atan());
         (angle(low), angle(high))
     }
 
-    /// Largest |pressure angle| on the axis at `radius`, rad, where the follower rises and where it falls.
+    /// Maximum |pressure angle| at `radius` on the axis of the roller, rad, where the follower rises and where it falls.
     pub fn pressure_angles_by_motion(&self, radius: f64) -> [Extreme; 2] {
         let (low, high) = self.pressure_angle_extremes(radius);
         [high, low.map(|angle| -angle)].map(|side| side.map(|angle| angle.max(0.0)))
     }
 
-    /// Radius of curvature of the unrolled groove's middle line at `radius`, m: positive where it bends
-    /// towards −z (convex seen from below), infinite where straight.
+    /// Radius of curvature of the middle line of the groove, unrolled at `radius`, m. Positive where the line bends towards −z, infinite where it is
+    /// straight.
     pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {
         1.0 / self.pitch_curvature(self.law.svaj(theta), radius)
     }
 
-    /// Signed radius of curvature of a wall, unrolled at `radius`, m: positive where the wall bulges into
-    /// the groove. Undercut where positive pitch radii fall below the roller's.
+    /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. The wall is undercut
+    /// where a positive pitch radius is below the radius of the roller.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
         // The lower wall's body lies below, the upper one's above: their curvatures have opposite signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
-    /// Smallest radius with which a wall bulges into the groove at `radius`, m; negative: undercut.
-    /// Infinite for a wall without a convex part.
+    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut; infinite for a wall without a convex part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
         let side = -wall.sign();
         let bulge = |at| side * self.pitch_curvature(at, radius);
@@ -208,8 +207,8 @@ impl BarrelGroove {
         finished_radius(high, self.roller_radius())
     }
 
-    /// The point of a wall in space that touches its roller where the roller's axis is at `radius`,
-    /// barrel frame, m: the exact envelope of a cylindrical roller with a radial axis.
+    /// Contact point of a wall with its roller at `radius` on the axis of the roller, barrel frame, m. The wall is the exact envelope of a
+    /// cylindrical roller with a radial axis.
     pub fn wall_point(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 3] {
         let at = self.law.svaj(theta);
         let [across, up] = self.wall_offset(at, radius, wall);
@@ -223,7 +222,7 @@ impl BarrelGroove {
         ]
     }
 
-    /// Curvature of the unrolled middle line, positive if it bends towards −z.
+    /// Curvature of the unrolled middle line of the groove, positive if the line bends towards −z.
     fn pitch_curvature(&self, at: Svaj, radius: f64) -> f64 {
         let roller_radius = self.roller_radius();
         let unrolled = Follower::Barrel {
@@ -233,7 +232,7 @@ impl BarrelGroove {
         Geometry::new(&unrolled).pitch_curvature(at)
     }
 
-    /// Vector from the roller's axis to the contact: along the groove (increasing θ) and along z.
+    /// Vector from the axis of the roller to the contact: component along the groove (increasing θ) and component along z.
     fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
         let slope = at.v / radius;
         let unit = wall.sign() * self.roller_radius() / (1.0 + slope * slope).sqrt();

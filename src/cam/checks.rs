@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::Criterion;
 use crate::poly::Extreme;
 
-/// Sharpest points of the finished profile.
+/// Minimum radii of curvature of the finished profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -20,10 +20,9 @@ use crate::poly::Extreme;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curvature {
-    /// Smallest radius of the convex side, m, signed: negative means undercut. Infinite when no part is
-    /// convex.
+    /// Minimum convex radius, m, signed: a negative value means undercut. Infinite if no part is convex.
     pub convex: Extreme,
-    /// Tightest concave radius, m (negative), if a flank is concave.
+    /// Minimum concave radius, m (negative), if the profile has a concave part.
     pub concave: Option<Extreme>,
     /// Whether the cam is undercut.
     pub undercut: bool,
@@ -44,9 +43,9 @@ pub struct Curvature {
 pub struct Check {
     /// Criterion of the check.
     pub name: Criterion,
-    /// Worst value anywhere on the continuous law, SI.
+    /// Worst value on the continuous law, in SI units.
     pub worst: f64,
-    /// Bound of the limit, SI.
+    /// Bound of the limit, in SI units.
     pub limit: f64,
     /// Cam angle of the worst value, rad.
     pub at: f64,
@@ -55,7 +54,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// A value with its limit and a relative tolerance `slack`.
+    /// Compares a value with its limit; `slack` is the relative tolerance.
     pub fn of(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let name = name.into();
         let direction = name.direction();
@@ -89,7 +88,7 @@ impl Check {
 pub enum Verdict {
     /// Every check passes and the acceleration is continuous.
     Acceptable,
-    /// Every check passes, but the acceleration jumps somewhere: slow machines only.
+    /// Every check passes, but the acceleration has a jump: only for slow machines.
     NotForHighSpeed,
     /// A check fails, or lift or velocity jumps.
     Unacceptable,

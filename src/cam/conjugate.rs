@@ -1,7 +1,7 @@
-//! Conjugate cams: two cams on one shaft that hold a double follower from both sides.
+//! Conjugate cams: two cams on one shaft that enclose a double follower from both sides.
 //!
-//! In its own frame the second cam is like the first, with the lift s₂ = s_max − s. Its follower points the other way, so on the shaft it is rotated
-//! by half a turn. Offset and pivot change sign.
+//! In its own frame the second cam has the lift s₂ = s_max − s. Its follower points in the opposite direction, so the cam is rotated by half a turn
+//! on the shaft. Offset and pivot change sign.
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
 use serde_json::json;
@@ -10,7 +10,7 @@ use crate::error::{CamError, CamInputError, Result};
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// Dimension that closes the pair.
+/// Dimension that determines the second cam of a pair.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
@@ -25,9 +25,9 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Closure {
-    /// Distance of both faces, or of both roller centres along the line of motion, m (translating).
+    /// Distance between both faces, or between both roller centres along the line of motion, m (translating followers).
     Distance(f64),
-    /// Angle β between both arms, rad (oscillating).
+    /// Angle β between both arms, rad (oscillating followers).
     Angle(f64),
     /// Base radius of the second cam, m.
     SecondBaseRadius(f64),
@@ -51,24 +51,26 @@ pub enum Closure {
 pub struct Conjugate {
     /// The cam that drives the rise.
     pub first: Cam,
-    /// The cam that drives the fall, in its own frame: on the shaft it is rotated by half a turn.
+    /// The cam that drives the fall, in its own frame. On the shaft it is rotated by half a turn.
     pub second: Cam,
-    /// Constant dimension of both followers: distance, m, or angle between the arms, rad.
+    /// Constant dimension between both followers: distance, m, or angle between the arms, rad.
     pub total: f64,
 }
 
 impl Conjugate {
-    /// The conjugate of `first`; its roller may differ (`None`: equal).
+    /// Computes the conjugate of `first`. `second_roller` is the radius of the second roller, m; `None` for an equal roller.
     ///
     /// # Errors
-    /// No such cam exists; the error contains the minimum dimension for one.
+    ///
+    /// No such cam exists. The error contains the minimum dimension for which one exists.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// The pair with arms in other planes than the cams, so that their pivots may lie within the profiles.
+    /// As [`Conjugate::new`], but the arms are in planes other than those of the cams, so their pivots may lie within the profiles.
     ///
     /// # Errors
+    ///
     /// As [`Conjugate::new`].
     pub fn beside(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check_beside)
@@ -124,8 +126,7 @@ impl Conjugate {
         })
     }
 
-    /// Distance of both faces or roller centres along the line of motion, or angle between both arms: the
-    /// same at every θ.
+    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It is equal at every θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()
@@ -134,7 +135,7 @@ impl Conjugate {
             + second.law.svaj(theta).s
     }
 
-    /// The second cam's profile in the frame of the shaft.
+    /// Profile of the second cam in the frame of the shaft.
     pub fn second_profile(&self, n: usize) -> Vec<ProfilePoint> {
         let own = self.second.profile(n).into_iter();
         own.map(half_turned).collect()
@@ -151,7 +152,7 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
     }
 }
 
-/// The second follower before its size is known: other side, other roller.
+/// Follower of the second cam before its size is determined: on the opposite side, with its own roller.
 fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
     let mut second = *first;
     match &mut second {

@@ -6,15 +6,15 @@ use super::{Cam, Verdict};
 use crate::law::Joint;
 use crate::poly::Extreme;
 
-/// Jumps below this fraction of the peak-to-peak value of the same derivative are rounding errors.
+/// Fraction of the peak-to-peak value of a derivative below which its jumps are rounding errors.
 const JUMP: f64 = 1e-7;
-/// Variation of a derivative, m/radᵏ, below which the law is at rest.
+/// Variation of a derivative, m/radᵏ, below which the law is constant.
 const STILL: f64 = 1e-9;
-/// Jumps below this, m/radᵏ, are rounding errors on a cam of any size.
+/// Absolute size, m/radᵏ, below which a jump is a rounding error on any cam.
 const ROUNDING: f64 = 1e-13;
-/// … or below this fraction of the cam's size.
+/// Fraction of the cam's size below which a jump is a rounding error.
 const HARDLY_MOVES: f64 = 1e-6;
-/// Variation of the breadth, relative to the stroke, below which it is constant.
+/// Variation of the breadth, relative to the stroke, below which the breadth is constant.
 const BREADTH: f64 = 1e-9;
 
 /// Continuity of lift, velocity, acceleration and jerk.
@@ -44,7 +44,7 @@ pub struct Continuity {
 }
 
 impl Continuity {
-    /// Continuity of the law of a cam.
+    /// Determines the continuity of the law of a cam.
     pub fn of(cam: &Cam) -> Self {
         let [s, v, a, j] = [0, 1, 2, 3].map(|order| cam.first_jump(order).is_none());
         Continuity { s, v, a, j }
@@ -52,13 +52,13 @@ impl Continuity {
 }
 
 impl Cam {
-    /// Angle at which the derivative of the given order (0 = lift … 3 = jerk) first jumps by more than rounding.
+    /// Angle of the first jump, larger than rounding errors, in the derivative of the given order (0 = lift … 3 = jerk).
     pub fn first_jump(&self, order: usize) -> Option<f64> {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Smallest and largest value of a derivative of the lift with respect to the cam angle. A jump of the derivative below it makes it infinite with
-    /// one sign, a jump further below with both.
+    /// Minimum and maximum of a derivative of the lift with respect to the cam angle. If the derivative of the next lower order jumps, this
+    /// derivative is infinite with one sign. If an even lower one jumps, it is infinite with both signs.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();
@@ -76,7 +76,7 @@ impl Cam {
         (low, high)
     }
 
-    /// Jumps of a derivative above rounding: position and size.
+    /// Jumps of a derivative that exceed rounding errors: position and size.
     pub fn jumps(&self, order: usize) -> Vec<Extreme> {
         self.jumps_at(&self.law.joints(), order)
     }
@@ -97,8 +97,8 @@ impl Cam {
         jumps
     }
 
-    /// The CAM-DAS class of a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a jump of jerk excludes high speed, a jump of
-    /// acceleration is unacceptable except for constant breadth.
+    /// CAM-DAS class of a law (Serrano Muñoz 2010, §7.3.5). It requires one more continuous derivative than our verdict. A jump of the jerk excludes
+    /// high speed; a jump of the acceleration is unacceptable unless the breadth is constant.
     pub fn cam_das_class(&self) -> Verdict {
         let Continuity { s, v, a, j } = Continuity::of(self);
         if !(s && v && (a || self.has_constant_breadth())) {

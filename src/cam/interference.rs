@@ -1,5 +1,5 @@
-//! Interference of roller, face or arm with a part of the cam away from the contact. Undercut is local; this check covers the whole profile, which
-//! CAM-DAS leaves to visual inspection. The profile is sampled at n points, so depths below its sagitta (about step²/8ρ) are not detected.
+//! Interference of roller, face or arm with the cam away from the contact. Undercut is local; this check covers the whole profile, which CAM-DAS
+//! leaves to visual inspection. The profile is sampled at n points, so depths below its sagitta (about step²/8ρ) are not detected.
 
 use super::{Cam, Follower, Geometry, ProfilePoint};
 
@@ -26,7 +26,7 @@ pub enum Body {
     Arm,
 }
 
-/// The worst interference of one body.
+/// Maximum interference of one body with the cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -42,19 +42,20 @@ pub enum Body {
 pub struct Interference {
     /// Part of the follower that interferes.
     pub body: Body,
-    /// Cam angle at which it is worst, rad.
+    /// Cam angle of the maximum interference, rad.
     pub at: f64,
     /// Cam angle of the interfering profile point, rad.
     pub point: f64,
-    /// Depth of that point inside the body, m.
+    /// Depth of this profile point inside the body, m.
     pub depth: f64,
 }
 
 impl Cam {
-    /// The worst interference of every body, for a cam sampled at `n` points (720 is plenty); the arm or stem is a bar of the given width, m, in the
-    /// plane of the cam (0: it runs in another plane and is not checked). Depths below `tolerance`, m, are not reported. Empty without interference.
+    /// Maximum interference of every body with a cam that is sampled at `n` points (720 is sufficient). The arm or stem is a bar of the given width,
+    /// m, in the plane of the cam; width 0: it is in another plane and is not checked. Depths below `tolerance`, m, are not reported. Empty without
+    /// interference.
     ///
-    /// An arm that rests on a small roller must be narrower than the roller, or it is reported.
+    /// An arm that carries a small roller must be narrower than the roller, or it is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {
         let profile = self.profile(n);
         let geometry = Geometry::new(&self.follower);
@@ -106,7 +107,7 @@ impl Cam {
     }
 }
 
-/// The largest depth, m, and the first point that has it.
+/// Maximum depth, m, and index of the first point with this depth.
 fn deepest(profile: &[ProfilePoint], depth: impl Fn(&ProfilePoint) -> f64) -> (f64, usize) {
     let larger = |most: (f64, usize), (i, p)| {
         let depth = depth(p);
@@ -116,7 +117,7 @@ fn deepest(profile: &[ProfilePoint], depth: impl Fn(&ProfilePoint) -> f64) -> (f
     points.fold((f64::NEG_INFINITY, 0), larger)
 }
 
-/// Distance of a point in space from the middle line of the arm, or of the stem above the roller, m.
+/// Distance of a point in the fixed frame from the middle line of the arm, or of the stem above the roller, m.
 fn to_arm(follower: &Follower, [x, y]: [f64; 2], point: [f64; 2]) -> f64 {
     match follower {
         Follower::RollerTranslating { .. } | Follower::TranslatingCam { .. } if point[1] > y => {

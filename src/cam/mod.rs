@@ -1,8 +1,7 @@
-//! A cam: a law of motion with a follower, its profile, its checks, its smallest size.
+//! A cam: a law of motion with a follower, its profile, its checks and its minimum size.
 //!
-//! Signs (theory §6): the cam turns counter-clockwise by θ, the follower moves along +y, a
-//! point fixed in space is seen in the cam's frame turned by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]].
-//! The profile is therefore traversed clockwise; curvature is positive where the cam is convex.
+//! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated by R(−θ) =
+//! [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is convex.
 
 mod barrel;
 mod checks;
@@ -37,7 +36,7 @@ use crate::error::Result;
 use crate::law::Law;
 use serde::Serialize;
 
-/// A law of motion on its follower.
+/// A law of motion together with its follower.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -53,16 +52,17 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
-    /// The law of motion; the lift counts from the base (prime) circle.
+    /// The law of motion; the lift is measured from the base circle (prime circle).
     pub law: Law,
     /// Follower of the cam.
     pub follower: Follower,
 }
 
 impl Cam {
-    /// A cam whose follower fits its law; the pivot of an arm lies outside the profile.
+    /// Creates a cam and checks that its follower fits the law; the pivot of an arm must lie outside the profile.
     ///
     /// # Errors
+    ///
     /// [`Cam::check`] fails.
     pub fn new(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
@@ -70,9 +70,10 @@ impl Cam {
         Ok(cam)
     }
 
-    /// A cam whose arm runs in another plane, so that its pivot may lie within the profile.
+    /// Creates a cam whose arm is in another plane, so that its pivot may lie within the profile.
     ///
     /// # Errors
+    ///
     /// [`Cam::check_beside`] fails.
     pub fn beside(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };

@@ -1,13 +1,13 @@
-//! The profile: contact points in the cam's frame.
+//! Profile of a cam: contact points in the cam's frame.
 
 use super::Cam;
 use super::geometry::Geometry;
 use crate::law::Joint;
 
-/// Jumps below this fraction of the maximum of their derivative are rounding errors.
+/// Fraction of the maximum of a derivative below which its jumps are rounding errors.
 const NO_JUMP: f64 = 1e-9;
 
-/// One row of the profile; lengths in m, angles in rad.
+/// Point of the profile; lengths in m, angles in rad.
 ///
 /// For a translating cam and an unrolled barrel, x is the travel and y points up.
 ///
@@ -26,31 +26,31 @@ const NO_JUMP: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProfilePoint {
-    /// Cam angle at which this point touches the follower (m of travel for a translating cam).
+    /// Cam angle at which the follower touches this point (m of travel for a translating cam).
     pub theta: f64,
-    /// Contact point on the finished cam, cam frame.
+    /// x coordinate of the contact point on the finished cam, cam frame.
     pub x: f64,
-    /// Contact point on the finished cam, cam frame.
+    /// y coordinate of the contact point on the finished cam, cam frame.
     pub y: f64,
-    /// Centre of roller or arc, cam frame (the contact point itself for a flat face).
+    /// x coordinate of the centre of roller or arc, cam frame; for a flat face of the contact point.
     pub pitch_x: f64,
-    /// Centre of roller or arc, cam frame (the contact point itself for a flat face).
+    /// y coordinate of the centre of roller or arc, cam frame; for a flat face of the contact point.
     pub pitch_y: f64,
-    /// Signed radius of curvature of the finished cam: positive convex, negative concave.
+    /// Signed radius of curvature of the finished cam: positive where convex, negative where concave.
     pub rho: f64,
     /// Signed pressure angle, rad.
     pub pressure_angle: f64,
 }
 
 impl Cam {
-    /// The profile point that touches the follower at `theta`.
+    /// Profile point that touches the follower at `theta`.
     pub fn point(&self, theta: f64) -> ProfilePoint {
         let geometry = Geometry::new(&self.follower);
         geometry.profile_point(theta, self.law.svaj(theta))
     }
 
-    /// The profile points at the discontinuities of the law, by angle: one on each side of a jump. Derivatives up to `order` count (2: acceleration,
-    /// 3: jerk). An exported profile contains these points and is smooth between them.
+    /// Profile points at the discontinuities of the law, by angle: one on each side of a jump. Derivatives up to `order` are considered (2:
+    /// acceleration, 3: jerk). An exported profile contains these points and is smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
         let none = [0, 1, 2, 3].map(|k| NO_JUMP * self.law.bound(k));
         let jumps = |joint: &Joint| {
@@ -65,8 +65,8 @@ impl Cam {
             .collect()
     }
 
-    /// `n` profile points at equal steps of the cam angle, from the law's first angle on. The curve of a
-    /// closed law closes on point 0, which is not repeated; an open law ends on its last point.
+    /// `n` profile points at equal steps of the cam angle, from the first angle of the law. For a closed law, the curve closes at point 0, which is
+    /// not repeated. For an open law, the last point is the end of the law.
     pub fn profile(&self, n: usize) -> Vec<ProfilePoint> {
         let (start, length) = self.law.extent();
         let steps = if self.law.is_closed() {

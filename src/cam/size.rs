@@ -1,4 +1,4 @@
-//! The smallest cam for a law: closed forms of theory §6.
+//! Minimum size of the cam for a law: closed forms of theory §6.
 
 use super::{Cam, Follower};
 use crate::error::{CamError, CamInputError, Result};
@@ -30,12 +30,11 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
     (rho_min - low.value).max(0.0)
 }
 
-/// Smallest prime circle on which the |pressure angle| is at most `rise` where the follower rises and at most `fall`
-/// where it falls, rad, both in (0, π/2).
+/// Minimum prime circle with |pressure angle| at most `rise` where the follower rises and at most `fall` where it falls, rad, both in (0, π/2).
 ///
-/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D), and where the follower turns, |e| ≤ tan φ·(s +
-/// D) with the smaller of both. All are half planes of (D, e); the result is their point nearest to the origin: a foot of a perpendicular or a
-/// corner. With a given `offset` only D is free.
+/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, |e| ≤ tan φ·(s +
+/// D) with the smaller tangent. All limits are half planes in (D, e). The result is their point nearest to the origin: the foot of a perpendicular,
+/// or a corner. With a given `offset` only D is free.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
@@ -80,7 +79,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
     circle(nearest.unwrap_or_else(|| corner(planes[0], planes[1])))
 }
 
-/// Limits of the search for the smallest cam.
+/// Limits that the minimum size must satisfy.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower, SizeLimits, smallest_for};
@@ -95,18 +94,18 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeLimits {
-    /// Minimum convex radius of the finished cam, m; 0 is the cusp.
+    /// Minimum convex radius of the finished cam, m; 0 permits a cusp.
     pub rho_min: f64,
-    /// Largest |pressure angle| where the follower rises, rad; π/2 for any.
+    /// Maximum |pressure angle| where the follower rises, rad; π/2: no limit.
     pub pressure_rise: f64,
-    /// Largest |pressure angle| where the follower falls, rad; π/2 for any.
+    /// Maximum |pressure angle| where the follower falls, rad; π/2: no limit.
     pub pressure_fall: f64,
-    /// Whether the arm runs in another plane, so that its pivot may lie within the profile.
+    /// Whether the arm is in another plane, so that its pivot may lie within the profile.
     pub pivot_beside: bool,
 }
 
 impl SizeLimits {
-    /// No undercut; pressure angles unlimited.
+    /// Limits without undercut and with any pressure angle.
     pub fn no_undercut() -> Self {
         SizeLimits {
             rho_min: 0.0,
@@ -138,14 +137,15 @@ impl SizeLimits {
 const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 
-/// Smallest base radius (m; for a barrel: radius of the cylinder) for which `cam`, with its other dimensions, fits its law and satisfies the limits,
-/// to 1e-10 relative; 0 if every size does. The cam's own base radius is ignored.
+/// Minimum base radius (m; for a barrel: radius of the cylinder) for which `cam`, with its other dimensions, fits its law and satisfies the limits,
+/// with a relative accuracy of 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
 ///
-/// Closed form for a flat translating face; otherwise the first feasible size when the cam grows in
-/// steps of a quarter, refined by bisection.
+/// For a translating flat face the result is a closed form. Otherwise the cam grows in steps of a quarter until it is feasible, and bisection refines
+/// the size.
 ///
 /// # Errors
-/// If no size satisfies the limits.
+///
+/// No size satisfies the limits.
 pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if matches!(cam.follower, Follower::FlatTranslating { .. }) {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));
@@ -180,7 +180,7 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     Ok(least_between(bad, good, 1e-10, holds))
 }
 
-/// Minimum size that satisfies a limit, by bisection to a relative accuracy between an infeasible and a feasible size.
+/// Minimum size that satisfies a limit, by bisection between an infeasible and a feasible size, to a relative accuracy.
 pub(crate) fn least_between(
     mut bad: f64,
     mut good: f64,

@@ -1,4 +1,4 @@
-//! The ten kinds of follower of a scene.
+//! Kinds of follower in a scene.
 
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +33,7 @@ pub enum FollowerKind {
     RollerOscillating,
     /// A knife edge on an arm.
     KnifeOscillating,
-    /// A face rounded to an arc on an arm.
+    /// A face rounded to an arc, on an arm.
     MushroomOscillating,
     /// A flat face on an arm.
     FlatOscillating,
@@ -44,20 +44,20 @@ pub enum FollowerKind {
 }
 
 impl FollowerKind {
-    /// Every kind, in the order of messages.
+    /// All kinds, in the order used in messages.
     pub const ALL: &'static [FollowerKind] = <FollowerKind as strum::VariantArray>::VARIANTS;
 
-    /// The name in a scene file.
+    /// Name of the kind in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The kind of this name, if it exists.
+    /// The kind with this name, if it exists.
     pub fn named(name: &str) -> Option<FollowerKind> {
         name.parse().ok()
     }
 
-    /// Whether the follower translates on a rotating disc cam, so that it may have an offset.
+    /// Whether the follower translates on a rotating disc cam and may have an offset.
     pub fn is_translating(self) -> bool {
         matches!(
             self,
@@ -68,7 +68,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether the follower oscillates, so that its law is in rad.
+    /// Whether the follower oscillates. Its law is then in rad.
     pub fn is_oscillating(self) -> bool {
         matches!(
             self,
@@ -79,7 +79,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether its face is flat.
+    /// Whether the face of the follower is flat.
     pub fn is_flat(self) -> bool {
         matches!(
             self,
@@ -87,7 +87,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether it has a roller.
+    /// Whether the follower has a roller.
     pub fn has_roller(self) -> bool {
         matches!(
             self,
@@ -98,7 +98,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether it has an arc-shaped face.
+    /// Whether the follower has an arc-shaped face.
     pub fn is_mushroom(self) -> bool {
         matches!(
             self,
@@ -106,7 +106,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether one program determines law and size together. A translating cam has no size; the size of a barrel and of an oscillating mushroom is
+    /// Whether one program determines law and size together. A translating cam has no size. For a barrel and an oscillating mushroom, the size is
     /// determined after the law.
     pub fn has_size_beside_law(self) -> bool {
         !matches!(
@@ -126,7 +126,7 @@ impl FollowerKind {
 }
 
 impl Follower {
-    /// Kind of the follower; a roller of radius 0 is a knife edge.
+    /// Kind of the follower. A roller of radius 0 is a knife edge.
     pub fn kind(&self) -> FollowerKind {
         let knife = self.roller_radius() == 0.0;
         match self {
@@ -148,17 +148,17 @@ impl Follower {
         self.kind().measures()
     }
 
-    /// The name in a scene file.
+    /// Name of the kind in a scene file.
     pub fn name(&self) -> &'static str {
         self.kind().name()
     }
 
-    /// Whether the face is flat.
+    /// Whether the face of the follower is flat.
     pub fn is_flat(&self) -> bool {
         self.kind().is_flat()
     }
 
-    /// Whether the follower oscillates, so that its law is in rad.
+    /// Whether the follower oscillates. Its law is then in rad.
     pub fn is_oscillating(&self) -> bool {
         self.kind().is_oscillating()
     }

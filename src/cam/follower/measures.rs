@@ -1,5 +1,5 @@
-//! Output units of a design's quantities. Lifts are lengths or, for an arm, angles; the cam's position is an angle or a length; the load is a force
-//! or a moment.
+//! Output units of the quantities of a design. Lifts are lengths, or angles for an arm. The position of the cam is an angle or a length. The load is
+//! a force or a moment.
 
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};
@@ -16,7 +16,7 @@ use crate::wording::{Language, degrees, fixed, number, people};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// Factor from SI to this unit.
+    /// Factor from the SI unit to this unit.
     pub factor: f64,
     /// Name of the unit; empty for a plain number.
     pub name: &'static str,
@@ -30,13 +30,13 @@ const MM: Unit = unit(1e3, "mm");
 const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
 
 impl Unit {
-    /// The output unit of a dimension.
+    /// Output unit of a dimension.
     pub fn of(dimension: Dimension) -> Unit {
         let (name, factor) = people(dimension.si());
         Unit { factor, name }
     }
 
-    /// An SI quantity as text in this unit.
+    /// Formats an SI quantity as text in this unit.
     ///
     /// ```
     /// use gaitcam::cam::Measures;
@@ -49,7 +49,7 @@ impl Unit {
         self.after(&number(language, self.factor * value))
     }
 
-    /// A number with this unit; no blank before the degree sign.
+    /// Appends this unit to a number; without a space before the degree sign.
     pub fn after(self, number: &str) -> String {
         match self.name {
             "" => number.to_string(),
@@ -59,7 +59,7 @@ impl Unit {
     }
 }
 
-/// Kinds of motion of follower and cam, which determine the units.
+/// Kinds of motion of follower and cam. They determine the units.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -70,11 +70,11 @@ impl Unit {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measures {
-    /// A translating follower on a rotating cam: m over rad.
+    /// A translating follower on a rotating cam: lift in m, position in rad.
     Translating,
-    /// An oscillating follower on a rotating cam: rad over rad, moments instead of forces.
+    /// An oscillating follower on a rotating cam: lift in rad, position in rad, moments instead of forces.
     Oscillating,
-    /// A translating cam: m of lift over m of travel.
+    /// A translating cam: lift in m, position in m of travel.
     Straight,
 }
 
@@ -87,7 +87,7 @@ impl Measures {
         self == Measures::Straight
     }
 
-    /// Unit of the lift and its derivatives with respect to the cam angle (or travel), up to order 4.
+    /// Unit of the lift or of its derivative with respect to the cam angle (or travel), up to order 4.
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
         match self {
@@ -106,7 +106,7 @@ impl Measures {
         }
     }
 
-    /// Units of the time derivatives of the lift, order 1 to 3.
+    /// Unit of a time derivative of the lift, order 1 to 3.
     pub fn by_time(self, order: usize) -> Unit {
         let names = if self.swings() {
             ["rad", "rad/s", "rad/s²", "rad/s³"]
@@ -130,7 +130,7 @@ impl Measures {
         }
     }
 
-    /// Position on the cam, to one decimal: "12.3°", "34.2 mm".
+    /// Formats a position on the cam with one decimal: "12.3°", "34.2 mm".
     pub fn place(self, at: f64, language: Language) -> String {
         match self {
             Measures::Straight => MM.after(&fixed(language, MM.factor * at, 1)),
@@ -143,7 +143,7 @@ impl Measures {
         unit(1.0, if self.is_straight() { "m/s" } else { "rad/s" })
     }
 
-    /// The cam speed as text, also in turns per minute for a rotating cam.
+    /// Formats the cam speed as text, for a rotating cam also in revolutions per minute.
     pub fn speed_words(self, speed: f64, language: Language) -> String {
         let own = self.speed().shown(speed, language);
         if self.is_straight() {
@@ -163,12 +163,12 @@ impl Measures {
         if self.swings() { "moment" } else { "force" }
     }
 
-    /// Unit of the moved mass, or of an arm's moment of inertia.
+    /// Unit of the moved mass, or of the moment of inertia of an arm.
     pub fn mass(self) -> Unit {
         unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
     }
 
-    /// Unit of force per lift.
+    /// Unit of the force per lift.
     pub fn spring_rate(self) -> Unit {
         if self.swings() {
             unit(1.0, "N·m/rad")
@@ -177,7 +177,7 @@ impl Measures {
         }
     }
 
-    /// Unit of force per velocity of the lift.
+    /// Unit of the force per velocity of the lift.
     pub fn damping(self) -> Unit {
         let name = if self.swings() {
             "N·m·s/rad"

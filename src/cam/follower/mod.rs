@@ -10,8 +10,8 @@ use crate::law::Law;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam: it
-/// touches the cam like a roller of the arc's radius, but only with part of the circle.
+/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam. Its
+/// contact is that of a roller with the radius of the arc, but only a part of the circle exists.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -27,68 +27,68 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Follower {
-    /// A flat face normal to the follower's motion.
+    /// A flat face perpendicular to the motion of the follower.
     FlatTranslating {
-        /// Radius of the base circle: the face is at base_radius + s.
+        /// Radius of the base circle. The face is at base_radius + s.
         base_radius: f64,
     },
-    /// A roller on a follower that slides along a line `offset` beside the cam's centre.
+    /// A roller on a follower that slides along a line with the distance `offset` from the cam centre.
     RollerTranslating {
-        /// Radius of the prime circle: the roller centre's distance at s = 0.
+        /// Radius of the prime circle: distance of the roller centre from the cam centre at s = 0.
         prime_radius: f64,
         /// Offset e of the line of motion, positive towards +x.
         offset: f64,
         /// Radius of the roller; 0 for a knife edge.
         roller_radius: f64,
     },
-    /// An arc on a follower that slides along a line `offset` beside the cam's centre.
+    /// An arc on a follower that slides along a line with the distance `offset` from the cam centre.
     MushroomTranslating {
-        /// Distance of the arc's centre from the cam's at s = 0: base radius + arc radius.
+        /// Distance of the arc's centre from the cam centre at s = 0: base radius + arc radius.
         prime_radius: f64,
-        /// Offset e of the line on which the arc's centre moves, positive towards +x.
+        /// Offset e of the line of motion of the arc's centre, positive towards +x.
         offset: f64,
         /// Radius of the arc.
         arc_radius: f64,
     },
-    /// A roller on an arm: centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s; the law is in rad.
+    /// A roller on an arm, with its centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s. The law is in rad.
     RollerOscillating {
-        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
         /// Length A of the arm from pivot to roller centre.
         arm: f64,
-        /// Radius of the prime circle: fixes ξ₀ by cos ξ₀ = (A² + c² − Rp²)/(2Ac).
+        /// Radius of the prime circle. It determines ξ₀ by cos ξ₀ = (A² + c² − Rp²)/(2Ac).
         prime_radius: f64,
         /// Radius of the roller; 0 for a knife edge.
         roller_radius: f64,
     },
-    /// An arc on an arm; as the oscillating roller.
+    /// An arc-shaped face on an arm; geometry as for the oscillating roller.
     MushroomOscillating {
-        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
-        /// Length A of the arm from pivot to the arc's centre.
+        /// Length A of the arm from the pivot to the arc's centre.
         arm: f64,
-        /// Distance of the arc's centre from the cam's at s = 0.
+        /// Distance of the arc's centre from the cam centre at s = 0.
         prime_radius: f64,
         /// Radius of the arc.
         arc_radius: f64,
     },
-    /// A flat face on an arm: its distance from the cam's centre is f + c sin ξ, ξ = ξ₀ + s; the law is in rad.
+    /// A flat face on an arm. Its distance from the cam centre is f + c sin ξ, ξ = ξ₀ + s. The law is in rad.
     FlatOscillating {
-        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
         pivot_distance: f64,
-        /// Offset f of the face from the parallel through the pivot, positive away from the cam.
+        /// Offset f of the face from its parallel through the pivot, positive away from the cam.
         face_offset: f64,
-        /// Radius of the base circle: fixes ξ₀ by f + |c| sin ξ₀ = Rb.
+        /// Radius of the base circle. It determines ξ₀ by f + |c| sin ξ₀ = Rb.
         base_radius: f64,
     },
-    /// A roller on a translating cam: the cam moves by −x, the roller by +y; the law runs over m of travel.
+    /// A roller on a translating cam. The cam moves along −x, the roller along +y. The law is a function of the travel in m.
     TranslatingCam {
-        /// Height of the profile over the cam's lower edge at s = 0.
+        /// Height of the profile above the lower edge of the cam at s = 0.
         base_height: f64,
         /// Radius of the roller; 0 for a knife edge.
         roller_radius: f64,
     },
-    /// A roller with a radial axis in the groove of a cylinder; the profile is the lower wall, unrolled at `radius`.
+    /// A roller with a radial axis in the groove of a cylinder. The profile is the lower wall, unrolled at `radius`.
     /// [`BarrelGroove`](super::BarrelGroove) describes both walls in space.
     Barrel {
         /// Radius of the cylinder on which the profile is unrolled.
@@ -109,7 +109,7 @@ pub enum Follower {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arm {
-    /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+    /// Distance c of the pivot at (c, 0); negative for a pivot on −x.
     pub pivot: f64,
     /// Length A from the pivot to the centre of the roller or arc.
     pub length: f64,
@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle, the largest circle about the centre inside the profile's dwell at
-    /// s = 0; the base height of a translating cam, the radius of a barrel.
+    /// Radius of the base circle, the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam the base height;
+    /// for a barrel its radius.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -145,7 +145,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the prime circle (the base circle's for a flat face).
+    /// Radius of the prime circle; for a flat face the radius of the base circle.
     pub fn prime_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -162,7 +162,7 @@ impl Follower {
         }
     }
 
-    /// The follower on a base circle of another radius, otherwise unchanged; for a barrel the radius of the cylinder.
+    /// The same follower with another base radius; for a barrel, another radius of the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -188,7 +188,7 @@ impl Follower {
         }
     }
 
-    /// Offset of a face on an arm from the parallel through its pivot, m; 0 for followers without one.
+    /// Offset of a flat face on an arm from its parallel through the pivot, m; 0 for other followers.
     pub(super) fn face_offset(&self) -> f64 {
         match *self {
             Follower::FlatOscillating { face_offset, .. } => face_offset,
@@ -196,7 +196,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the roller or of the mushroom's arc; 0 without one.
+    /// Radius of the roller or of the mushroom's arc; 0 for other followers.
     pub fn roller_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. } => 0.0,
@@ -209,7 +209,7 @@ impl Follower {
         }
     }
 
-    /// Whether the profile is along a line: a translating cam, an unrolled barrel. Such a profile has ends even if the law closes.
+    /// Whether the profile extends along a line: a translating cam, or an unrolled barrel. Such a profile has ends even if the law is closed.
     pub fn is_unrolled(&self) -> bool {
         matches!(
             self,
@@ -217,18 +217,18 @@ impl Follower {
         )
     }
 
-    /// Height D = √(Rp² − e²) of the face, or of the circle's centre, above the cam's centre at s = 0, m, for a translating follower.
+    /// Height D = √(Rp² − e²) of a translating follower at s = 0, m: height of the face, or of the circle's centre, above the cam centre.
     pub fn start_height(&self) -> f64 {
         let (rp, e) = (self.prime_radius(), self.offset());
         (rp * rp - e * e).sqrt()
     }
 
-    /// Position of the follower at s = 0: its height above the cam's centre, m, or the angle of its arm, rad.
+    /// Position of the follower at s = 0: its height above the cam centre, m, or the angle of its arm, rad.
     pub(super) fn start_place(&self) -> f64 {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
 
-    /// The follower on the base circle for which it is at `start` when s = 0; `None` if there is none.
+    /// The follower with the base radius for which its position at s = 0 is `start`; `None` if no base radius gives this position.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let radius = self.roller_radius();
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
@@ -242,8 +242,8 @@ impl Follower {
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
     }
 
-    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot reach the prime circle, which
-    /// [`Cam::check`](super::Cam::check) rejects.
+    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot reach the prime circle;
+    /// [`Cam::check`](super::Cam::check) rejects this.
     pub fn start_angle(&self) -> Option<f64> {
         let (c, prime) = (self.pivot()?[0].abs(), self.prime_radius());
         Some(match self.arm() {
@@ -255,7 +255,7 @@ impl Follower {
         })
     }
 
-    /// A lift with its unit: a length, or the angle of an arm.
+    /// Converts a lift to a quantity with its unit: a length, or the angle of an arm.
     pub(super) fn lift_quantity(&self, lift: f64) -> Quantity {
         if self.is_oscillating() {
             Quantity::angle(lift)
@@ -264,7 +264,7 @@ impl Follower {
         }
     }
 
-    /// Smallest and largest lift of a law.
+    /// Minimum and maximum lift of a law.
     pub(super) fn lift_range(law: &Law) -> (f64, f64) {
         let (low, high) = law.extremes(0);
         (low.value, high.value)

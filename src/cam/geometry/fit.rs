@@ -10,13 +10,14 @@ use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {
-    /// Refuses invalid dimensions: not positive, an offset beyond the prime circle, an arm that does
-    /// not reach, a swing beyond the dead centres, a pivot inside the cam.
+    /// Rejects invalid dimensions: lengths that are not positive, an offset beyond the prime circle, an arm that is too short, a swing beyond the
+    /// dead centres, a pivot inside the cam.
     ///
-    /// Undercut and steep pressure angles are not errors of the input; the verdict of a synthesis reports them.
+    /// Undercut and steep pressure angles are not errors of the input. The verdict of a synthesis reports them.
     ///
     /// # Errors
-    /// The length or angle at fault, as a fault of the cam or of its input.
+    ///
+    /// The invalid length or angle, as an error of the cam or of its input.
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower.pivot() {
@@ -25,10 +26,10 @@ impl Cam {
         }
     }
 
-    /// As [`Cam::check`], but the pivot may lie within the cam's outline: the arm runs in another plane
-    /// (CAM-DAS allows that).
+    /// As [`Cam::check`], but the pivot may lie within the outline of the cam, because the arm is in another plane (permitted by CAM-DAS).
     ///
     /// # Errors
+    ///
     /// As [`Cam::check`].
     pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
@@ -72,7 +73,7 @@ impl Cam {
         .into())
     }
 
-    /// The follower stays above the cam's centre.
+    /// Checks that the follower stays above the cam centre.
     fn check_above_centre(&self, low: f64) -> Result<()> {
         let (rise, e) = (self.follower.start_height(), self.follower.offset());
         if rise + low > 0.0 {
@@ -125,7 +126,7 @@ impl Cam {
         .into())
     }
 
-    /// The face must turn against the cam: 1 + σξ′ > 0.
+    /// Checks that the face rotates relative to the cam without reversal: 1 + σξ′ > 0.
     fn check_arm_speed(&self, side: f64) -> Result<()> {
         let (slow, fast) = self.law.extremes(1);
         let worst = if side > 0.0 { slow } else { fast };

@@ -1,30 +1,30 @@
-//! The contact formulas of each kind of follower.
+//! Contact formulas of each kind of follower.
 
 use super::contact::Contact;
 use crate::law::Svaj;
 
 /// Contact formulas of a kind of follower.
 pub trait Kind {
-    /// The contact at lift, velocity and acceleration.
+    /// Contact at a given lift, velocity and acceleration.
     fn contact(&self, motion: [f64; 3]) -> Contact;
 
     /// Velocities at a point of the fixed frame: of the follower per unit of s, and of the cam per unit of θ.
     fn velocities(&self, point: [f64; 2]) -> [[f64; 2]; 2];
 }
 
-/// Velocity of a rotating cam, per rad.
+/// Velocity of a point of a rotating cam, per radian of rotation.
 #[inline(always)]
 fn turning([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
-/// Velocity of an arm with its pivot on the x axis, per rad.
+/// Velocity of a point of an arm with its pivot on the x axis, per radian of rotation.
 #[inline(always)]
 fn swinging([x, y]: [f64; 2], pivot: f64, side: f64) -> [f64; 2] {
     [side * y, -side * (x - side * pivot)]
 }
 
-/// Velocity of a translating cam, per m.
+/// Velocity of a point of a translating cam, per metre of travel.
 const SLIDING: [f64; 2] = [0.0, 1.0];
 
 /// A translating flat face.
@@ -58,7 +58,7 @@ impl Kind for Flat {
 pub struct Circle {
     /// Height D of the centre at s = 0.
     pub rise: f64,
-    /// Offset e of the line of motion.
+    /// Offset e of the line of motion, m.
     pub offset: f64,
     pub radius: f64,
 }
@@ -169,7 +169,7 @@ impl Kind for FlatOnArm {
 }
 
 impl FlatOnArm {
-    /// Position of the contact along the face from the foot of the pivot, m.
+    /// Position of the contact along the face, measured from the foot of the perpendicular from the pivot, m.
     pub fn travel(&self, at: Svaj) -> f64 {
         self.pivot * (self.start + at.s).cos() / (1.0 + self.side * at.v)
     }

@@ -1,11 +1,11 @@
 //! Contact of cam and follower in the fixed frame.
 //!
-//! Followers with a circle (roller, knife edge, mushroom): with the circle's centre C(θ), the pitch curve in the cam's frame is R(−θ)·C. Its tangent,
-//! in the fixed frame, is t = C′ − J·C and t's derivative C″ − 2J·C′ − C, J the quarter turn. Traversed clockwise, its curvature is −det(t, t′)/|t|³,
-//! positive where convex; the cam is its inner parallel at the circle's radius.
+//! Followers with a circle (roller, knife edge, mushroom): with the circle's centre C(θ), the pitch curve in the cam's frame is R(−θ)·C. In the fixed
+//! frame its tangent is t = C′ − J·C and the derivative of t is C″ − 2J·C′ − C, where J is a quarter turn. The curve is traversed clockwise. Its
+//! curvature is −det(t, t′)/|t|³, positive where convex. The cam is the inner parallel curve at the radius of the circle.
 //!
-//! Flat faces: the face with outward normal n at angle ψ has the distance p from the cam's centre; the cam is the envelope p·n + (dp/dψ)·n⊥ with
-//! radius of curvature p + d²p/dψ².
+//! Flat faces: a face with the outward normal n at the angle ψ has the distance p from the cam's centre. The cam is the envelope p·n + (dp/dψ)·n⊥
+//! with the radius of curvature p + d²p/dψ².
 
 mod contact;
 mod fit;
@@ -21,7 +21,7 @@ use crate::law::Svaj;
 pub(crate) use kinds::Kind;
 use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Unrolled};
 
-/// A follower with precomputed values that do not depend on θ.
+/// Contact geometry of a follower, with precomputed values that do not depend on θ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Geometry {
     Flat(Flat),
@@ -74,7 +74,7 @@ impl Geometry {
         }
     }
 
-    /// The contact at one instant.
+    /// Contact at one instant of the motion.
     pub fn contact(&self, at: Svaj) -> Contact {
         let at = [at.s, at.v, at.a];
         match self {
@@ -104,8 +104,8 @@ impl Geometry {
         }
     }
 
-    /// Position of the contact on the follower, m: along a flat face from the foot of the cam's centre (translating) or of the pivot (oscillating);
-    /// along a mushroom's chord from the arc's middle.
+    /// Position of the contact on the follower, m. On a flat face it is measured from the foot of the perpendicular from the cam centre (translating)
+    /// or from the pivot (oscillating); on a mushroom along the chord from the middle of the arc.
     pub fn travel(&self, at: Svaj) -> f64 {
         match self {
             Geometry::Flat(_) => at.v,

@@ -6,8 +6,8 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Smallest and largest pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as on a rise. Zero for a
-    /// translating flat face; sin φ = f/L for one on an arm, with L from pivot to contact.
+    /// Minimum and maximum pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as on a rise. Zero for a
+    /// translating flat face. For a flat face on an arm sin φ = f/L, with the distance L from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -28,7 +28,7 @@ impl Cam {
         (angle(low), angle(high))
     }
 
-    /// Largest |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 without such a part.
+    /// Maximum |pressure angle|, rad, where the follower rises (ds/dθ > 0) and where it falls; 0 if there is no rise or fall.
     pub fn pressure_angles_by_motion(&self) -> [Extreme; 2] {
         let geometry = Geometry::new(&self.follower);
         let on_axis = matches!(geometry, Geometry::Unrolled(_)) || self.follower.offset() == 0.0;
@@ -48,10 +48,10 @@ impl Cam {
         tangents.map(|side| side.map_or(none, |range| Extreme::largest(range).map(f64::atan)))
     }
 
-    /// Sharpest convex and concave points of the finished profile.
+    /// Minimum convex and concave radii of the finished profile.
     ///
-    /// Flat translating: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its
-    /// smallest radius is signed and there is no concave side.
+    /// For a translating flat face: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its minimum radius is signed and no
+    /// concave radius is given.
     pub fn curvature(&self) -> Curvature {
         let geometry = Geometry::new(&self.follower);
         let flat = |low: Extreme| Curvature {
@@ -79,8 +79,9 @@ impl Cam {
         }
     }
 
-    /// Range of the contact on the follower, m: minimum and maximum distance along a flat face from the foot of the cam's centre (translating) or of
-    /// the pivot (oscillating, as in CAM-DAS), along a mushroom's chord from the arc's middle. `None` for rollers and knife edges.
+    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
+    /// perpendicular from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS); on a mushroom along the chord from the middle
+    /// of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -94,21 +95,21 @@ impl Cam {
         }
     }
 
-    /// Position of the contact on the follower at one instant of the motion, m, as in [`Cam::contact_travel`]; on a roller along the chord from its
-    /// middle.
+    /// Position of the contact on the follower at one instant of the motion, m, measured as in [`Cam::contact_travel`]. On a roller it is measured
+    /// along the chord from the middle of the roller.
     pub fn contact_along(&self, at: Svaj) -> f64 {
         Geometry::new(&self.follower).travel(at)
     }
 
-    /// Minimum length of the flat (or mushroom's) face, m: the range of the contact on it; max v − min v for a translating flat face (Campillo de
-    /// Blas 2017). `None` for rollers and knife edges.
+    /// Minimum length of the face, flat or mushroom, m: the range of the contact on it. For a translating flat face this is max v − min v (Campillo
+    /// de Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)
     }
 }
 
-/// Radius of a finished convex flank from the largest curvature of its pitch curve: infinite without one.
+/// Radius of a finished convex flank from the maximum curvature of its pitch curve; infinite if no part is convex.
 pub(in crate::cam) fn finished_radius(curvature: Extreme, roller: f64) -> Extreme {
     curvature.map(|bend| {
         if bend > 0.0 {

@@ -4,10 +4,10 @@ use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::law::Svaj;
 
-/// Number of profile points between two with a computed sine and cosine; the others follow from the addition theorems.
+/// Number of profile points from one computed sine and cosine to the next; the values between follow from the addition theorems.
 const TURNS: usize = 32;
 
-/// Position of the cam's frame at one instant.
+/// Position of the cam's frame in the fixed frame at one instant.
 #[derive(Clone, Copy)]
 pub(crate) enum Frame {
     Turned { sin: f64, cos: f64 },
@@ -33,7 +33,7 @@ impl Frame {
         }
     }
 
-    /// A point of the fixed frame in cam coordinates.
+    /// Converts a point of the fixed frame to the cam's frame.
     #[inline(always)]
     pub fn seen(self, p: [f64; 2]) -> [f64; 2] {
         match self {
@@ -42,7 +42,7 @@ impl Frame {
         }
     }
 
-    /// A point of the cam in fixed coordinates.
+    /// Converts a point of the cam's frame to the fixed frame.
     pub fn in_space(self, p: [f64; 2]) -> [f64; 2] {
         match self {
             Frame::Turned { sin, cos } => [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]],
@@ -52,7 +52,7 @@ impl Frame {
 }
 
 impl Geometry {
-    /// The cam's frame at an angle or travel.
+    /// Frame of the cam at an angle or travel.
     pub fn frame(&self, theta: f64) -> Frame {
         match self {
             Geometry::Unrolled(unrolled) => Frame::Moved(unrolled.scale * theta),
@@ -60,12 +60,12 @@ impl Geometry {
         }
     }
 
-    /// The profile point at an angle.
+    /// Profile point at an angle.
     pub fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
         self.seen_from(self.frame(theta), theta, at)
     }
 
-    /// The profile points at angles in steps of `step`.
+    /// Profile points at angles in steps of `step`.
     pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
         let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
         let mut out = Vec::with_capacity(angles.len());
@@ -95,13 +95,13 @@ impl Geometry {
 }
 
 impl Cam {
-    /// A point of the cam in the fixed frame when the cam has turned (or moved) to `theta`.
+    /// Converts a point of the cam to the fixed frame, with the cam at the angle (or travel) `theta`.
     pub fn into_space(&self, theta: f64, p: [f64; 2]) -> [f64; 2] {
         Geometry::new(&self.follower).frame(theta).in_space(p)
     }
 
-    /// Unit direction in which the contact side of the follower moves with increasing lift, fixed frame: +y, or perpendicular to the arm (the outward
-    /// normal of an oscillating flat face).
+    /// Unit vector of the motion of the follower's contact side with increasing lift, fixed frame: +y, or perpendicular to the arm. For an
+    /// oscillating flat face it is the outward normal.
     pub fn motion(&self, theta: f64) -> [f64; 2] {
         let Some(start) = self.follower.start_angle() else {
             return [0.0, 1.0];
@@ -111,8 +111,8 @@ impl Cam {
         [side * sin, cos]
     }
 
-    /// Outward unit normal of the cam at one of its profile points, cam frame, exact: that of a flat face, or the direction of motion rotated by the
-    /// pressure angle.
+    /// Exact outward unit normal of the cam at a profile point, in the cam frame. For a flat face it is the normal of the face; otherwise the
+    /// direction of motion, rotated by the pressure angle.
     pub fn normal(&self, point: &ProfilePoint) -> [f64; 2] {
         let motion = self.motion(point.theta);
         let fixed = if self.follower.is_flat() {
@@ -128,7 +128,7 @@ impl Cam {
 }
 
 impl Follower {
-    /// Position of the arm's pivot, fixed frame, m; `None` without an arm.
+    /// Position of the pivot of the arm, fixed frame, m; `None` without an arm.
     pub fn pivot(&self) -> Option<[f64; 2]> {
         match *self {
             Follower::RollerOscillating { pivot_distance, .. }

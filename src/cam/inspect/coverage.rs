@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// A gap between neighbouring points counts as unmeasured above this fraction of the outline and this many mean distances.
+/// Thresholds of a gap between neighbouring points that counts as unmeasured: fraction of the outline, and multiple of the mean distance.
 const GAP: (f64, f64) = (0.05, 4.0);
 
 /// First and last cam angle of the longest unmeasured part of the outline; `None` if the measured points cover the outline. The outline has points at

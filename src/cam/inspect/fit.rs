@@ -1,32 +1,32 @@
-//! The rigid motions that fit measured points to the profile: minima of the squared distances, from many starts.
+//! Rigid motions that fit measured points to the profile: local minima of the squared distances, from many initial angles.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::pose::{Pose, middle, wrapped};
 use crate::cam::{Cam, ProfilePoint};
 
-/// Fits closer to each other than this, rad, are the same.
+/// Difference of rotation, rad, below which two fits are the same.
 pub const SAME: f64 = 0.02;
-/// Fits within this factor, or this length in m, of the best are equally good.
+/// Factor of the minimum residual, and length in m, within which fits are equally good.
 pub const ALIKE: (f64, f64) = (1.02, 1e-9);
-/// Number of angles from which the search starts.
+/// Number of initial angles of the search.
 const STARTS: usize = 72;
-/// Number of points and profile samples of the search, and of its iterations.
+/// Number of points and of profile samples in the search.
 const COARSE_POINTS: usize = 90;
 const COARSE_PROFILE: usize = 360;
 const COARSE_ROUNDS: usize = 12;
-/// Number of iterations of the fit on exact feet.
+/// Maximum number of iterations of the fit with exact foot points.
 const ROUNDS: usize = 40;
 /// Relative step at which the fit has converged.
 const CONVERGED: f64 = 1e-14;
 /// Number of minima of the search that are refined.
 const REFINED: usize = 12;
-/// Ratio of the smallest and largest eigenvalues of the normal equations below which the cam is a circle.
+/// Ratio of the minimum and maximum eigenvalues of the normal equations below which the cam is a circle.
 const ROUNDING: f64 = 1e-13;
 /// Standard error of the rotation, rad, above which the points do not determine it.
 const UNSURE: f64 = 0.1;
 
-/// A point in the cam's frame with the profile's normal at its foot and its distance along that.
+/// A point in the cam's frame with the normal of the profile at its foot point and its distance along this normal.
 #[derive(Debug, Clone, Copy)]
 pub struct Foot {
     pub q: [f64; 2],
@@ -53,7 +53,7 @@ impl Cam {
         self.profile(n).iter().map(sample).collect()
     }
 
-    /// The minima of the search, best first: from every start the distances to the tangents at the nearest samples are minimised.
+    /// Local minima of the search, best first. From every initial angle, the distances to the tangents at the nearest samples are minimised.
     fn starts(&self, points: &[[f64; 2]], ball: f64) -> Vec<Pose> {
         let samples = self.samples(COARSE_PROFILE);
         let every = points.len().div_ceil(COARSE_POINTS);
@@ -87,13 +87,13 @@ impl Cam {
     }
 }
 
-/// Smallest and largest distance of a profile from the cam's centre, m.
+/// Minimum and maximum distance of a profile from the cam's centre, m.
 pub fn radii(samples: &[Sample]) -> (f64, f64) {
     let radii = samples.iter().map(|s| s.p[0].hypot(s.p[1]));
     radii.fold((f64::INFINITY, 0.0), |(l, h), r| (l.min(r), h.max(r)))
 }
 
-/// The profile with initial samples.
+/// A profile for exact distances. The samples give the initial values of the foot points.
 pub struct Exact<'a> {
     pub cam: &'a Cam,
     pub ball: f64,
@@ -101,7 +101,7 @@ pub struct Exact<'a> {
     pub longest: f64,
 }
 
-/// A pose with the feet of all points, and the root mean square of the distances of the kept points, m.
+/// A pose with the foot points of all points, and the root mean square of the distances of the kept points, m.
 pub struct Fit {
     pub rms: f64,
     pub pose: Pose,
@@ -109,8 +109,8 @@ pub struct Fit {
 }
 
 impl Exact<'_> {
-    /// The minima of the distances of the kept points, best first. Among equal ones the centre nearest to the frame's origin is first, since most
-    /// cams are measured about their shaft.
+    /// Local minima of the distances of the kept points, best first. Among equal fits, the one whose centre is nearest to the frame's origin is
+    /// first, since most cams are measured about their shaft.
     pub fn fits(&self, points: &[[f64; 2]], kept: &[bool]) -> Vec<Fit> {
         let (_, high) = radii(&self.samples);
         let used = chosen(points, kept);
@@ -130,7 +130,7 @@ impl Exact<'_> {
         fits
     }
 
-    /// The foot of a point: where the profile's tangent is perpendicular to the line to the point.
+    /// Foot point of a point: where the tangent of the profile is perpendicular to the line to the point.
     pub fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
         let near = nearest(&self.samples, self.longest, q);
@@ -158,8 +158,8 @@ impl Exact<'_> {
     }
 }
 
-/// Root of a function that falls from above zero at `low` to below zero at `high`, by false position with the older end's value halved (Illinois);
-/// `None` for other signs.
+/// Root of a function that falls from a positive value at `low` to a negative one at `high`. Method: false position with halved value of the older
+/// end (Illinois). `None` for other signs.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     let (mut above, mut below) = (f(low), f(high));
     if above < 0.0 || below > 0.0 {
@@ -194,8 +194,8 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     Some(x)
 }
 
-/// The sample nearest to a point. Along the profile the distance changes by at most `longest` per sample, so that samples far from the point are
-/// skipped, which makes inspections three times as fast.
+/// Profile sample nearest to a point. The distance changes by at most `longest` from one sample to the next, so samples far from the point are
+/// skipped. This makes inspections three times as fast.
 fn nearest(samples: &[Sample], longest: f64, q: [f64; 2]) -> usize {
     let distance = |i: usize| {
         let [x, y] = [q[0] - samples[i].p[0], q[1] - samples[i].p[1]];
@@ -215,7 +215,7 @@ fn nearest(samples: &[Sample], longest: f64, q: [f64; 2]) -> usize {
     best.0
 }
 
-/// Longest distance between neighbouring samples, m, plus rounding.
+/// Maximum distance between neighbouring samples, m, plus a margin for rounding.
 pub fn longest(samples: &[Sample]) -> f64 {
     let between = |s: &[Sample]| (s[1].p[0] - s[0].p[0]).hypot(s[1].p[1] - s[0].p[1]);
     1.000_001
@@ -235,7 +235,7 @@ fn tangent_distance(s: &Sample, q: [f64; 2], ball: f64) -> Foot {
     }
 }
 
-/// The normal equations of the linearised distances, with the rotation scaled by the cam's size.
+/// Normal equations of the linearised distances, with the rotation scaled by the size of the cam.
 fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vector3<f64>) {
     let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
     for foot in feet {
@@ -248,8 +248,8 @@ fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vec
     (matrix, right)
 }
 
-/// The fit that starts at a pose, with the feet computed by `foot`. It ends after a number of iterations, or when a step is smaller than a fraction
-/// of `size`.
+/// Fit that starts at a pose, with the foot points computed by `foot`. It ends after a number of iterations, or when a step is smaller than a
+/// fraction of `size`.
 fn fitted(
     mut pose: Pose,
     points: &[[f64; 2]],
@@ -274,7 +274,7 @@ fn fitted(
     (pose, feet)
 }
 
-/// The Gauss–Newton step: rotation, rad, and shift, m.
+/// Step of the Gauss–Newton method: rotation, rad, and shift, m.
 fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     let (matrix, right) = normal_equations(feet, pose, size);
     let solution = matrix.cholesky()?.solve(&right);
@@ -282,7 +282,7 @@ fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Whether the points determine the rotation of the cam: the standard error of the rotation from the scatter about the profile is small.
+/// Whether the points determine the rotation of the cam: whether the standard error of the rotation, from the scatter about the profile, is small.
 pub fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
     let (matrix, _) = normal_equations(feet, pose, size);
     let shares = matrix.symmetric_eigenvalues();
@@ -294,7 +294,7 @@ pub fn rms(feet: &[Foot]) -> f64 {
     (squares.sum::<f64>() / feet.len() as f64).sqrt()
 }
 
-/// The items of a list that are marked as kept.
+/// Items of a list that are marked as kept.
 pub fn chosen<T: Copy>(all: &[T], kept: &[bool]) -> Vec<T> {
     let is_kept = |(one, kept): (&T, &bool)| kept.then_some(*one);
     all.iter().zip(kept).filter_map(is_kept).collect()

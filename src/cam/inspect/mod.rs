@@ -1,14 +1,13 @@
 //! Inspection of a manufactured cam: deviations of measured points from the profile.
 //!
-//! The cam's centre and zero angle are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with the minimum sum of
-//! squared normal distances to the exact profile, by the Gauss–Newton method: the distance of a point changes by n·J(q − b) per turn and by n per
-//! shift, n being the normal at its foot. The sum has other minima, so the search starts from many angles.
+//! Centre and zero angle of the cam are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with the minimum sum of
+//! squared normal distances to the exact profile. The Gauss–Newton method finds it: the distance of a point changes by n·J(q − b) per rotation and by
+//! n per shift, with the normal n at the foot point. The sum has other local minima, so the search starts from many angles.
 //!
-//! Points far outside the scatter of the others are outliers: they are listed and left out of the fit. Points of the mirror image are rejected, and a
-//! part of the profile without points is reported.
+//! Points far outside the scatter of the others are outliers. They are listed and excluded from the fit. Points of the mirror image are rejected, and
+//! a part of the profile without points is reported.
 //!
-//! A rotation or translation of the whole cam is not a deviation: an eccentric bore is detected only if the centre of
-//! the bore is measured as well.
+//! A rotation or translation of the whole cam is not a deviation: an eccentric bore is detected only if the centre of the bore is measured as well.
 
 mod coverage;
 mod fit;
@@ -22,19 +21,19 @@ use fit::{ALIKE, Exact, Fit, Foot, SAME, chosen, is_determined, longest, radii, 
 use outliers::without_outliers;
 use pose::{Pose, middle, wrapped};
 
-/// Minimum number of points: three unknowns and a shape.
+/// Minimum number of points: three unknowns and the shape.
 pub const FEWEST: usize = 12;
-/// Number of samples among which the foot of a point is searched.
+/// Number of profile samples among which the foot point of a point is searched.
 const PROFILE: usize = 2880;
 /// Maximum deviation, relative to the difference of radii, of points that belong to this cam.
 const OTHER: f64 = 0.1;
-/// Number of iterations that search and exclude outliers.
+/// Maximum number of iterations that detect and exclude outliers.
 const OUTLIER_ROUNDS: usize = 3;
-/// Ratio by which points fit the mirror image better than the cam, and their deviation from the cam relative to its largest radius, above which they
-/// belong to the mirror image.
+/// Thresholds above which the points belong to the mirror image: ratio of the residuals of cam and mirror image, and deviation from the cam relative
+/// to its maximum radius.
 const MIRRORED: (f64, f64) = (10.0, 1e-5);
 
-/// One measured point compared with the profile.
+/// Deviation of a measured point from the profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -52,13 +51,13 @@ const MIRRORED: (f64, f64) = (10.0, 1e-5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// Index in the list of measured points, from 0.
+    /// Index of the point in the list of measured points, from 0.
     pub row: usize,
-    /// Cam angle at which its foot on the profile touches the follower, rad.
+    /// Cam angle at which the foot point on the profile touches the follower, rad.
     pub theta: f64,
-    /// Distance from the profile along the normal, m: positive for excess material.
+    /// Distance from the profile along the normal, m; positive for excess material.
     pub normal: f64,
-    /// Whether it is far outside the scatter of the other points, and excluded from the fit.
+    /// Whether the point is far outside the scatter of the others, and excluded from the fit.
     pub is_outlier: bool,
 }
 
@@ -82,18 +81,18 @@ pub struct Deviation {
 pub struct Inspection {
     /// Rotation of the cam in the measuring frame, counter-clockwise, rad in (−π, π].
     pub turn: f64,
-    /// The cam's centre in the measuring frame, m.
+    /// Position of the cam's centre in the measuring frame, m.
     pub centre: [f64; 2],
-    /// The points in the order of their cam angles.
+    /// Deviations in the order of the cam angles.
     pub deviations: Vec<Deviation>,
-    /// Other rotations with an equally good fit, rad, for cams with rotational symmetry.
+    /// Other rotations with an equally good fit, rad; for cams with rotational symmetry.
     pub alike: Vec<f64>,
-    /// Cam angles, rad, between which the profile was not measured; `None` if the points are all around.
+    /// Cam angles, rad, between which the profile was not measured; `None` if the points cover the whole profile.
     pub unmeasured: Option<[f64; 2]>,
 }
 
 impl Inspection {
-    /// The points that are not outliers.
+    /// Deviations of the points that are not outliers.
     pub fn kept(&self) -> impl Iterator<Item = &Deviation> {
         self.deviations.iter().filter(|d| !d.is_outlier)
     }
@@ -106,7 +105,7 @@ impl Inspection {
         (sum / f64::max(count, 1.0)).sqrt()
     }
 
-    /// The points farthest inside and outside the profile, without outliers.
+    /// Deviations of the points farthest inside and outside the profile, without outliers.
     pub fn extremes(&self) -> Option<[Deviation; 2]> {
         let order = |a: &&Deviation, b: &&Deviation| a.normal.total_cmp(&b.normal);
         let least = self.kept().min_by(order)?;
@@ -116,12 +115,12 @@ impl Inspection {
 }
 
 impl Cam {
-    /// Fits measured points (m, any order, any frame) to the profile; with `ball` > 0 they are centres of a
-    /// probing ball of that radius, m.
+    /// Fits measured points (m, in any order and frame) to the profile. With `ball` > 0 the points are centres of a probing ball of this radius, m.
     ///
     /// # Errors
-    /// Fewer than 12 points, non-finite coordinates, points of another cam or of the mirror image, a cam that is circular within the scatter, and a
-    /// cam that does not rotate.
+    ///
+    /// Fewer than 12 points; non-finite coordinates; points of another cam or of the mirror image; a cam that is circular within the scatter; a cam
+    /// that does not rotate.
     pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
         self.refuse_unfit(points)?;
         let samples = self.samples(PROFILE);

@@ -1,16 +1,16 @@
-//! Points far outside the scatter of the others.
+//! Detection of points far outside the scatter of the others.
 
 use super::fit::Foot;
 
-/// Outliers: deviations from the median above this many standard deviations, the latter from the median absolute
-/// deviation, and above this part of the largest radius.
+/// Thresholds of an outlier: deviation from the median in standard deviations (from the median absolute deviation), and as a fraction of the maximum
+/// radius.
 const OUTLIER: (f64, f64) = (10.0, 1e-6);
-/// Standard deviation of a normal distribution by its median absolute deviation.
+/// Ratio of standard deviation and median absolute deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;
-/// Maximum fraction of outliers; more of them are the shape of the cam.
+/// Maximum fraction of outliers. A larger fraction is the shape of the cam.
 const FEW: f64 = 0.05;
 
-/// The points that are not outliers; `None` if too many are far from the others.
+/// Marks the points that are not outliers; `None` if too many points are far from the others.
 pub fn without_outliers(feet: &[Foot], size: f64) -> Option<Vec<bool>> {
     let middle_of = |mut values: Vec<f64>| {
         values.sort_by(f64::total_cmp);

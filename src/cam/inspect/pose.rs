@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// A rigid motion from the measuring frame to the cam's: q = R(angle)(m − pivot) + place.
+/// Rigid motion from the measuring frame to the cam's frame: q = R(angle)(m − pivot) + place.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose {
     pub angle: f64,
@@ -11,7 +11,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A measured point in the cam's frame.
+    /// Converts a measured point to the cam's frame.
     pub fn seen(&self, m: [f64; 2]) -> [f64; 2] {
         let [x, y] = [m[0] - self.pivot[0], m[1] - self.pivot[1]];
         let (sin, cos) = self.angle.sin_cos();
@@ -21,7 +21,7 @@ impl Pose {
         ]
     }
 
-    /// The pose after a rotation about its place and a shift.
+    /// The pose after a further rotation about its place and a shift.
     pub fn moved(&self, [turn, x, y]: [f64; 3]) -> Pose {
         Pose {
             angle: self.angle + turn,
@@ -41,7 +41,7 @@ impl Pose {
     }
 }
 
-/// Centre of the circle of least squares through points, m: (x² + y²) = 2ax + 2by + c is linear.
+/// Centre of the least-squares circle through points, m; (x² + y²) = 2ax + 2by + c is linear in the unknowns.
 pub fn middle(points: &[[f64; 2]]) -> [f64; 2] {
     let n = points.len() as f64;
     let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);

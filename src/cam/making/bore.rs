@@ -1,8 +1,8 @@
-//! The hole for the shaft: a bore with or without a keyway, and the surrounding wall.
+//! Hole for the shaft: a bore with or without a keyway, and the surrounding wall.
 
 use serde::Serialize;
 
-/// Parallel keys of DIN 6885-1 (ISO 773): shaft diameter up to, width, depth of the keyway in the hub, mm.
+/// Parallel keys of DIN 6885-1 (ISO 773): maximum shaft diameter, width, depth of the keyway in the hub, mm.
 const DIN_6885: [[f64; 3]; 17] = [
     [8.0, 2.0, 1.0],
     [10.0, 3.0, 1.4],
@@ -22,15 +22,15 @@ const DIN_6885: [[f64; 3]; 17] = [
     [130.0, 32.0, 7.4],
     [150.0, 36.0, 8.4],
 ];
-/// Smallest shaft diameter of the table, m.
+/// Minimum shaft diameter of the table, m.
 const THINNEST: f64 = 6e-3;
-/// Wall of a hub as a fraction of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
+/// Wall of a hub as a fraction of its bore diameter: the outer diameter of a hub is 1.5 to 2 times the shaft diameter.
 const HUB: f64 = 0.25;
-/// Minimum wall around a bore, and around a keyway, m.
+/// Minimum thickness of the wall around a bore, and around a keyway, m.
 const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
-/// The keyway in the hub.
+/// Keyway in the hub.
 ///
 /// ```
 /// use gaitcam::cam::Keyway;
@@ -44,12 +44,12 @@ const KEYED_WALL: f64 = 3e-3;
 pub struct Keyway {
     /// Width of the keyway, m.
     pub width: f64,
-    /// Depth above the bore's circle at the middle of the keyway, t₂ of the standard, m.
+    /// Depth above the circle of the bore in the middle of the keyway (t₂ of the standard), m.
     pub depth: f64,
 }
 
 impl Keyway {
-    /// The keyway of DIN 6885-1 for a shaft of this diameter, m; `None` outside 6 … 150 mm.
+    /// Keyway of DIN 6885-1 for a shaft diameter, m; `None` outside 6 … 150 mm.
     ///
     /// ```
     /// use gaitcam::cam::Keyway;
@@ -62,7 +62,7 @@ impl Keyway {
         (diameter > THINNEST).then_some(Keyway::of(row))
     }
 
-    /// The keyway of DIN 6885-1 of this width, m; `None` if the standard has none.
+    /// Keyway of DIN 6885-1 with this width, m; `None` if the standard has no such width.
     pub fn of_width(width: f64) -> Option<Keyway> {
         let row = DIN_6885
             .iter()
@@ -70,7 +70,7 @@ impl Keyway {
         Some(Keyway::of(row))
     }
 
-    /// The widths of the standard, m.
+    /// Keyway widths of DIN 6885-1, m.
     pub fn widths() -> impl Iterator<Item = f64> {
         DIN_6885.iter().map(|row| 1e-3 * row[1])
     }
@@ -97,7 +97,7 @@ impl Keyway {
 pub struct Bore {
     /// Diameter of the bore, m.
     pub diameter: f64,
-    /// The keyway, if there is one; narrower than the bore.
+    /// Keyway, if the hole has one; narrower than the bore.
     pub keyway: Option<Keyway>,
 }
 
@@ -110,12 +110,12 @@ impl Bore {
         }
     }
 
-    /// Radius of the round part, m.
+    /// Radius of the bore, m.
     pub fn radius(&self) -> f64 {
         0.5 * self.diameter
     }
 
-    /// Largest distance of the hole's edge from the centre, m: the corners of the keyway.
+    /// Maximum distance of the edge of the hole from the centre, m. With a keyway it is the distance of its corners.
     pub fn reach(&self) -> f64 {
         match self.keyway {
             None => self.radius(),
@@ -123,18 +123,19 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius that leaves a wall around the hole, m: 1 mm around a bore; beyond a keyway 3 mm, and at least half its depth.
+    /// Minimum base radius with a sufficient wall around the hole, m. The wall is 1 mm around a bore; outside a keyway it is 3 mm, and at least half
+    /// the depth of the keyway.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
     }
 
-    /// Base radius that leaves the usual wall of a hub, m: a quarter of the bore, and at least the minimum.
+    /// Base radius with the usual wall of a hub, m: a quarter of the bore diameter, and at least the minimum.
     pub fn hub_radius(&self) -> f64 {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }
 
-    /// Distance of the hole's edge from the centre in the direction `angle` from +x, rad → m. Every ray meets the edge once.
+    /// Distance of the edge of the hole from the centre, m, in the direction `angle` from +x, rad. Every ray meets the edge once.
     pub fn edge(&self, angle: f64) -> f64 {
         let Some(key) = self.keyway else {
             return self.radius();
@@ -153,8 +154,7 @@ impl Bore {
         }
     }
 
-    /// The hole's edge counter-clockwise: vertices x, y (m) and the bulge of the piece that follows, tan(¼ of its arc), 0
-    /// for a straight one.
+    /// Edge of the hole, counter-clockwise: vertices x, y (m) and the bulge of the following segment, tan(¼ of its arc); 0 for a straight segment.
     pub fn outline(&self) -> Vec<[f64; 3]> {
         let r = self.radius();
         let Some(key) = self.keyway else {
@@ -175,7 +175,7 @@ impl Bore {
         ]
     }
 
-    /// Directions in which the edge has a corner, from +x, rad.
+    /// Directions of the corners of the edge, from +x, rad.
     pub fn corners(&self) -> Vec<f64> {
         let up = std::f64::consts::FRAC_PI_2;
         let angles = self.keyway.map(|key| self.corner_angles(key));
@@ -183,7 +183,7 @@ impl Bore {
         angles.into_iter().flatten().flat_map(both).collect()
     }
 
-    /// Angles from the middle of the keyway to its outer corner and to its foot on the bore, rad.
+    /// Angles from the middle of the keyway to its outer corner and to its edge on the bore, rad.
     fn corner_angles(&self, key: Keyway) -> [f64; 2] {
         let half = 0.5 * key.width;
         let outer = half.atan2(self.radius() + key.depth);

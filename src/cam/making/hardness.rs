@@ -19,7 +19,7 @@ const CONVERSION: [[f64; 3]; 12] = [
     [62.0, 746.0, 688.0],
     [64.0, 800.0, 722.0],
 ];
-/// Lower limit of validity of the rule, HB.
+/// Minimum hardness for which the rule of the allowable pressure is valid, HB.
 const SOFTEST: f64 = 100.0;
 
 /// Scales of hardness that a scene accepts.
@@ -73,7 +73,7 @@ pub struct Hardness {
 }
 
 impl Hardness {
-    /// Reads `58 HRC`, `650 HV`, `240 HB`; `None` for another text, and outside 20 … 64 HRC, 105 … 800 HV, 100 … 722 HB.
+    /// Reads a text such as `58 HRC`, `650 HV` or `240 HB`; `None` for other texts, and outside 20 … 64 HRC, 105 … 800 HV, 100 … 722 HB.
     pub fn parse(text: &str) -> Option<Hardness> {
         let text = text.trim();
         let end = text.find(|c: char| c.is_ascii_alphabetic())?;
@@ -89,7 +89,7 @@ impl Hardness {
         (softest..=hardest).contains(&value).then_some(hardness)
     }
 
-    /// The hardness on Brinell's scale, HB: linear between the rows of the table, proportional below the first row.
+    /// Converts the hardness to HB: linear between the rows of the table, proportional below the first row.
     pub fn brinell(self) -> f64 {
         let column = self.scale.column();
         let first = CONVERSION[0];

@@ -1,4 +1,4 @@
-//! Lengths that no law can have, by the fault and the numbers that would be right.
+//! Lengths that are invalid for every law: the error and the suggested values.
 
 use crate::cam::{Cam, Follower};
 use crate::error::Error;
@@ -6,7 +6,7 @@ use crate::error::{ArmFault, CamError, CamInputError};
 use crate::law::Law;
 use crate::units::Quantity;
 
-/// One wave between 0 and this lift.
+/// One period of a wave between 0 and `lift`.
 fn wave(lift: f64) -> Law {
     Law::harmonic(0.5 * lift, &[(-0.5 * lift, 0.0)])
 }
