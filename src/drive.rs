@@ -1,4 +1,4 @@
-//! Relation of lift and force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
+//! Relation of lift and force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), with constant ω.
 
 mod motor;
 
@@ -8,10 +8,10 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
-/// Gain relative to its largest term below which a frequency is a resonance: no finite lift gives the force there.
+/// Gain, relative to its largest term, below which a frequency is a resonance: no finite lift produces a force there.
 pub(crate) const RESONANCE: f64 = 1e-9;
 
-/// The machine between cam and force.
+/// Kind of machine between cam and force.
 ///
 /// ```
 /// use gaitcam::drive::{Drive, DriveKind};
@@ -27,9 +27,9 @@ pub(crate) const RESONANCE: f64 = 1e-9;
 #[derive(strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
-    /// Moving axis: the shaft block follows the cam, which rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
+    /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
-    /// The cam turns in a fixed bearing and lifts the follower: spring, preload, damping and mass.
+    /// The cam turns in a fixed bearing and lifts the follower, with spring, preload, damping and mass.
     FixedAxis,
     /// The cam displaces a hydraulic piston: F = (P/V)·A²·s (Vargas and León 2024, eq. 3).
     Hydraulic,
@@ -39,7 +39,7 @@ impl DriveKind {
     /// Every kind of drive.
     pub const ALL: &'static [DriveKind] = <DriveKind as strum::VariantArray>::VARIANTS;
 
-    /// The name in a scene file.
+    /// Name of the drive in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -64,18 +64,18 @@ impl DriveKind {
 pub struct Drive {
     /// Kind of the machine.
     pub kind: DriveKind,
-    /// Force at rest on the base circle, N: M·g for the moving axis, the preload otherwise.
+    /// Force at rest on the base circle, N: M·g for the moving axis, otherwise the preload.
     pub rest_force: f64,
     /// Force per lift, N/m.
     pub spring_rate: f64,
-    /// Force per lifting speed, N·s/m.
+    /// Force per velocity of the lift, N·s/m.
     pub damping: f64,
     /// Mass that the lift moves, kg.
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
-    /// Distance from the pivot of an arm at which forces act, m; 1 under a follower that translates. Under an arm
-    /// every force of the drive is a moment about the pivot, N·m: force times lever.
+    /// Distance from the pivot of an arm at which forces act, m; 1 for a translating follower. For an arm, every force of the drive is a moment about
+    /// the pivot, N·m: force times lever.
     pub lever: f64,
 }
 
@@ -111,7 +111,8 @@ impl Drive {
         }
     }
 
-    /// The drive on an arm, with forces at `lever` (m) from the pivot: the spring acts there, the mass is a moment of inertia.
+    /// Converts the drive to an arm with forces at the distance `lever` (m) from the pivot. The spring acts there, and the mass becomes a moment of
+    /// inertia.
     ///
     /// ```
     /// use gaitcam::drive::Drive;
@@ -134,12 +135,12 @@ impl Drive {
         }
     }
 
-    /// A force of the drive in N: for an arm, its moment divided by the lever.
+    /// Converts a force of the drive to N: for an arm, the moment divided by the lever.
     pub fn newtons(&self, force: f64) -> f64 {
         force / self.lever
     }
 
-    /// Whether there is no force: neither mass, spring, damping nor preload.
+    /// Whether the force is zero for every law: no mass, spring, damping or preload.
     pub fn is_idle(&self) -> bool {
         [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
     }
@@ -167,7 +168,7 @@ impl Drive {
         law.combination(self.weights(), self.rest_force)
     }
 
-    /// Smallest and largest force over the whole law, N.
+    /// Minimum and maximum force over the whole law, N.
     pub fn force_extremes(&self, law: &Law) -> (Extreme, Extreme) {
         law.extremes_of(self.weights(), self.rest_force)
     }
@@ -179,7 +180,7 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// Harmonic n of the lift, m, for one of the force, N, both as (cosine, sine); `None` at resonance.
+    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, both as (cosine, sine); `None` at resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
         let square = re * re + im * im;

@@ -1,4 +1,4 @@
-//! Alternation between the design of cams and the assignment of walkers.
+//! Alternation between designing the cams and assigning the walkers.
 
 use std::collections::HashMap;
 
@@ -12,30 +12,30 @@ use crate::synth::population::errors::{in_tail, measure};
 const TURNS: usize = 30;
 /// Maximum number of alternations without improvement while the worst shares still change.
 const IDLE: usize = 4;
-/// Change of the share of a cam's worst walkers that counts as none.
+/// Change of the share of a cam's worst walkers below which the share is constant.
 const SETTLED: f64 = 1e-4;
-/// Number of starts from distant walkers, besides the start from the cams one fewer.
+/// Number of starts from distant walkers, in addition to the start from the cover with one cam fewer.
 const STARTS: usize = 3;
 
-/// Cams with their walkers during the search.
+/// Cams and their walkers during the search.
 pub struct Trial {
-    /// Index of the cam of each walker.
+    /// Index of the assigned cam of each walker.
     pub owner: Vec<usize>,
     /// Objective of the design of each cam.
     pub objectives: Vec<Robust>,
     /// Mean square error of each cycle under the assigned cam.
     pub squares: Vec<f64>,
-    /// Number of cams without a law under their limits, and the objective.
+    /// Number of infeasible cams, and the objective.
     pub value: (usize, f64),
 }
 
-/// The errors of all cycles under a cam, and whether it satisfies its limits.
+/// Whether a cam satisfies its limits, and the errors of all cycles with this cam.
 pub type Column = (bool, Vec<f64>);
-/// Error columns by the walkers of their cam and its objective.
+/// Error columns, by the walkers of the cam and its objective.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {
-    /// The best of all starts.
+    /// Best result of all starts.
     pub fn best_of(
         &self,
         count: usize,
@@ -64,7 +64,7 @@ impl People<'_> {
         Ok(best)
     }
 
-    /// Assigns every walker to the nearest of several distant walkers.
+    /// Assigns every walker to the nearest of `count` distant walkers.
     fn far_apart(&self, first: usize, count: usize) -> Vec<usize> {
         let own = |w: usize| &self.points[self.cycles[w][0]];
         let distance = |a: usize, b: usize| {
@@ -145,8 +145,8 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// The objective of each cam after these errors. If the worst part of all counts, the share moves half way to the share of the cam's walkers
-    /// among the worst.
+    /// Objective of each cam, from the present errors. If only the worst walkers count, the share of a cam moves half way to the fraction of its
+    /// walkers among the worst.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();
@@ -173,7 +173,7 @@ impl People<'_> {
         now.iter().enumerate().map(of).collect()
     }
 
-    /// The cam that serves each walker best.
+    /// For each walker, the cam with the minimum error.
     fn nearest(&self, of_cams: &[Column]) -> Vec<usize> {
         let error = |walker: usize, cam: usize| {
             let each = self.cycles[walker]
@@ -193,7 +193,7 @@ impl People<'_> {
     }
 }
 
-/// The best cam of each walker, with every cam used: an unused cam gets the worst walker of a shared cam.
+/// Assigns each walker to its best cam, with every cam used. An unused cam receives the worst walker of a shared cam.
 fn filled(mut owner: Vec<usize>, count: usize, error: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
     let size = |owner: &[usize], cam: usize| owner.iter().filter(|o| **o == cam).count();
     for cam in 0..count {

@@ -1,7 +1,7 @@
-//! Lower bounds for k cams. The error of a cam for walker w is at least e² ≥ o² + γ² ‖ψ − p‖². Here p is the force of the walker's own cam, o its
-//! error, and ψ the force of the shared cam; p is the nearest point of a convex set that contains ψ. So walkers are points, and cams centres. Of k +
-//! 1 walkers two share a cam, which bounds the worst error; a mean square is bounded by the spread of the points less the k − 1 largest eigenvalues
-//! of their scatter (Ding and He, 2004; theory §8).
+//! Lower bounds for k cams. The error of a cam for walker w is at least e² ≥ o² + γ² ‖ψ − p‖². Here p is the force of the walker's individual cam, o
+//! its error, and ψ the force of the shared cam; p is the nearest point of a convex set that contains ψ. Walkers are therefore points, and cams are
+//! centres. Of k + 1 walkers, two share a cam; this bounds the worst error. A mean square error is bounded by the spread of the points minus the k −
+//! 1 largest eigenvalues of their scatter matrix (Ding and He, 2004; theory §8).
 
 use nalgebra::DMatrix;
 
@@ -9,11 +9,11 @@ use crate::synth::population::alone::Point;
 use crate::synth::population::errors::{dot, in_tail, norm};
 use crate::synth::population::weights::{axes, less};
 
-/// Number of walkers from whom farthest-point sets start.
+/// Number of walkers from which farthest-point sets are started.
 const BEGINNINGS: usize = 32;
 /// Number of steps of a bisection.
 const STEPS: usize = 60;
-/// Number of steps for the weights of a worst part.
+/// Number of steps for the weights of the worst walkers.
 const STEPS_OF_WEIGHTS: usize = 200;
 
 impl Point {
@@ -22,7 +22,7 @@ impl Point {
         (off.sum::<f64>().sqrt() - self.slack - other.slack).max(0.0)
     }
 
-    /// Mean square error of the worse of two walkers with one shared cam.
+    /// Mean square error of the worse of two walkers that share a cam.
     fn shared(&self, other: &Point) -> f64 {
         let distance = self.distance(other);
         let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
@@ -40,7 +40,7 @@ impl Point {
     }
 }
 
-/// Lower bound of the worst mean square error of k cams.
+/// Lower bound of the maximum mean square error of k cams.
 pub fn worst(points: &[Point], cams: usize) -> f64 {
     let alone = points.iter().fold(0.0_f64, |m, p| m.max(p.least));
     if cams >= points.len() {
@@ -68,7 +68,7 @@ pub fn worst(points: &[Point], cams: usize) -> f64 {
         .fold(alone, f64::max)
 }
 
-/// The points in coordinates of the space that they span; laws of one basis have as many coordinates as the basis has functions.
+/// Coordinates of the points in the space that they span. The number of coordinates of a law is the number of functions of its basis.
 pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     let Some(first) = points.first().map(|p| p.at.clone()) else {
         return points;
@@ -92,8 +92,8 @@ pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Lower bound of the mean square error of the worst part of walkers with these shares. Every admissible weighting gives a bound, which is concave in
-/// the weights. Frank and Wolfe's steps (1956) go towards the weights of the largest errors about the best plane.
+/// Lower bound of the mean square error of the worst walkers, with these shares. Every admissible weighting gives a bound, which is concave in the
+/// weights. Steps of the Frank–Wolfe method (1956) lead towards the weights of the maximum errors about the best plane.
 pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f64]) -> f64 {
     let mut weights = start.to_vec();
     let mut best = mean(points, shares, cams);
@@ -108,7 +108,7 @@ pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f
     best
 }
 
-/// The bound of the mean square for weights, with the squared distance of each point from the nearest plane of k − 1 dimensions.
+/// Lower bound of the weighted mean square error, with the squared distance of each point from the nearest plane of k − 1 dimensions.
 fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let weights: Vec<f64> = points
         .iter()
@@ -162,7 +162,7 @@ mod tests {
         places.iter().map(point).collect()
     }
 
-    /// Two pairs and a point far away: the best three cams stand in the middle of each pair.
+    /// Two pairs of points and one distant point: the centres of the best three cams are the middles of the pairs and the distant point.
     #[test]
     fn bounds_of_points_on_a_line_are_those_of_the_best_centres() {
         let points = on_a_line(&[0.0, 2.0, 20.0, 22.0, 90.0]);
@@ -178,7 +178,7 @@ mod tests {
         assert!((0.25..=0.25 + 0.8).contains(&three), "{three}");
     }
 
-    /// Against every way to give seven walkers to two cams.
+    /// Compares the bounds with all assignments of seven walkers to two cams.
     #[test]
     fn no_assignment_is_below_the_bounds() {
         let mut seed = 12_345_u64;
@@ -222,7 +222,7 @@ mod tests {
         }
     }
 
-    /// Points in the plane, one cam: the worst third of them has a best place that a fine grid finds.
+    /// Points in the plane and one cam: a fine grid gives the best centre for the worst third of the points.
     #[test]
     fn the_bound_of_a_worst_part_is_that_of_its_worst_weights() {
         let mut seed = 99_u64;

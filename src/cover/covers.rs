@@ -1,4 +1,4 @@
-//! The covers with 1 to k cams, with lower bounds.
+//! Covers with 1 to k cams, and their lower bounds.
 
 use super::alternation::{Columns, Trial};
 use super::bound;
@@ -28,27 +28,28 @@ use crate::synth::{Design, Search};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Cover {
-    /// The scene with the common family and size of law.
+    /// Scene with the common family and size of the laws.
     pub scene: Scene,
     /// The cams, each designed for its own walkers.
     pub cams: Vec<Design>,
-    /// Index of the cam of each cycle.
+    /// Assigned cam and errors of each cycle.
     pub each: Vec<Assigned>,
-    /// Mean of the RMS force errors, by weight: in percent of each walker's mean force, or in newtons, according to the scene's `law.error`, like the
-    /// values below.
+    /// Weighted mean of the RMS force errors. This value and those below are in percent of each walker's mean force or in newtons, as `law.error` of
+    /// the scene specifies.
     pub mean: f64,
-    /// Largest RMS force error.
+    /// Maximum RMS force error.
     pub worst: f64,
-    /// Minimised value: the worst error, or the root of the mean square of all or of the worst part.
+    /// Minimised value: the maximum error, or the root of the mean square over all walkers or over the worst ones.
     pub objective: f64,
-    /// Lower bound of the objective for this number and kind of cams; `None` for limits that are not convex.
+    /// Lower bound of the objective for this number and kind of cams; `None` for non-convex limits.
     pub bound: Option<f64>,
 }
 
-/// The covers with 1 to k cams, at most one per walker. Every cam has the same family and size of law as the cam of all.
+/// Computes the covers with 1 to k cams, with at most one cam per walker. Every cam has the family and size of the common cam's law.
 ///
 /// # Errors
-/// Those of one cam; a force of one walker.
+///
+/// As for one cam; the force belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -87,7 +88,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// The cover of a trial.
+    /// Converts a trial to a cover.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();
@@ -116,7 +117,7 @@ impl People<'_> {
         })
     }
 
-    /// Lower bound of the mean square; the cam of all has its own proof.
+    /// Lower bound of the mean square error. For one cam, the certificate of its design gives the bound.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;

@@ -1,4 +1,4 @@
-//! Errors of cams for other walkers: cross-validation over walkers, not over cycles of one walker.
+//! Errors of cams for new walkers: cross-validation over walkers, not over cycles of the same walker.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ const PARTS: usize = 5;
 /// Minimum number of walkers for whom a cam is designed.
 const FEWEST: usize = 4;
 
-/// Errors of walkers for whom cams were designed, and of others.
+/// Errors of the walkers for whom cams were designed, and of new walkers.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -34,17 +34,17 @@ pub struct Fold {
     pub cams: usize,
     /// Number of walkers for whom the cams were designed.
     pub walkers: usize,
-    /// Mean RMS force error of these walkers, in percent of each mean force or in newtons, according to the scene's `law.error`.
+    /// Mean RMS force error of these walkers, in percent of each mean force or in newtons, as `law.error` of the scene specifies.
     pub in_mean: f64,
-    /// Largest error of these walkers.
+    /// Maximum error of these walkers.
     pub in_worst: f64,
-    /// Mean error of the other walkers, each under the best cam.
+    /// Mean error of the new walkers, each with the best cam.
     pub out_mean: f64,
-    /// Largest error of the other walkers.
+    /// Maximum error of the new walkers.
     pub out_worst: f64,
 }
 
-/// Mean and largest of errors.
+/// Mean and maximum of errors.
 #[derive(Default, Clone, Copy)]
 struct Errors {
     count: f64,
@@ -64,10 +64,12 @@ impl Errors {
     }
 }
 
-/// Errors in and out of the sample for 1 to k cams and for growing numbers of walkers, with five folds; empty for fewer than ten walkers.
+/// Errors inside and outside the sample, for 1 to k cams and for increasing numbers of walkers, by five-fold cross-validation. Empty for fewer than
+/// ten walkers.
 ///
 /// # Errors
-/// As of [`covers`](super::covers).
+///
+/// As for [`covers`](super::covers).
 pub fn folds(scene: &Scene, force: &ForceCurve, cams: usize, search: &Search) -> Result<Vec<Fold>> {
     let Some(population) = force.population.as_deref() else {
         return Ok(Vec::new());
@@ -120,7 +122,7 @@ pub fn folds(scene: &Scene, force: &ForceCurve, cams: usize, search: &Search) ->
     Ok(out.into_iter().map(row).collect())
 }
 
-/// The walkers of some names with all their cycles.
+/// Walkers with the given names, with all their cycles.
 fn walkers(population: &Population, names: &[&str]) -> Vec<Walker> {
     let own = population
         .walkers
@@ -129,7 +131,7 @@ fn walkers(population: &Population, names: &[&str]) -> Vec<Walker> {
     own.cloned().collect()
 }
 
-/// The names of all walkers in a fixed pseudo-random order.
+/// Names of all walkers in a fixed pseudo-random order.
 fn shuffled(population: &Population) -> Vec<&str> {
     let mut names: Vec<&str> = population.walkers.iter().map(|w| w.name.as_str()).collect();
     names.sort_unstable();

@@ -1,4 +1,4 @@
-//! The walkers of a cover, their individual cams, and the cam of any group.
+//! Walkers of a cover, their individual cams, and the cam of any group of walkers.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::synth::{Design, Search, design};
 
 /// Walkers, and their individual cams.
 pub struct People<'a> {
-    /// The scene with the law's family and size.
+    /// Scene with the family and size of the law.
     pub scene: Scene,
     pub population: &'a Population,
     pub problem: Problem,
@@ -19,9 +19,9 @@ pub struct People<'a> {
     /// Cycles of each walker.
     pub cycles: Vec<Vec<usize>>,
     pub shares: Vec<f64>,
-    /// The common cam for all.
+    /// The common cam of all walkers.
     pub one: Design,
-    /// The individual cam of each cycle; empty if no bound is required.
+    /// Individual cam of each cycle as a point; empty if no bound is required.
     pub points: Vec<Point>,
 }
 
@@ -60,7 +60,7 @@ impl<'a> People<'a> {
         ForceCurve::of_walkers(walkers)
     }
 
-    /// The cam of a group of walkers.
+    /// Designs the cam of a group of walkers.
     pub fn cam(&self, group: &[usize], objective: Robust) -> Result<Design> {
         let mut scene = self.scene.clone();
         scene.law.robust = objective;
@@ -68,7 +68,7 @@ impl<'a> People<'a> {
         design(&problem, self.search)
     }
 
-    /// The root of a mean square in its unit: percent, or newtons.
+    /// Converts the root of a mean square to its output unit: percent, or newtons.
     pub fn unit(&self) -> f64 {
         match self.scene.law.error {
             ErrorMeasure::Relative => 100.0,
@@ -77,7 +77,7 @@ impl<'a> People<'a> {
     }
 }
 
-/// The scene with family and size of law taken from a design.
+/// Scene with the family and size of the law taken from a design.
 fn of_size(scene: &Scene, design: &Design) -> Scene {
     let mut out = scene.clone();
     hold(

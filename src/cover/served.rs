@@ -1,4 +1,4 @@
-//! Errors of walkers under cams designed for others.
+//! Errors of walkers with cams that were designed for others.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::synth::population::{phase, report::report};
 use crate::synth::report::walkers::WalkerError;
 use crate::synth::{Design, OfPopulation};
 
-/// A cycle and the cam that serves it.
+/// The cam assigned to a cycle, and the errors of the cycle.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -29,18 +29,19 @@ use crate::synth::{Design, OfPopulation};
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assigned {
-    /// Number of the cam, from 0 on.
+    /// Index of the cam, from 0.
     pub cam: usize,
-    /// Errors of the cycle under this cam.
+    /// Errors of the cycle with this cam.
     pub error: WalkerError,
-    /// Components of the error in percent of the mean force, whose squares add up to its square: mean force, amplitude and shape.
+    /// Components of the error in percent of the mean force: mean force, amplitude and shape. The sum of their squares is the square of the error.
     pub parts_percent: [f64; 3],
 }
 
-/// The best of several cams for each walker of a force, cycle by cycle; the machine is adjusted as in the scene.
+/// Best of several cams for each cycle of a force. The machine is adjusted as in the scene.
 ///
 /// # Errors
-/// As of one cam.
+///
+/// As for one cam.
 pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
     let mut best: Vec<Assigned> = Vec::new();
     let problem = Problem::resolve(scene, Some(force))?;
@@ -60,20 +61,21 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
     Ok(best)
 }
 
-/// Cycles under a cam that may be designed for others.
+/// Errors of cycles with a cam that may be designed for other walkers.
 pub struct Under {
     /// Mean square error of each cycle.
     pub squares: Vec<f64>,
     report: OfPopulation,
-    /// Components of each error, as mean squares.
+    /// Components of the error of each cycle, as mean squares.
     parts: Vec<[f64; 3]>,
 }
 
 impl Under {
-    /// The cycles of a problem's walkers under the cam of a design.
+    /// Errors of the walkers of a problem with the cam of a design.
     ///
     /// # Errors
-    /// A problem of one cycle.
+    ///
+    /// The problem has only one cycle.
     pub fn of(problem: &Problem, design: &Design) -> Result<Under> {
         let problem = problem.at_phase(design.problem.phase);
         let walkers = problem.walkers.as_deref().ok_or_else(one_walker)?;
@@ -104,7 +106,7 @@ impl Under {
         })
     }
 
-    /// The errors cycle by cycle, with the number of the cam.
+    /// Errors of the cycles with this cam, as assignments to the cam with index `cam`.
     pub fn assigned(self, cam: usize) -> Vec<Assigned> {
         let both = self.report.each.into_iter().zip(self.parts);
         let own = both.map(|(error, parts)| {

@@ -1,6 +1,6 @@
-//! Properties of each limit in the table of limits.
+//! Properties of the limits, by limit.
 
-/// Side of the bound on which a value is allowed.
+/// Side of the bound on which values are permitted.
 ///
 /// ```
 /// use gaitcam::criterion::{Direction, LimitKind};
@@ -11,14 +11,14 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// The value must not exceed the bound; a larger bound permits more.
+    /// The value must not exceed the bound. A larger bound is less strict.
     AtMost,
-    /// The value must not fall below the bound; a smaller bound permits more.
+    /// The value must not fall below the bound. A smaller bound is less strict.
     AtLeast,
 }
 
 impl Direction {
-    /// Sign of the change of a bound that permits more.
+    /// Sign of the change of a bound that makes the limit less strict.
     pub const fn sign(self) -> f64 {
         match self {
             Direction::AtMost => 1.0,
@@ -40,18 +40,18 @@ impl Direction {
     }
 }
 
-/// Dependence of a limited quantity on speed and walker, which determines the treatment of a varying shaft speed and of several walkers.
+/// Dependence of a limited quantity on speed and walker. It determines how a varying shaft speed and several walkers are treated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DependsOn {
-    /// The cam alone: speed and walker do not change it.
+    /// The quantity depends on the cam only, not on speed or walker.
     Cam,
     /// A time derivative of the lift of this order, proportional to this power of the speed.
     Motion(usize),
     /// The contact force, linear in the force at rest and in the walker's factor.
     Force,
-    /// Force and cam together; no factor relates the machines of two walkers.
+    /// Force and cam together. No factor relates the values of two walkers.
     Load,
-    /// Vibration of a compliant follower at constant speed, checked for every walker.
+    /// Vibration of a compliant follower at constant speed. It is checked for every walker.
     Vibration,
 }
 
@@ -99,7 +99,7 @@ pub enum Diagram {
 }
 
 impl Diagram {
-    /// Name of the diagram in data.
+    /// Name of the diagram in data files.
     pub const fn name(self) -> &'static str {
         match self {
             Diagram::Force => "force",
@@ -117,7 +117,7 @@ impl Diagram {
     }
 }
 
-/// Lines of a bound in a diagram.
+/// Lines that represent a bound in a diagram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lines {
     /// A line at the bound.
@@ -126,12 +126,12 @@ pub enum Lines {
     BothSides,
     /// A line at the negative of the bound.
     AtNegative,
-    /// A line at this height above the lowest point of the curve.
+    /// A line at the height of the bound above the minimum of the curve.
     AboveLowest,
 }
 
 impl Lines {
-    /// Heights of the lines of a bound on a curve with this lowest value.
+    /// Heights of the lines of a bound in the diagram of a curve with the minimum `lowest`.
     pub fn heights(self, bound: f64, lowest: f64) -> Vec<f64> {
         match self {
             Lines::AtBound => vec![bound],
@@ -141,7 +141,7 @@ impl Lines {
         }
     }
 
-    /// Height from which the bound is measured up or down to its line; `None` if the line itself is the bound.
+    /// Height from which the bound is measured to its line; `None` if the line is at the bound.
     pub fn origin(self, lowest: f64) -> Option<f64> {
         match self {
             Lines::AtBound => None,
@@ -156,13 +156,13 @@ impl Lines {
 pub enum Severity {
     /// The profile cannot be manufactured.
     Profile,
-    /// The follower interferes with another part of the cam.
+    /// The follower interferes with the cam away from the contact.
     Interference,
-    /// The follower leaves the cam.
+    /// The follower lifts off the cam.
     Contact,
     /// The follower may jam in its guide.
     PressureAngle,
-    /// The force is not the required one.
+    /// The force error exceeds its limit.
     ForceError,
     /// A limit of the scene is violated.
     Limit,
@@ -172,15 +172,15 @@ pub enum Severity {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LimitFacts {
-    /// Side of the bound on which the value is allowed.
+    /// Side of the bound on which values are permitted.
     pub direction: Direction,
-    /// Dependence of the value on speed and walker.
+    /// Dependence of the quantity on speed and walker.
     pub depends_on: DependsOn,
-    /// Whether changing the bound on the end of a compliant follower brings the cam nearer to its own bound.
+    /// Whether a change of the limit for the end of a compliant follower moves the cam's own value towards its bound.
     pub moves_with_end: bool,
-    /// Diagram that shows the value, and the lines of its bound.
+    /// Diagram of the quantity, and the lines of its bound.
     pub diagram: Option<(Diagram, Lines)>,
-    /// Rank of its failed check.
+    /// Rank of the failed check among the reasons of a verdict.
     pub severity: Severity,
 }
 

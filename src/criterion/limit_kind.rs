@@ -1,4 +1,4 @@
-//! The limits of a cam, one row each, with all properties that differ between limits.
+//! Limits of a cam, one row each, with all properties that differ between limits.
 
 use serde::Serialize;
 
@@ -32,7 +32,7 @@ pub enum LimitKind {
     ForceMax,
     /// Minimum convex radius of curvature.
     Curvature,
-    /// Maximum |pressure angle|, one value for rise and fall.
+    /// Maximum |pressure angle|, with the same value for rise and fall.
     PressureAngle,
     /// Maximum |pressure angle| where the follower rises.
     PressureAngleRise,
@@ -60,17 +60,17 @@ impl LimitKind {
     /// All limits, in the order of the key table.
     pub const ALL: &'static [LimitKind] = <LimitKind as strum::VariantArray>::VARIANTS;
 
-    /// Name among the checks of a summary: the last word of the key.
+    /// Name of the limit among the checks in `summary.json`: the last word of the key.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The limit of that name.
+    /// The limit with this name.
     pub fn named(name: &str) -> Option<LimitKind> {
         name.parse().ok()
     }
 
-    /// Whether a check of a design measures it. A common value for both pressure angles is measured on rise and fall.
+    /// Whether a check of a design measures this limit. A common limit of both pressure angles is measured on rise and fall.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);
@@ -107,7 +107,7 @@ impl LimitKind {
         }
     }
 
-    /// Limits on derivatives of the lift by time, with their orders.
+    /// Limits on time derivatives of the lift, with the order of the derivative.
     pub fn by_time() -> impl Iterator<Item = (LimitKind, usize)> {
         let order = |kind: &LimitKind| match kind.facts().depends_on {
             DependsOn::Motion(order) => Some((*kind, order)),

@@ -27,11 +27,11 @@ pub enum Criterion {
     Limit(LimitKind),
     /// Root mean square of the force error.
     RmsError,
-    /// The accuracy as a fraction of the mean force, as in a scene.
+    /// Accuracy as a fraction of the mean force, as in a scene.
     Accuracy,
     /// Band around the target force.
     Band,
-    /// The law is nowhere below its base circle.
+    /// The lift is nowhere below the base circle.
     BaseCircle,
     /// The bore fits into the base circle.
     Bore,
@@ -43,23 +43,23 @@ pub enum Criterion {
     GivenPrimeRadius,
     /// Shaft inertia given in the scene.
     Inertia,
-    /// The roller fits into the concave profile.
+    /// The roller fits the concave parts of the profile.
     Concave,
-    /// The follower interferes with no other part of the cam.
+    /// The follower does not interfere with the cam away from the contact.
     Interference,
-    /// The convex radius of the upper wall of a groove.
+    /// Convex radius of the upper wall of a groove.
     UpperWall,
-    /// The convex radius of the lower wall of a groove.
+    /// Convex radius of the lower wall of a groove.
     LowerWall,
-    /// A flank that rises or falls steadily.
+    /// A flank on which the lift only rises or only falls.
     Monotone,
     /// Maximum of the minimised quantity.
     Peak,
     /// Minimum convex radius of the second cam of a pair.
     SecondCurvature,
-    /// The roller fits into the second cam.
+    /// The roller fits the concave parts of the second cam.
     SecondConcave,
-    /// The follower interferes with no other part of the second cam.
+    /// The follower does not interfere with the second cam away from the contact.
     SecondInterference,
     /// Pressure angle of the second cam where its follower rises.
     SecondPressureAngleRise,
@@ -68,7 +68,7 @@ pub enum Criterion {
 }
 
 impl Criterion {
-    /// Name in `summary.json`; for a given value, the key of the scene.
+    /// Name of the criterion in `summary.json`; for a given value, the key of the scene.
     pub fn name(self) -> &'static str {
         match self {
             Criterion::Limit(kind) => kind.name(),
@@ -95,7 +95,7 @@ impl Criterion {
         }
     }
 
-    /// The corresponding check on the second cam of a pair; a criterion that does not apply there is returned unchanged.
+    /// The corresponding criterion for the second cam of a pair. A criterion that does not apply there is returned unchanged.
     #[must_use]
     pub fn of_second_cam(self) -> Criterion {
         match self {
@@ -108,7 +108,7 @@ impl Criterion {
         }
     }
 
-    /// Side of the bound on which the value is allowed.
+    /// Side of the bound on which values are permitted.
     pub fn direction(self) -> Direction {
         match self {
             Criterion::Limit(kind) => kind.facts().direction,
@@ -135,7 +135,7 @@ impl Criterion {
         }
     }
 
-    /// Rank of its failed check among the reasons of a verdict.
+    /// Rank of the failed check among the reasons of a verdict.
     pub fn severity(self) -> Severity {
         match self {
             Criterion::Limit(kind) => kind.facts().severity,
@@ -162,12 +162,12 @@ impl Criterion {
         }
     }
 
-    /// Whether it is the pressure angle of either cam.
+    /// Whether the criterion limits the pressure angle of the cam or of its conjugate cam.
     pub fn is_pressure_angle(self) -> bool {
         self.severity() == Severity::PressureAngle
     }
 
-    /// The limit of the scene, if it is one.
+    /// The limit of the scene that this criterion refers to, if any.
     pub fn limit(self) -> Option<LimitKind> {
         match self {
             Criterion::Limit(kind) => Some(kind),

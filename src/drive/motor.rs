@@ -1,6 +1,6 @@
-//! The motor that turns the cam: torque against speed, and the inertia and friction of its shaft.
+//! Motor that drives the cam: torque against speed, and the inertia and friction of its shaft.
 
-/// Torque of a motor as a decreasing function of the camshaft speed; the supply sets the no-load speed.
+/// Torque of a motor as a decreasing function of the camshaft speed. The supply determines the no-load speed.
 ///
 /// ```
 /// use gaitcam::drive::TorqueLine;
@@ -15,8 +15,8 @@ pub enum TorqueLine {
     Slope(f64),
     /// Torque at standstill, N·m: T = stall·(1 − ω/ω₀).
     Stall(f64),
-    /// Table of speed, rad/s, and torque, N·m, decreasing and linearly extrapolated; the supply shifts it along the speed until the torque vanishes
-    /// at ω₀.
+    /// Table of speed, rad/s, and torque, N·m, decreasing and linearly extrapolated. The supply shifts the curve along the speed axis until the
+    /// torque is zero at ω₀.
     Curve(Vec<[f64; 2]>),
 }
 
@@ -34,7 +34,7 @@ pub enum TorqueLine {
 pub struct Motor {
     /// Torque against speed at the camshaft, including gear losses.
     pub line: TorqueLine,
-    /// Maximum no-load speed of the supply, rad/s; `None` for an adjustable supply.
+    /// No-load speed of the motor at its maximum supply, rad/s; `None` for an adjustable supply.
     pub nominal: Option<f64>,
     /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m².
     pub inertia: f64,
@@ -47,7 +47,7 @@ pub struct Motor {
 }
 
 impl TorqueLine {
-    /// Speed at which the torque of a curve vanishes, rad/s; `None` for a line, which has an adjustable supply.
+    /// Speed at which the torque of a curve is zero, rad/s; `None` for a line, which has an adjustable supply.
     pub fn no_load_speed(&self) -> Option<f64> {
         match self {
             TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,
@@ -64,7 +64,7 @@ impl Motor {
         numbers.iter().all(|x| x.is_finite() && *x >= 0.0) && is_positive
     }
 
-    /// Torque at the camshaft, N·m, at a speed under a no-load speed, rad/s; its derivatives by both.
+    /// Torque at the camshaft, N·m, at a given speed and no-load speed, rad/s, with its derivatives with respect to both.
     pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
         match &self.line {
             TorqueLine::Slope(k) => [k * (no_load - speed), -k, *k],
@@ -81,7 +81,7 @@ impl Motor {
         }
     }
 
-    /// No-load speed for which the motor gives a mean torque, N·m, at a speed, rad/s.
+    /// No-load speed, rad/s, at which the motor has a given mean torque, N·m, at a given speed, rad/s.
     pub fn no_load_for(&self, speed: f64, torque: f64) -> f64 {
         match &self.line {
             TorqueLine::Slope(k) => speed + torque / k,
@@ -113,13 +113,13 @@ impl Motor {
         }
     }
 
-    /// Torque of the motor itself, N·m, for a torque at the camshaft.
+    /// Torque of the motor shaft, N·m, for a torque at the camshaft.
     pub fn own_torque(&self, at_cam: f64) -> f64 {
         at_cam / (self.gear * self.efficiency)
     }
 }
 
-/// Speed at which the torque of a decreasing curve vanishes, rad/s.
+/// Speed at which the torque of a decreasing curve is zero, rad/s.
 fn no_load_speed(rows: &[[f64; 2]]) -> f64 {
     let i = rows
         .partition_point(|r| r[1] > 0.0)
