@@ -1,4 +1,4 @@
-//! Fixed-point iteration of design and machine state: each design is made for the state that the last design causes.
+//! Fixed-point iteration of design and machine state: each design is computed for the state that the previous design causes.
 
 use crate::error::Result;
 
@@ -6,14 +6,14 @@ use crate::error::Result;
 const ROUNDS: usize = 30;
 /// Number of earlier iterates in the acceleration.
 const MEMORY: usize = 5;
-/// Relative difference between iterates below which it carries no information.
+/// Relative difference below which an iterate is linearly dependent and not used.
 const DEPENDENT: f64 = 1e-6;
 
 /// A design with the machine state that it causes.
 pub struct Round<D> {
     /// Design of the iterate.
     pub design: D,
-    /// Machine state caused by the design.
+    /// Machine state that the design causes.
     pub made: Vec<f64>,
     /// Whether the law satisfies its limits.
     pub has_law: bool,
@@ -21,23 +21,24 @@ pub struct Round<D> {
 
 /// Result of the iteration.
 pub struct Settled<D> {
-    /// The design at the end of the iteration.
+    /// Final design of the iteration.
     pub design: D,
-    /// State that it causes, if the iteration has not converged.
+    /// State that the final design causes, if the iteration has not converged.
     pub made: Option<Vec<f64>>,
     /// Number of designs computed.
     pub rounds: usize,
     /// Ratio of the last two residuals.
     pub contraction: Option<f64>,
-    /// Residual of the last iterate.
+    /// Residual of the final iterate.
     pub difference: f64,
 }
 
-/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`; returns the design with the smallest residual if
-/// an iterate has no law, or without convergence.
+/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`. If an iterate has no law, or without convergence,
+/// the result is the design with the minimum residual.
 ///
 /// # Errors
-/// Those of a design.
+///
+/// As for a single design.
 pub fn settled<D>(
     mut given: Vec<f64>,
     allowed: f64,
@@ -98,7 +99,7 @@ fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
     from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
 }
 
-/// Next assumed state: the combination of iterates with the smallest residual (Anderson's acceleration; Walker and Ni 2011).
+/// Next assumed state: the combination of iterates with the minimum residual (Anderson acceleration; Walker and Ni 2011).
 fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
     let Some([made, off]) = path.last() else {
         return Vec::new();

@@ -1,7 +1,7 @@
-//! The moving floor under the feet: modes of a structure in steady vibration under a periodic force.
+//! Moving floor: modes of a structure in steady vibration under the periodic force of the feet.
 //!
-//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves by z = φ q, upwards, under the downward force F: m (q″ + 2ζω q′ +
-//! ω² q) = −φ F. With F = Re Fₙ e^{inΩt} its acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
+//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ + 2ζω q′ + ω²
+//! q) = −φ F. For F = Re Fₙ e^{inΩt} the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -14,15 +14,15 @@ use crate::units::{Dimension, Quantity};
 
 /// Fraction of ω² below which the dynamic stiffness at a frequency is zero.
 const RESONANT: f64 = 1e-9;
-/// Fraction of the largest harmonic below which a harmonic is a rounding error.
+/// Fraction of the maximum harmonic below which a harmonic is a rounding error.
 const ROUNDING: f64 = 1e-9;
 /// Upper bounds of the peak acceleration, m/s², of the comfort classes of SETRA (2006) and HiVoSS (2008).
 const CLASSES: [f64; 3] = [0.5, 1.0, 2.5];
 
-/// Minimum number of points of a turn at which the peak is searched.
+/// Minimum number of points per turn at which the peak is searched.
 const POINTS: usize = 4096;
 
-/// Cosine and sine amplitude of one harmonic.
+/// Cosine and sine amplitudes of one harmonic.
 pub type Term = (f64, f64);
 
 /// A mode of the structure.
@@ -45,7 +45,7 @@ pub struct FloorMode {
     pub damping: f64,
     /// Ordinate of the mode at the feet.
     pub ordinate: f64,
-    /// Key of the damping, with `N` for the number of the mode.
+    /// Key of the damping ratio in a scene, with `N` for the number of the mode.
     pub key: &'static str,
 }
 
@@ -65,20 +65,20 @@ pub struct FloorMode {
 pub struct Floor {
     /// Modes of the floor.
     pub modes: Vec<FloorMode>,
-    /// Phase, rad, and weight relative to the shaker, of every walker; the first is the shaker.
+    /// Phase, rad, and weight relative to the shaker, for every walker. The first walker is the shaker.
     pub walkers: Vec<(f64, f64)>,
 }
 
-/// Comfort on a structure by its peak acceleration, in the classes of SETRA (2006) and HiVoSS (2008).
+/// Comfort classes of a structure by its peak acceleration, after SETRA (2006) and HiVoSS (2008).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comfort {
-    /// At most 0.5 m/s².
+    /// Peak acceleration of at most 0.5 m/s².
     Maximum,
-    /// At most 1 m/s².
+    /// Peak acceleration of at most 1 m/s².
     Mean,
-    /// At most 2.5 m/s².
+    /// Peak acceleration of at most 2.5 m/s².
     Minimum,
-    /// More than 2.5 m/s².
+    /// Peak acceleration of more than 2.5 m/s².
     Unacceptable,
 }
 
@@ -90,7 +90,7 @@ impl Comfort {
         Comfort::Unacceptable,
     ];
 
-    /// Comfort class of HiVoSS.
+    /// Name of the comfort class in HiVoSS.
     pub fn hivoss(self) -> &'static str {
         match self {
             Comfort::Maximum => "CL1",
@@ -100,7 +100,7 @@ impl Comfort {
         }
     }
 
-    /// Comfort class of SETRA.
+    /// Name of the comfort class in SETRA.
     pub fn setra(self) -> &'static str {
         match self {
             Comfort::Maximum => "maximum",
@@ -120,7 +120,7 @@ impl Serialize for Comfort {
     }
 }
 
-/// Steady vibration of the structure at the feet.
+/// Steady vibration of the structure at the position of the feet.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMotion;
@@ -141,10 +141,10 @@ pub struct FloorMotion {
 }
 
 impl FloorMotion {
-    /// Upper bounds of the peak acceleration, m/s², of all comfort classes but the last.
+    /// Upper bounds of the peak acceleration, m/s², of all comfort classes except the last.
     pub const CLASSES: [f64; 3] = CLASSES;
 
-    /// The motion from the harmonics of the acceleration, m/s².
+    /// Motion of the floor from the harmonics of its acceleration, m/s².
     pub fn of(terms: &[Term]) -> FloorMotion {
         let square: f64 = terms.iter().map(|(a, b)| a * a + b * b).sum();
         let curve = samples(terms, 0, (8 * (terms.len() + 1)).max(POINTS));
@@ -158,18 +158,18 @@ impl FloorMotion {
     }
 }
 
-/// Harmonics from 1 on of samples at equal steps of a turn.
+/// Harmonics from the first on, of samples at equal steps of a turn.
 pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
     let all = amplitudes(samples);
     all[1..all.len() - 1].to_vec()
 }
 
-/// The product of a harmonic with a complex gain.
+/// Product of a harmonic and a complex gain.
 pub(crate) fn times((a, b): Term, [re, im]: [f64; 2]) -> Term {
     (a * re + b * im, b * re - a * im)
 }
 
-/// 1/(1 − M H).
+/// Complex gain 1/(1 − M H) of the force of a mass M on a floor with the accelerance H.
 fn felt(mass: f64, [re, im]: [f64; 2]) -> [f64; 2] {
     inverse([1.0 - mass * re, -mass * im])
 }
@@ -180,10 +180,11 @@ fn inverse([re, im]: [f64; 2]) -> [f64; 2] {
 }
 
 impl Floor {
-    /// Hₙ at a frequency, rad/s, in 1/kg.
+    /// Accelerance Hₙ of the floor at a frequency, rad/s, in 1/kg.
     ///
     /// # Errors
-    /// An undamped mode in resonance.
+    ///
+    /// An undamped mode is at resonance.
     fn accelerance(&self, harmonic: usize, frequency: f64) -> Result<[f64; 2]> {
         let mut sum = [0.0; 2];
         for (number, mode) in (1..).zip(&self.modes) {
@@ -208,7 +209,7 @@ impl Floor {
         Ok(sum)
     }
 
-    /// Gain of each harmonic of a force; zero for harmonics without force.
+    /// Accelerance at each harmonic of a force; zero for harmonics without force.
     fn gains(&self, speed: f64, force: &[Term]) -> Result<Vec<[f64; 2]>> {
         let size = |(a, b): &Term| a.hypot(*b);
         let largest = force.iter().map(size).fold(0.0, f64::max);
@@ -221,16 +222,17 @@ impl Floor {
             .collect()
     }
 
-    /// Harmonics of the acceleration, m/s² upwards, under those of the force of all feet, N.
+    /// Harmonics of the upward acceleration, m/s², for the harmonics of the force of all feet, N.
     ///
     /// # Errors
-    /// An undamped mode in resonance.
+    ///
+    /// An undamped mode is at resonance.
     pub fn acceleration(&self, speed: f64, force: &[Term]) -> Result<Vec<Term>> {
         let gains = self.gains(speed, force)?;
         Ok(force.iter().zip(gains).map(|(f, h)| times(*f, h)).collect())
     }
 
-    /// The force of all walkers with `force` at their phases and weights; `from` omits the first ones.
+    /// Sum of the forces of the walkers, if each exerts `force` with its own phase and weight. The first `from` walkers are omitted.
     pub fn of_walkers(&self, from: usize, force: &[Term]) -> Vec<Term> {
         let first = self.walkers.first().map_or(0.0, |w| w.0);
         let sum = |n: usize| {
@@ -243,11 +245,12 @@ impl Floor {
         (1..).zip(force).map(|(n, f)| times(*f, sum(n))).collect()
     }
 
-    /// Harmonics of the force on the moving floor, N, of a shaker of a mass, kg. It exerts `still` on a rigid floor, and the others exert `others`:
-    /// Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
+    /// Harmonics of the force of a shaker with a given mass, kg, on the moving floor, N. The shaker exerts `still` on a rigid floor; the other
+    /// walkers exert `others`: Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
     ///
     /// # Errors
-    /// An undamped mode at resonance.
+    ///
+    /// An undamped mode is at resonance.
     pub fn pressed(
         &self,
         mass: f64,
@@ -269,8 +272,8 @@ impl Floor {
             .collect())
     }
 
-    /// Gₙ = 1/(1 − M Hₙ) of the harmonics from 1 on: the force of a shaker of a mass, kg, on the moving floor for each unit of its force on a rigid
-    /// one. Zero at the resonance of an undamped mode.
+    /// Gₙ = 1/(1 − M Hₙ) for the harmonics from the first on: ratio of the force of a shaker with a given mass, kg, on the moving floor and on a
+    /// rigid floor. Zero at the resonance of an undamped mode.
     pub fn felt(&self, mass: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
         let of = |n: usize| self.accelerance(n, n as f64 * speed);
         (1..=count)

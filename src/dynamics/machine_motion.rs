@@ -1,5 +1,6 @@
-//! The steady motion of a machine under its cam: of the motor-driven shaft and of the floor. The speed affects the force over time, which moves the
-//! floor; the floor's acceleration changes the force and the shaft torque. Both are computed alternately until they agree (theory §10).
+//! Steady motion of a machine and its cam: motion of the motor-driven shaft and of the floor. The speed changes the force over time, and the force
+//! moves the floor. The acceleration of the floor changes the force and the shaft torque. Both motions are computed alternately until they agree
+//! (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -13,10 +14,10 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Svaj;
 use crate::poly::samples;
 
-/// Number of parts of the period for the force on the floor, and for the floor's motion.
+/// Number of equal parts of the period for the force on the floor and the motion of the floor.
 const SAMPLES: usize = 720;
 const FINE: usize = 4 * SAMPLES;
-/// Change of M z″, relative to the force at rest, at which shaft and floor agree, and that at which the iteration fails.
+/// Change of M z″, relative to the force at rest, below which the motions of shaft and floor agree.
 const SAME: f64 = 1e-9;
 const UNSETTLED: f64 = 1e-6;
 
@@ -25,17 +26,17 @@ const UNSETTLED: f64 = 1e-6;
 pub struct Carrier<'a> {
     /// Drive of the machine.
     pub drive: Drive,
-    /// The motor; `None` for constant speed.
+    /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<&'a Motor>,
-    /// The floor; `None` for a rigid one.
+    /// Floor below the mass; `None` for a rigid floor.
     pub floor: Option<&'a Floor>,
     /// Harmonics of the force of one of the other walkers over the period, N.
     pub walker: Vec<Term>,
-    /// The follower, and the coefficient of sliding friction.
+    /// Follower of the cam.
     pub follower: Follower,
     /// Coefficient of sliding friction.
     pub friction: f64,
-    /// Steps of the shaft's motion between the breaks of the law.
+    /// Number of steps of the shaft motion between the breaks of the law.
     pub steps: usize,
 }
 
@@ -44,14 +45,14 @@ pub struct Carrier<'a> {
 pub struct MachineMotion {
     /// Motion of the shaft.
     pub shaft: Motion,
-    /// Harmonics of the floor's acceleration over the period, m/s²; empty for a rigid one.
+    /// Harmonics of the acceleration of the floor over the period, m/s²; empty for a rigid floor.
     pub floor: Vec<Term>,
-    /// Floor acceleration at equal parts of the period.
+    /// Acceleration of the floor at equal parts of the period, m/s².
     at_parts: Vec<f64>,
 }
 
 impl MachineMotion {
-    /// The motion of a shaft over a floor with these harmonics of acceleration.
+    /// Motion of a shaft on a floor with the given harmonics of acceleration.
     pub fn new(shaft: Motion, floor: Vec<Term>) -> MachineMotion {
         let at_parts = match floor.is_empty() {
             true => Vec::new(),
@@ -64,7 +65,7 @@ impl MachineMotion {
         }
     }
 
-    /// Acceleration of the floor, m/s², at a cam angle since the first, rad.
+    /// Acceleration of the floor, m/s², at an angle since the first cam angle, rad.
     pub fn floor_at(&self, angle: f64) -> f64 {
         match self.at_parts.is_empty() {
             true => 0.0,
@@ -76,21 +77,22 @@ impl MachineMotion {
 /// Drive, motor, floor and friction of a machine.
 #[derive(Clone, Copy)]
 pub struct Parts<'a> {
-    /// Relation of motion and force, and mean speed.
+    /// Relation of lift and force, and mean speed.
     pub drive: Drive,
     /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<&'a Motor>,
-    /// Floor under the mass; `None` for a rigid one.
+    /// Floor below the mass; `None` for a rigid floor.
     pub floor: Option<&'a Floor>,
     /// Coefficient of sliding friction of the follower.
     pub friction: f64,
 }
 
 impl<'a> Carrier<'a> {
-    /// The machine around a cam; a floor needs the `walker`'s force at equal parts of the period, N, otherwise empty.
+    /// Creates the machine of a cam. With a floor, `walker` is the force of one walker at equal parts of the period, N; otherwise it is empty.
     ///
     /// # Errors
-    /// A motor for a cam without a whole turn, or invalid motor data.
+    ///
+    /// A motor with a cam whose law is not one turn, or invalid motor data.
     pub fn new(
         cam: &Cam,
         parts: Parts<'a>,
@@ -123,14 +125,14 @@ impl<'a> Carrier<'a> {
 }
 
 impl Carrier<'_> {
-    /// Torque of the shaft per unit of positive and of negative force, m.
+    /// Torque of the shaft per unit of positive and of negative contact force, m.
     pub fn arms(&self, at: Svaj) -> [f64; 2] {
         let contact = FollowerContact::of(&self.follower);
         [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
     }
 
-    /// The load of a motion `at` every cam angle of a turn from `start`, smooth between `breaks`, on a floor with an
-    /// acceleration at every angle since the start.
+    /// Load of the motion `at` every cam angle of a turn from `start`, smooth between `breaks`. The floor has the given acceleration at every angle
+    /// since the start.
     pub fn load(
         &self,
         start: f64,
@@ -144,10 +146,11 @@ impl Carrier<'_> {
         })
     }
 
-    /// The steady motion under the cam's load, from an initial motion `near`.
+    /// Steady motion with the load of the cam, from the initial motion `near`.
     ///
     /// # Errors
-    /// The shaft stops; an undamped mode in resonance; shaft and floor do not agree.
+    ///
+    /// The shaft stops; an undamped mode is at resonance; the motions of shaft and floor do not agree.
     pub fn motion(
         &self,
         start: f64,
@@ -195,7 +198,7 @@ impl Carrier<'_> {
         Ok(found.design)
     }
 
-    /// Harmonics of the floor's acceleration for a cam `at` every angle and a motion of the shaft, m/s².
+    /// Harmonics of the acceleration of the floor, m/s², for the law `at` and a motion of the shaft.
     fn on_floor(
         &self,
         floor: &Floor,

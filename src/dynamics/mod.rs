@@ -1,13 +1,13 @@
 //! Simulation of the cam, with the simplest sufficient model.
 //!
-//! [`simulate()`] takes the emitted profile, recovers the smooth lift from its points (`recover`) and runs it under one of three models:
+//! [`simulate()`] takes the emitted profile, recovers the smooth lift from its points (`recover`) and simulates it with one of these models:
 //!
 //! - `rigid`: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);
-//! - `machine_motion`: the rigid follower on a motor-driven shaft, on a moving floor;
-//! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
+//! - `machine_motion`: the rigid follower with a motor-driven shaft or a moving floor;
+//! - [`contact`]: lift-off, flight, impact and rest, event by event.
 //!
-//! The simplest sufficient model is chosen automatically, with its reason.
+//! The simplest sufficient model is selected automatically, with the reason.
 
 pub mod contact;
 pub(crate) mod fixed_point;
@@ -35,7 +35,7 @@ pub use shaft::Shaft;
 pub use simulate::simulate;
 pub use surface::Surface;
 
-/// Cams of a thesis for tests; unit tests of this crate compile them with its own types.
+/// Cams of a thesis for tests. The unit tests of this crate compile them with its own types.
 #[cfg(test)]
 #[path = "../../crates/test-support/src/thesis.rs"]
 mod thesis;

@@ -21,7 +21,7 @@ use crate::error::Error;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Model {
-    /// Automatic choice of the simplest sufficient model.
+    /// Automatic selection of the simplest sufficient model.
     Auto,
     /// Rigid bodies that stay in contact.
     Rigid,
@@ -37,13 +37,13 @@ impl Model {
         self.into()
     }
 
-    /// The model of that name.
+    /// The model with this name.
     pub fn parse(word: &str) -> Option<Self> {
         word.parse().ok()
     }
 }
 
-/// One row of `dynamics.csv`.
+/// Row of `dynamics.csv`.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -62,15 +62,15 @@ impl Model {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Row {
-    /// Cam angle, rad; over as many turns as the motion needs to repeat.
+    /// Cam angle, rad; over as many turns as one period of the motion has.
     pub theta: f64,
-    /// Time since the first row, s; 0 for a shaft at rest.
+    /// Time since the first row, s; 0 for a shaft at standstill.
     pub time: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Force along the follower's motion, N; 0 in flight.
+    /// Force along the motion of the follower, N; 0 in flight.
     pub contact_force: f64,
-    /// Torque of the shaft in the sense of increasing θ, N·m.
+    /// Torque of the shaft in the direction of increasing θ, N·m.
     pub torque: f64,
     /// Power of the shaft, W.
     pub power: f64,
@@ -78,13 +78,13 @@ pub struct Row {
     pub lift: f64,
     /// Gap between mass and cam, m.
     pub gap: f64,
-    /// Force normal to the surfaces, N; for a barrel at the floor of its groove, where it is largest.
+    /// Force normal to the surfaces, N; for a barrel at the floor of the groove, where it is maximum.
     pub normal_force: f64,
-    /// Sliding speed of the cam along the follower, m/s.
+    /// Sliding speed of the cam relative to the follower, m/s.
     pub sliding: f64,
-    /// Mean speed of both surfaces relative to the contact, m/s.
+    /// Mean speed of both surfaces relative to the contact point, m/s.
     pub entraining: f64,
-    /// Thrust across the guides, N.
+    /// Lateral force on the guides, N.
     pub side_thrust: f64,
 }
 
@@ -104,11 +104,11 @@ pub struct Row {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
-    /// Minimum force of the run.
+    /// Minimum force of the run, N.
     pub min: f64,
-    /// Maximum force; impacts excluded.
+    /// Maximum force without impacts, N.
     pub max: f64,
-    /// RMS difference from the target, if there is one.
+    /// RMS difference between force and target, N, if the run has a target.
     pub rms_error: Option<f64>,
 }
 
@@ -128,17 +128,17 @@ pub struct Force {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
-    /// Minimum torque of the run.
+    /// Minimum torque of the run, N·m.
     pub min: f64,
-    /// Maximum torque of the run.
+    /// Maximum torque of the run, N·m.
     pub max: f64,
-    /// Mean over the repetition, impacts included.
+    /// Mean torque over one period of the motion, with impacts, N·m.
     pub mean: f64,
-    /// Root mean square; impacts excluded.
+    /// Root mean square torque, without impacts, N·m.
     pub rms: f64,
 }
 
-/// Differences from the next finer model.
+/// Differences between the selected model and the next finer one.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -159,22 +159,22 @@ pub struct Torque {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
-    /// Model of the comparison.
+    /// The next finer model.
     pub model: Model,
-    /// Difference of the smallest forces, N.
+    /// Difference of the minimum forces, N.
     pub force_min: f64,
-    /// Difference of the largest forces, N.
+    /// Difference of the maximum forces, N.
     pub force_max: f64,
     /// Difference of the RMS errors, N.
     pub rms_error: Option<f64>,
     /// Difference of the fractions of the cycle without contact.
     pub lost_fraction: f64,
-    /// Reason why it could not be run.
+    /// Error that prevented the simulation with the finer model, if any.
     pub failed: Option<Error>,
 }
 
-/// Maximum bearing loads, impacts excluded: true extremes if the force depends on the angle alone (rigid or in contact all the way round, at constant
-/// speed), otherwise those of the rows.
+/// Maximum bearing loads without impacts. At constant speed, with a rigid model or permanent contact, they are exact extremes; otherwise extremes
+/// over the rows.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -192,11 +192,11 @@ pub struct Difference {
 pub struct Loads {
     /// Force normal to the surfaces, N.
     pub normal_force: f64,
-    /// Thrust across the guides, N.
+    /// Lateral force on the guides, N.
     pub side_thrust: f64,
 }
 
-/// The highest line pressure, with its position.
+/// Maximum line pressure, with its position.
 ///
 /// ```
 /// use gaitcam::dynamics::hertz::STEEL;
@@ -217,7 +217,7 @@ pub struct Loads {
 pub struct Pressure {
     /// Cam angle of the pressure, rad.
     pub theta: f64,
-    /// Line contact at that angle.
+    /// Line contact at this angle.
     pub contact: LineContact,
 }
 
@@ -240,9 +240,9 @@ pub struct Pressure {
 pub struct Outcome {
     /// Simulated model; never `Auto`.
     pub model: Model,
-    /// Whether the follower oscillates, so that lifts and gaps are angles, and forces are moments about the pivot, N·m.
+    /// Whether the follower oscillates. Lifts and gaps are then angles, and forces are moments about the pivot, N·m.
     pub swings: bool,
-    /// Distance from the pivot at which a force makes that moment, m; 1 without an arm.
+    /// Distance from the pivot at which a force produces this moment, m; 1 without an arm.
     pub lever: f64,
     /// Reason for this model.
     pub why: ModelReason,
@@ -256,30 +256,30 @@ pub struct Outcome {
     pub loads: Loads,
     /// Extremes of the shaft torque.
     pub torque: Torque,
-    /// Speed of first loss of contact, rad/s; `None` if there is none.
+    /// Lowest speed at which the follower lifts off, rad/s; `None` if it never lifts off.
     pub liftoff_speed: Option<f64>,
-    /// Number of turns before the motion repeats; `None` if it does not.
+    /// Number of turns before the motion becomes periodic; `None` if it does not.
     pub settle_cycles: Option<usize>,
-    /// Number of turns of one repetition.
+    /// Number of cam turns in one period of the motion.
     pub period_turns: usize,
-    /// Motion of the shaft under its motor; `None` for constant speed.
+    /// Motion of the motor-driven shaft; `None` for constant speed.
     pub shaft: Option<Shaft>,
-    /// Motion of the floor; `None` for a rigid one.
+    /// Motion of the floor; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// Distance of the force from the target over time, if there is one.
+    /// Difference between force and target over time, if the run has a target.
     pub force_time: Option<InTime>,
-    /// Landings of the whole run, including settling.
+    /// Landings of the whole run, including the initial turns.
     pub impacts: Vec<Impact>,
-    /// Highest line pressure, if the surfaces are known; impacts excluded, between rows as `loads`.
+    /// Maximum line pressure without impacts, if the surfaces are known; between the rows as `loads`.
     pub hertz: Option<Pressure>,
-    /// Differences from the next finer model, if the model was chosen automatically.
+    /// Differences from the next finer model, if the model was selected automatically.
     pub next: Option<Difference>,
     /// Maximum distance between emitted points and the simulated curve, m.
     pub profile_mismatch: f64,
-    /// Maximum difference between the lift of the emitted points and the law's, m.
+    /// Maximum difference between the lift of the emitted points and the lift of the law, m.
     pub law_mismatch: f64,
     /// Notes on the run.
     pub notes: Vec<RunNote>,
-    /// One repetition at equal angles.
+    /// Rows of one period of the motion, at equal angles.
     pub rows: Vec<Row>,
 }

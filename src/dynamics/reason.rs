@@ -1,4 +1,4 @@
-//! Reasons for the choice of a model, and notes on a run; their messages are in `wording/en/dynamics.ftl`.
+//! Reasons for the selection of a model, and notes on a run. The messages are in `wording/en/dynamics.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// Reason for the choice of a model, with its numbers.
+/// Reason for the selection of a model, with the relevant numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -26,7 +26,7 @@ pub enum ModelReason {
     NearLiftoff { liftoff: LiftoffMargin },
     /// Only the contact model includes the impacts between two cams.
     TwoCams,
-    /// The follower is rigid.
+    /// The follower is rigid, so it does not vibrate.
     NothingVibrates { margin: ForceMargin },
     /// The vibrating follower would lose contact.
     VibrationLosesContact {
@@ -74,7 +74,7 @@ pub enum LiftoffMargin {
 pub enum ForceMargin {
     /// The drive has neither mass nor spring nor preload.
     NoForce,
-    /// A pure inertia force, without a mean for a relative margin.
+    /// The force is an inertia force without a mean, so there is no relative margin.
     InertiaOnly {
         low: Quantity,
         high: Quantity,
@@ -93,7 +93,7 @@ pub enum ForceMargin {
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Vibration {
-    /// Springs in series without mass: no vibration, but part of the lift deflects the train.
+    /// Springs in series without mass: no vibration, but a part of the lift deflects the train.
     NoMass,
     Harmonics {
         frequency: Quantity,
@@ -102,7 +102,7 @@ pub enum Vibration {
     },
 }
 
-/// A note on a run.
+/// Note on a run.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -129,7 +129,7 @@ pub enum RunNote {
     PairDistance {
         deviation: f64,
     },
-    /// The motor changes the force by less than the tolerance, so constant speed suffices.
+    /// The motor changes the force by less than the tolerance, so constant speed is sufficient.
     SteadyShaft {
         ripple: Quantity,
         change: Quantity,

@@ -1,4 +1,4 @@
-//! Input of a simulation: the emitted cam, its drive and machine data.
+//! Input of a simulation: emitted cam, drive and machine data.
 
 use super::contact::Limits;
 use super::flexible::Train;
@@ -7,7 +7,7 @@ use super::rigid::hertz::Material;
 use crate::cam::{Cam, ProfilePoint};
 use crate::drive::{Drive, Motor};
 
-/// Machine data besides the drive; the default is a rigid machine without friction, with plastic impacts and one cam.
+/// Machine data in addition to the drive. The default is a rigid machine without friction, with plastic impacts and one cam.
 ///
 /// ```
 /// use gaitcam::dynamics::Machine;
@@ -19,28 +19,29 @@ use crate::drive::{Drive, Motor};
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Machine {
-    /// The elastic train between cam and mass, if known.
+    /// Elastic train between cam and mass; `None` for a rigid follower.
     pub train: Option<Train>,
-    /// Coefficient of sliding friction between cam and follower; rollers roll without sliding.
+    /// Coefficient of sliding friction between cam and follower; not used for rollers, which do not slide.
     pub friction: f64,
     /// Coefficient of restitution of landings, 0 (plastic) … 1 (elastic).
     pub restitution: f64,
     /// Phase of a second, equal cam on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// The second cam of a conjugate pair, in its own frame; it carries negative forces.
+    /// Second cam of a conjugate pair, in its own frame. It carries negative forces.
     pub conjugate: Option<Cam>,
-    /// Line contact, for the contact pressure.
+    /// Line contact, used to compute the contact pressure.
     pub face: Option<Face>,
-    /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None` if the contact is given at the radius of the
-    /// follower.
+    /// Radius of the floor of a barrel's groove, m, where the normal force on the roller is maximum; `None` if the contact is computed at the radius
+    /// of the follower.
     pub groove_floor: Option<f64>,
-    /// The motor with its shaft; `None` for constant speed.
+    /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<Motor>,
-    /// The floor under the mass; `None` for a rigid one.
+    /// Floor below the mass; `None` for a rigid floor.
     pub floor: Option<Floor>,
-    /// Force in addition to the drive's at the angles of the profile, N; empty without a correction. The rigid model adds it to the contact force.
+    /// Learned force in addition to the force of the drive, N, at the angles of the profile; empty without a correction. The rigid model adds it to
+    /// the contact force.
     pub learned: Vec<f64>,
-    /// Limits of the settling of a contact run.
+    /// Limits of the initial turns of a contact simulation.
     pub limits: Limits,
 }
 
@@ -66,7 +67,7 @@ pub struct Machine {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Face {
-    /// Length of the line, m: the thickness of the cam.
+    /// Length of the contact line, m: the thickness of the cam.
     pub length: f64,
     /// Material of the cam.
     pub cam: Material,
@@ -102,20 +103,21 @@ pub struct Face {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// The cam the profile was emitted from. Its follower, the breakpoints of its law and the deviation of the emitted points are used.
+    /// Cam from which the profile was emitted. Its follower and the breakpoints of its law are used, and the deviation of the emitted points from it
+    /// is reported.
     pub cam: Cam,
-    /// The drive; a negative speed turns the cam clockwise.
+    /// Drive of the machine; a negative speed turns the cam clockwise.
     pub drive: Drive,
-    /// The emitted profile: equal steps of θ over the law's cycle, one turn for most.
+    /// Emitted profile at equal steps of θ over the cycle of the law, usually one turn.
     pub profile: Vec<ProfilePoint>,
     /// Target force at equal steps of one cycle from θ = 0, N.
     pub target: Option<Vec<f64>>,
-    /// Machine data besides the drive.
+    /// Machine data in addition to the drive.
     pub machine: Machine,
 }
 
 impl Run {
-    /// The run of a cam emitted at `points` equal steps, with a rigid machine and no target.
+    /// Input for a cam that is emitted at `points` equal steps, with a rigid machine and without a target.
     pub fn new(cam: Cam, drive: Drive, points: usize) -> Run {
         Run {
             profile: cam.profile(points),

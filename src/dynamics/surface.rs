@@ -1,17 +1,17 @@
-//! One profile of the contact model: its lift, and the ranges of negative contact force.
+//! Profile of the contact model: its lift, and the ranges of negative contact force.
 
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
-/// Negative forces below this fraction of the largest force are rounding errors.
+/// Fraction of the maximum force below which a negative force is a rounding error.
 pub(super) const NO_PULL: f64 = 1e-11;
-/// Negative forces below this fraction are rounding errors without inertia, since rounded coordinates give a zero lift only to about a nanometre per
-/// millimetre.
+/// Fraction of the maximum force below which a negative force is a rounding error in a machine without inertia. Rounded coordinates give a zero lift
+/// only to about a nanometre per millimetre.
 const NO_PULL_STATIC: f64 = 1e-6;
 
-/// A closed lift with the ranges where contact cannot be maintained.
+/// A closed lift, with the ranges in which contact cannot be maintained.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -26,21 +26,21 @@ const NO_PULL_STATIC: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// The lift over one turn, by the angle in the sense of rotation.
+    /// Lift over one turn as a function of the angle in the direction of rotation.
     pub law: Law,
-    /// Contact force without loss of contact, N.
+    /// Contact force under the assumption of permanent contact, N.
     pub force: PiecewisePoly,
-    /// Ranges (from, to) of negative force, increasing, `from` in the first turn; `to` may be in the second.
+    /// Ranges (from, to) of negative force in ascending order. `from` is in the first turn; `to` may be in the second.
     pub pulls: Vec<(f64, f64)>,
-    /// Largest second derivative of the lift, m/rad².
+    /// Maximum second derivative of the lift, m/rad².
     pub steepest: f64,
-    /// Smallest second derivative of the lift, m/rad².
+    /// Minimum second derivative of the lift, m/rad².
     pub hollowest: f64,
     start: f64,
 }
 
 impl Surface {
-    /// A surface under the given machine (its speed positive).
+    /// Creates the surface of a law for a drive with positive speed.
     pub fn new(law: Law, drive: &Drive) -> Self {
         let force = drive.force_curve(&law);
         let (low, high) = law.extremes(2);
@@ -65,7 +65,7 @@ impl Surface {
         self.law.svaj(angle)
     }
 
-    /// The first range of negative force that ends after `angle`, in the turns of `angle`.
+    /// First range of negative force that ends after `angle`, counted in the turns of `angle`.
     pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
         let turn = ((angle - self.start) / TAU).floor();
         (-1..=1)

@@ -1,4 +1,4 @@
-//! Event loop of the contact simulation.
+//! Event-driven simulation of the contact.
 
 use super::flight::Flight;
 use super::impact::Pulse;
@@ -9,16 +9,16 @@ use std::f64::consts::TAU;
 
 /// Fraction of the machine's speeds below which a rebound ends in rest.
 const REST: f64 = 1e-9;
-/// κ beyond which inertia is neglected: the free motion is much faster than the turn.
+/// κ above which inertia is neglected, because the free motion is much faster than the rotation.
 const QUASI_STATIC: f64 = 1e10;
-/// Gaps below this fraction of the lift are rounding errors.
+/// Fraction of the lift below which a gap is a rounding error.
 const TOUCHING: f64 = 1e-15;
 /// Maximum number of steps in the search for one landing.
 const MOST_STEPS: usize = 200_000;
-/// Relative difference of states after a turn below which the motion repeats.
+/// Relative difference of the states after a turn below which the motion is periodic.
 const SAME: f64 = 1e-9;
 
-/// State at the first angle of a turn.
+/// State of the mass at the first angle of a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mark {
     On(usize),
@@ -34,17 +34,17 @@ struct Engine<'a> {
     kappa: f64,
     push: f64,
     massless: bool,
-    /// Reference lift, m, and velocity, m/s, for rounding errors.
+    /// Reference lift, m, and velocity, m/s, for detecting rounding errors.
     lift_scale: f64,
     rest_speed: f64,
     run: ContactRun,
     marks: Vec<Mark>,
 }
 
-/// Runs one mass on one or more profiles of a shaft (drive's speed positive or zero), from contact at the
-/// first angle, until the motion repeats.
+/// Simulates one mass on one or more profiles of a shaft, from contact at the first angle, until the motion is periodic. The speed of the drive must
+/// be positive or zero.
 ///
-/// Source of the events: theory §10. Gravity and preload are the drive's rest force.
+/// Source of the events: theory §10. Gravity and preload are part of the rest force of the drive.
 pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limits) -> ContactRun {
     let inertia = drive.mass * drive.speed * drive.speed;
     let kappa = drive.spring_rate / inertia;
@@ -140,7 +140,7 @@ impl Engine<'_> {
         self.run
     }
 
-    /// Handles a landing on a profile: rest, or the flight of the rebound.
+    /// Processes a landing on a profile: rest, or the flight after the rebound.
     fn strike(
         &mut self,
         now: f64,
@@ -180,13 +180,13 @@ impl Engine<'_> {
         }
     }
 
-    /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and the spring cannot reverse the motion.
+    /// Angle until which the gap certainly opens after lift-off: the force stays negative, and the spring cannot reverse the motion.
     fn blind(&self, from: f64, to: f64) -> f64 {
         let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
         to.min(from + 0.5 / rate.max(1e-3))
     }
 
-    /// Speed at which a body with slope `rate` meets profile `surface`, m/s, not below zero.
+    /// Approach speed of a body with slope `rate` and the profile `surface`, m/s, not below zero.
     fn closing_speed(&self, rate: f64, surface: usize, at: f64) -> f64 {
         ((self.surfaces[surface].at(at).v - rate) * self.drive.speed).max(0.0)
     }
@@ -203,8 +203,8 @@ impl Engine<'_> {
         flight.at(at).0 - lifts.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// First angle at which the flight meets a profile, and the index of this profile. g″ ≥ −B on the way, so no zero is reached before a zero of g +
-    /// g′d − Bd²/2; each step goes exactly there.
+    /// First angle at which the flight meets a profile, and the index of this profile. Since g″ ≥ −B, the gap has no zero before a zero of g + g′d −
+    /// Bd²/2; each step goes exactly to this zero.
     fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
         let fall = flight.steepest_fall();
         let mut now = flight.start;
@@ -245,7 +245,7 @@ impl Engine<'_> {
         Some((now, left))
     }
 
-    /// Largest gap of a flight that ends at `to`: the bracketed zero of the gap's rate.
+    /// Maximum gap of a flight that ends at `to`, from the bracketed zero of the gap's derivative.
     fn height(&self, flight: &Flight, to: f64) -> f64 {
         const PARTS: usize = 16;
         let gap = |t: f64| self.gap(flight, t);
@@ -263,7 +263,7 @@ impl Engine<'_> {
         gap(0.5 * (a + b)).max(0.0)
     }
 
-    /// Angle up to which the mass stays on `surface`, and the reason why it leaves.
+    /// Angle until which the mass stays on `surface`, and the reason for which it leaves.
     fn leave(&self, surface: usize, now: f64, end: f64) -> (f64, Leave) {
         let own = &self.surfaces[surface];
         let (mut until, mut event) = (end, Leave::End);
@@ -281,7 +281,7 @@ impl Engine<'_> {
         (until, event)
     }
 
-    /// Records a phase and the states at its full turns; true if the motion repeats.
+    /// Records a phase and the states at its full turns; true if the motion is periodic.
     fn stretch(&mut self, phase: Phase, from: f64, to: f64) -> bool {
         if to > from {
             self.run.stretches.push(Stretch { phase, from, to });
@@ -321,16 +321,16 @@ impl Engine<'_> {
     }
 }
 
-/// Reasons why a mass leaves its profile.
+/// Reasons for which a mass leaves its profile.
 enum Leave {
     End,
-    /// The contact force would be negative, until the given angle.
+    /// The contact force would be negative until the given angle.
     Pull(f64),
-    /// Contact changes to another profile of the shaft.
+    /// Contact changes to the profile with this index.
     Handover(usize),
 }
 
-/// First angle in (now, until) at which `other` exceeds `own`.
+/// First angle in (now, until) at which the lift of `other` exceeds that of `own`.
 fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -> Option<f64> {
     let bound = (other.steepest - own.hollowest).max(f64::MIN_POSITIVE);
     let mut at = now;

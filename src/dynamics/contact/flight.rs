@@ -1,15 +1,14 @@
 //! Free flight of the moved mass: m ÿ + c ẏ + k y + F₀ = 0 in closed form over the cam angle.
 //!
-//! Divided by mω² it reads y″ + γ y′ + κ y + f = 0. With S the answer to a unit velocity and I = ∫S,
-//! y = y₀ + y₀′(S + γI) + y₀″ I: no difference of large numbers where springs or dampers vanish, and a
-//! parabola when both do.
+//! Division by mω² gives y″ + γ y′ + κ y + f = 0. With the response S to a unit velocity and I = ∫S, y = y₀ + y₀′(S + γI) + y₀″ I. This form has no
+//! difference of large numbers for small springs or dampers, and becomes a parabola without them.
 
 /// Phase below which S and I are computed by series.
 const SERIES_PHASE: f64 = 0.5;
-/// Number of terms of the series: 0.5²⁴/24! is far below rounding.
+/// Number of terms of the series: 0.5²⁴/24! is far below rounding errors.
 const SERIES_TERMS: usize = 24;
 
-/// One free flight, as a function of the angle since its start.
+/// Free flight as a function of the angle since its start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// Start angle of the flight, rad.
@@ -38,7 +37,7 @@ impl Flight {
         )
     }
 
-    /// Bound of −y″ at all later angles, m/rad².
+    /// Upper bound of −y″ at all later angles, m/rad².
     pub fn steepest_fall(&self) -> f64 {
         if self.kappa == 0.0 {
             // y″ decays from its first value.

@@ -2,7 +2,7 @@
 
 use crate::error::{DynamicsError, Result};
 
-/// Result of one instantaneous impact.
+/// Result of an instantaneous impact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pulse {
     /// Separation speed, m/s; 0 if the surfaces stay together.
@@ -12,7 +12,7 @@ pub struct Pulse {
 }
 
 impl Pulse {
-    /// The impact of `mass` kg at `speed` m/s ≥ 0 with coefficient of restitution `e`.
+    /// Impact of `mass` kg at `speed` m/s ≥ 0 with the coefficient of restitution `e`.
     pub fn new(mass: f64, speed: f64, e: f64) -> Pulse {
         Pulse {
             rebound: e * speed,
@@ -21,9 +21,11 @@ impl Pulse {
     }
 }
 
+/// Checks that a coefficient of restitution is in [0, 1].
+///
 /// # Errors
 ///
-/// A coefficient of restitution outside [0, 1].
+/// The coefficient is outside [0, 1].
 pub fn check_restitution(e: f64) -> Result<()> {
     if (0.0..=1.0).contains(&e) {
         return Ok(());

@@ -1,8 +1,8 @@
-//! Contact that can be lost: lift-off, flight, impact, rest, one event after the other.
+//! Contact with lift-off: flight, impact and rest, computed event by event.
 //!
-//! In contact the motion of the mass is the profile's lift; contact ends where the force turns negative. The flight has a closed form and ends at the
-//! first zero of the gap, found by steps that curvature bounds prove to be free of contact. Nothing is sampled, so no grazing contact is missed. A
-//! decaying sequence of bounces ends in contact.
+//! In contact, the motion of the mass is the lift of the profile. Contact ends where the force becomes negative. The flight has a closed form and
+//! ends at the first zero of the gap. Curvature bounds prove that the search steps are free of contact. Nothing is sampled, so no grazing contact is
+//! missed. A decaying sequence of bounces ends in contact.
 
 mod events;
 pub(crate) mod flight;
@@ -39,14 +39,14 @@ pub enum Phase {
     },
     /// The follower is in free flight.
     Flight(Flight),
-    /// Without contact in a machine without inertia, where the force would be negative.
+    /// Without contact, in a machine without inertia, where the force would be negative.
     Parted {
-        /// Index of the profile that it left.
+        /// Index of the profile that the mass left.
         surface: usize,
     },
 }
 
-/// A phase with its angles, rad, counted over several turns.
+/// A phase with its first and last angle, rad; angles increase over several turns.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -70,7 +70,7 @@ pub struct Stretch {
     pub to: f64,
 }
 
-/// One landing on a profile.
+/// Landing of the mass on a profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -88,21 +88,21 @@ pub struct Stretch {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// Angle, rad, counted over several turns.
+    /// Angle of the landing, rad; angles increase over several turns.
     pub at: f64,
-    /// Index of the profile that is hit.
+    /// Index of the profile on which the mass lands.
     pub surface: usize,
     /// Approach speed of the surfaces, m/s.
     pub speed: f64,
-    /// Angle at which the flight began (equal to the landing for a handover without flight), rad.
+    /// Angle at which the flight began, rad; for a change of profile without flight, the angle of the landing.
     pub since: f64,
-    /// Largest gap of that flight, m.
+    /// Maximum gap of the flight, m.
     pub height: f64,
     /// Rebound and impulse of the impact.
     pub pulse: Pulse,
 }
 
-/// A simulation that starts at rest on the profile.
+/// Result of a simulation that starts at rest on the profile.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -125,9 +125,9 @@ pub struct ContactRun {
     pub impacts: Vec<Impact>,
     /// First angle of the run, rad.
     pub start: f64,
-    /// Number of turns before the motion repeats; `None` if it does not within the allowed turns.
+    /// Number of turns before the motion becomes periodic; `None` if it does not within the permitted turns.
     pub settle: Option<usize>,
-    /// Number of turns of one repetition (the last turn if it does not repeat).
+    /// Number of turns in one period of the motion; 1 (the last turn) if the motion is not periodic.
     pub period: usize,
     /// Number of simulated turns.
     pub turns: usize,
@@ -135,7 +135,7 @@ pub struct ContactRun {
     pub escaped: bool,
 }
 
-/// Limits of the run.
+/// Limits of a simulation.
 ///
 /// ```
 /// use gaitcam::dynamics::Machine;
@@ -163,13 +163,13 @@ impl Default for Limits {
 }
 
 impl ContactRun {
-    /// First and last angle of the repetition (or of the last turn that was run).
+    /// First and last angle of one period of the motion, or of the last simulated turn.
     pub fn window(&self) -> (f64, f64) {
         let to = self.start + TAU * self.turns as f64;
         (to - TAU * self.period as f64, to)
     }
 
-    /// Fraction of the repetition without contact.
+    /// Fraction of the period without contact.
     pub fn lost_fraction(&self) -> f64 {
         let (from, to) = self.window();
         let lost: f64 = self
@@ -182,7 +182,7 @@ impl ContactRun {
         (0.0 + lost) / (to - from)
     }
 
-    /// Impacts inside the repetition.
+    /// Impacts within one period.
     pub fn steady_impacts(&self) -> impl Iterator<Item = &Impact> {
         let (from, to) = self.window();
         self.impacts

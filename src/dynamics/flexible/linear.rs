@@ -1,20 +1,20 @@
-//! Exact response of a small linear system to piecewise polynomial forcing.
+//! Exact response of a small linear system to a piecewise polynomial input.
 //!
-//! z′ = A z + b f(θ). Over a piece of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx; the integral is a fixed vector per Bernstein
-//! coefficient of f, computed once per width: Gauss points integrate polynomial times exponential to rounding on a short part, and doubling extends
-//! it to the full width. There is no cancellation at any frequency, and no time stepping.
+//! z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a fixed vector per Bernstein coefficient
+//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential to rounding; doubling extends the result
+//! to the full width. There is no cancellation at any frequency, and no time stepping.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
 
-/// Norm of A times the width up to which one set of Gauss points suffices.
+/// Norm of A times the width up to which one Gauss rule is sufficient.
 const REACH: f64 = 1.0;
-/// Number of terms of the exponential's series at that norm: 1/24! ≈ 2e-24.
+/// Number of terms of the series of the exponential at this norm: 1/24! ≈ 2e-24.
 const SERIES: usize = 24;
-/// Maximum norm of A times the length of a piece; above it the response is computed as quasi-static.
+/// Maximum norm of A times the length of a span; above it the response is computed as quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
-/// A linear system of two states under one forcing; an unused state decays and does not couple.
+/// A linear system of two states with one input. An unused state decays and is not coupled.
 ///
 /// ```
 /// use gaitcam::dynamics::flexible::Linear;
@@ -32,22 +32,22 @@ pub const STIFFEST: f64 = 1e9;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
-    /// Matrix of rates, per radian.
+    /// System matrix A, per radian.
     pub rates: Matrix2<f64>,
-    /// Input vector, per radian.
+    /// Input vector b, per radian.
     pub input: Vector2<f64>,
 }
 
-/// Propagation of the state over one piece of given width.
+/// Propagation of the state over one span of given width.
 struct Step {
     width: f64,
     carry: Matrix2<f64>,
-    /// One vector per Bernstein coefficient of the forcing.
+    /// One vector per Bernstein coefficient of the input.
     push: Vec<Vector2<f64>>,
 }
 
 impl Linear {
-    /// States at the breaks of the forcing (one more than pieces), from `start`; `kick(i)` is added at the start of piece i > 0.
+    /// States at the breaks of the input (one more than spans), from `start`; `kick(i)` is added at the start of span i > 0.
     pub fn through(
         &self,
         forcing: &PiecewisePoly,
@@ -59,7 +59,7 @@ impl Linear {
     }
 
     /// States at the breaks in the periodic steady state; `None` if an undamped natural frequency equals a harmonic. `kick(i)` is added at the start
-    /// of every piece i.
+    /// of every span i.
     pub fn periodic(
         &self,
         forcing: &PiecewisePoly,
@@ -118,7 +118,7 @@ impl Linear {
     }
 }
 
-/// Singular values of (1 − turn) relative to the largest below which there is an undamped resonance.
+/// Ratio of the singular values of (1 − propagation over a turn) below which there is an undamped resonance.
 const NEAR_RESONANCE: f64 = 1e-11;
 
 fn run(
@@ -162,7 +162,7 @@ fn push_once(
     sum
 }
 
-/// The integrals for twice the width: the forcing's halves have averaged coefficients (de Casteljau at ½), and the response to the first half is
+/// The integrals for twice the width. The halves of the input have averaged coefficients (de Casteljau at ½), and the response to the first half is
 /// propagated through the second.
 fn doubled(carry: &Matrix2<f64>, push: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
     let n = push.len() - 1;
@@ -193,7 +193,7 @@ fn bernstein_basis(degree: usize, u: f64) -> Vec<f64> {
     row
 }
 
-/// e^{Z t} b by its series; ‖Z‖ ≤ about 1, t ∈ [0, 1].
+/// e^{Z t} b by its series, for ‖Z‖ ≤ about 1 and t ∈ [0, 1].
 fn exponential_on(z: &Matrix2<f64>, b: &Vector2<f64>, t: f64) -> Vector2<f64> {
     let mut term = *b;
     let mut sum = term;
@@ -230,7 +230,7 @@ fn power(base: Matrix2<f64>, mut n: usize) -> Matrix2<f64> {
 mod tests {
     use super::*;
 
-    /// x″ + w² x = f in states (x, x′/w).
+    /// System x″ + w² x = f with the states (x, x′/w).
     fn oscillator(w: f64) -> Linear {
         Linear {
             rates: Matrix2::new(0.0, w, -w, 0.0),

@@ -1,8 +1,9 @@
-//! A compliant follower: the moved mass on the cam through a spring and a damper, or a column of fluid.
+//! A compliant follower: the cam moves the mass through a spring and a damper, or through a column of fluid.
 //!
-//! Written relative to the rigid motion: the mass is at s + x, and x is driven by minus the rigid force. For a mass m on a train of stiffness k₁
-//! and damping c₁, with the machine's own k and c, m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the contact force is N = −(k₁ x + c₁ ẋ). The forcing is
-//! the law's own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in the law cause steps of the state.
+//! The motion is described relative to the rigid motion: the mass is at s + x, and the input of x is minus the rigid force. For a mass m on a train
+//! of stiffness k₁ and damping c₁, in a machine with k and c, m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the contact force is N = −(k₁ x + c₁ ẋ). The
+//! input is the piecewise polynomial of the law, so each span has a closed form ([`Linear`]). Steps of velocity or lift in the law cause steps of the
+//! state.
 
 mod linear;
 pub(crate) mod polydyne;
@@ -19,7 +20,7 @@ use crate::law::{Joint, Law};
 use crate::poly::{Extreme, PiecewisePoly};
 pub(crate) use nalgebra::{Matrix2, Vector2};
 
-/// Steady motion of a flexible machine at angles that include the breaks of the forcing.
+/// Steady motion of a flexible machine, at angles that include the breaks of the input.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -42,13 +43,13 @@ pub struct Steady {
     pub deflection: Vec<f64>,
     /// Force between cam and follower, N.
     pub contact: Vec<f64>,
-    /// Derivative of the force with respect to the angle, N/rad.
+    /// Derivative of the contact force with respect to the cam angle, N/rad.
     pub contact_rate: Vec<f64>,
     /// Output force of the machine, N: the contact force, or the piston force of a hydraulic drive.
     pub output: Vec<f64>,
 }
 
-/// The linear system of a train, its forcing polynomial and the conversion to forces.
+/// Linear system of a train, its polynomial input and the conversion to forces.
 struct Model {
     linear: Linear,
     /// The rigid force polynomial, N.
@@ -91,11 +92,12 @@ fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
     }
 }
 
-/// The periodic steady state under a closed law, exact at the angles returned.
+/// Periodic steady state with a closed law, exact at the returned angles.
 ///
-/// The drive's speed must be positive (a cam that turns clockwise: run the mirrored law).
+/// The speed of the drive must be positive. For a cam that turns clockwise, use the mirrored law.
 ///
 /// # Errors
+///
 /// Invalid stiffness or mass; an undamped resonance, which has no steady state.
 pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     Ok(match periodic(law, drive, train, &[])? {
@@ -107,7 +109,7 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
 /// Distance below which two breaks coincide, rad.
 const SAME: f64 = 1e-9;
 
-/// The model, with its forcing divided at further angles, and its periodic states; `None` if only the static part of the response remains.
+/// The model with its input divided at further angles, and its periodic states; `None` if only the static part of the response remains.
 fn periodic(
     law: &Law,
     drive: &Drive,
@@ -137,11 +139,11 @@ fn periodic(
     Ok(Some((model, states)))
 }
 
-/// Steps of lift or velocity below this fraction of the lift are rounding errors.
+/// Fraction of the lift below which a step of lift or velocity is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// Steps of the relative state at the jumps of the law, by the piece of the forcing: the mass does not
-/// follow a step of the lift, so x and x′ step by minus it.
+/// Steps of the relative state at the jumps of the law, by the span of the input. The mass does not follow a step of the lift, so x and x′ change by
+/// minus the step.
 fn kicks(law: &Law, model: &Model) -> Vec<(usize, Vector2<f64>)> {
     let breaks = model.force.breaks();
     let size = ROUNDING * law.bound(0);
@@ -175,7 +177,7 @@ fn resonance(drive: &Drive, train: &Train) -> Error {
     .into()
 }
 
-/// Quasi-static solution: springs in series carry the rigid force.
+/// Quasi-static solution: springs in series transmit the rigid force.
 fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     let force = drive.force_curve(law);
     let give = 1.0 / (train.stiffness + drive.spring_rate);
@@ -192,7 +194,7 @@ fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     }
 }
 
-/// Values at the breaks, from the right, and at the end from the left.
+/// Values at the breaks from the right; at the end from the left.
 fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
     let last = p.pieces() - 1;
     (0..=last)
@@ -240,7 +242,7 @@ fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector
 }
 
 impl Steady {
-    /// Smallest and largest contact force, N: extremes of the cubics through the exact values and slopes.
+    /// Minimum and maximum contact force, N: extremes of the cubics through the exact values and slopes.
     pub fn contact_extremes(&self) -> (Extreme, Extreme) {
         let mut coef = Vec::with_capacity(4 * self.theta.len());
         for i in 0..self.theta.len() - 1 {

@@ -1,4 +1,4 @@
-//! Polydyne (splinedyne) cams: the lift under which the output of a compliant follower follows a target law.
+//! Polydyne (splinedyne) cams: the lift for which the end of a compliant follower moves by a target law.
 //!
 //! The end y of a follower of mass m on a train of stiffness k₁ and damping c₁ obeys
 //!
@@ -22,24 +22,25 @@ use crate::units::Quantity;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Maximum number of parts of a piece for its transients, each as long as the damping's lag.
+/// Maximum number of parts into which a span is divided for its transients; each part is as long as the lag of the damping.
 const MOST_PARTS: f64 = 16.0;
-/// Maximum length of a part of a piece, rad: a polynomial of degree 7 follows a sinusoid of rate 20 on it to 1e-10.
+/// Maximum length of a part of a span, rad. On this length a polynomial of degree 7 approximates a sinusoid of rate 20 to 1e-10.
 const LONGEST_PART: f64 = TAU / 180.0;
-/// Lag that counts as none, rad.
+/// Lag below which the train counts as undamped, rad.
 const INSTANT: f64 = 1e-8;
-/// Jumps below this fraction of the derivative's size are rounding errors.
+/// Fraction of the size of a derivative below which its jumps are rounding errors.
 const ROUNDING: f64 = 1e-6;
-/// Number of angles of one cycle at which the run of the finished cam is compared with the target.
+/// Number of angles of one cycle at which the motion of the finished cam is compared with the target.
 const COMPARED: usize = 720;
 
-/// Law of the cam under which the output of a compliant follower follows `target` at the drive's speed.
+/// Law of the cam for which the end of a compliant follower moves by `target` at the speed of the drive.
 ///
-/// The constant F₀/k₁, the static deflection under the rest force, is part of the lift.
+/// The constant F₀/k₁, the static deflection by the rest force, is part of the lift.
 ///
 /// # Errors
-/// Invalid stiffness or damping, an open law, a target law with a jump in one of its first four derivatives (fewer without mass), at which the cam's
-/// acceleration would jump.
+///
+/// Invalid stiffness or damping; an open law; a target law with a jump in one of its first four derivatives (fewer without mass), because the
+/// acceleration of the cam would jump.
 pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -80,7 +81,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     Ok(Law::with_waves(sum, waves.collect(), true))
 }
 
-/// The target plus the deflection of a damped train, of degree 7 between the breaks of the force.
+/// Target plus the deflection of a damped train, of degree 7 between the breaks of the force.
 fn lagging(target: &Law, drive: &Drive, train: &Train, lag: f64) -> Result<Law> {
     let mut cuts = Vec::new();
     for ends in target.breaks().windows(2) {
@@ -112,7 +113,7 @@ fn lagging(target: &Law, drive: &Drive, train: &Train, lag: f64) -> Result<Law> 
     Ok(Law::with_waves(sum, waves.collect(), true))
 }
 
-/// Bernstein coefficients of degree 7 from value and three derivatives at both ends of a piece.
+/// Bernstein coefficients of degree 7 from value and three derivatives at both ends of a span.
 fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
     let from = |[s, v, a, j]: [f64; 4], width: f64| {
         let first = s + width * v / 7.0;
@@ -124,7 +125,7 @@ fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// s over y for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), real and imaginary part.
+/// Ratio of s and y for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), real and imaginary part.
 fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     let [k, c, m, _] = drive.weights();
     let (re, im) = (k - m * rate * rate, c * rate);
@@ -145,8 +146,8 @@ fn passed(wave: &Wave, (re, im): (f64, f64)) -> Wave {
     }
 }
 
-/// Number of continuous derivatives of a closed law (0: the lift alone), up to `most`, and the angle at which the next one jumps. A law with a jump
-/// of the lift counts as one with a jump of the velocity.
+/// Number of continuous derivatives of a closed law (0: only the lift), up to `most`, and the angle at which the next derivative jumps. A jump of the
+/// lift counts as a jump of the velocity.
 fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
     let mut poly = law.poly().clone();
     let breaks = poly.breaks().to_vec();
@@ -177,7 +178,7 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
     (most, breaks[0])
 }
 
-/// Deviation of a compliant follower's output from its target.
+/// Deviation of the end of a compliant follower from its target.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -196,14 +197,15 @@ pub struct Miss {
     pub force_rms: f64,
     /// Transmitted force minus the force of the target law: maximum, N.
     pub force_max: f64,
-    /// Largest deviation of the output from the target without the constant part, m, and its angle.
+    /// Maximum deviation of the end from the target, without the constant part, m, and its angle.
     pub lift: Extreme,
 }
 
-/// Compares the exact steady motion under `cam` with the target of the output, at equal steps of the angle.
+/// Compares the exact steady motion for `cam` with the target of the end, at equal steps of the angle.
 ///
 /// # Errors
-/// The run has no steady state (see [`flexible::steady`]).
+///
+/// There is no steady state (see [`flexible::steady`]).
 pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
     let steady = flexible::steady(&finely(cam), drive, train)?;
     let (start, length) = cam.extent();
@@ -237,14 +239,14 @@ pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Resul
     })
 }
 
-/// The law with the compared angles among its breaks.
+/// The law with breaks at the compared angles.
 fn finely(law: &Law) -> Law {
     let (start, length) = law.extent();
     let compared = (1..COMPARED).map(|i| start + length * i as f64 / COMPARED as f64);
     cut_at(law, &compared.collect::<Vec<_>>())
 }
 
-/// The law with further breaks that differ from its own by more than rounding, because narrower pieces have no accurate derivatives.
+/// The law with further breaks, if they differ from its own by more than rounding errors. Narrower spans have no accurate derivatives.
 fn cut_at(law: &Law, further: &[f64]) -> Law {
     let (_, length) = law.extent();
     let new = |x: &f64| law.breaks().iter().all(|b| (b - x).abs() > 1e-9 * length);

@@ -1,21 +1,22 @@
 //! Residual vibration of the follower in a dwell.
 //!
-//! In a dwell the rigid force is a constant F and the follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and train.
-//! Amplitude is √(2 E/K) with the energy E of that vibration at the dwell's start: it bounds the motion in the dwell, and is reached in every cycle
-//! without damping (theory §10).
+//! In a dwell the rigid force is a constant F. The follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and train.
+//! The amplitude is √(2 E/K) with the energy E of this vibration at the start of the dwell. It bounds the motion in the dwell, and without damping it
+//! is reached in every cycle (theory §10).
 
 use super::{SAME, Train, periodic};
 use crate::drive::Drive;
 use crate::error::Result;
 use crate::law::Law;
 
-/// Damping ratio used if an undamped natural frequency equals a harmonic: a law that excites it vibrates without bound, one that does not is at rest
-/// in its dwells.
+/// Damping ratio that is used if an undamped natural frequency equals a harmonic. A law that excites this frequency vibrates without bound; one that
+/// does not is at rest in its dwells.
 const HARDLY_DAMPED: f64 = 1e-6;
 
-/// Amplitude, m, in the periodic steady state at each of these angles, the starts of dwells.
+/// Amplitude, m, in the periodic steady state at each of the angles `starts`, the starts of dwells.
 ///
 /// # Errors
+///
 /// Invalid stiffness or damping.
 pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Result<Vec<f64>> {
     train.check()?;

@@ -49,7 +49,7 @@ fn power(p: &[f64]) -> Law {
     )
 }
 
-/// Accelerations of the modified sine (quarter sine of rate 4π to 1/8, half sine of rate 4π/3 between).
+/// Acceleration of the modified sine (quarter sine of rate 4π up to 1/8, half sine of rate 4π/3 in the middle).
 fn modified_sine() -> Law {
     let c = 1.0 / (PI + 4.0);
     let at = |x: f64| c * (PI * x - 0.25 * (4.0 * PI * x).sin());
@@ -82,7 +82,7 @@ fn modified_sine() -> Law {
     law
 }
 
-/// Constant 2 from 1/8 to 3/8 with sine flanks, scaled to unit lift.
+/// Acceleration of the modified trapezoid: constant 2 from 1/8 to 3/8 with sine flanks, scaled to unit lift.
 fn modified_trapezoid() -> Law {
     let peak = 8.0 * PI / (2.0 + PI);
     let r = 4.0 * PI;
@@ -125,11 +125,11 @@ fn modified_trapezoid() -> Law {
     law
 }
 
-/// Amplitude of the vibration left after a rise of an undamped follower of natural frequency `ratio`
-/// radians per radian of the cam (λ·2π/β for a rise in β), in the units of the lift.
+/// Amplitude of the residual vibration after a rise, in the units of the lift. The follower is undamped with the natural frequency `ratio`, in
+/// radians per radian of the cam (λ·2π/β for a rise in β).
 ///
-/// The follower starts at rest at the law's first angle; the law's own steps in velocity at its start and
-/// end (into the dwell) are counted.
+/// The follower starts at rest at the first angle of the law. Steps of the velocity at the start and at the end of the law (into the dwell) are
+/// included.
 fn residual_vibration(law: &Law, ratio: f64) -> f64 {
     let model = Model {
         linear: Linear {

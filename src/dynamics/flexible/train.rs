@@ -1,9 +1,9 @@
-//! The elastic train between the cam and the moved mass.
+//! Elastic train between the cam and the moved mass.
 
 use crate::drive::{Drive, DriveKind};
 use crate::error::{DynamicsError, Result};
 
-/// Spring and damper between the cam and the moved mass, in series with it.
+/// Spring and damper in series between the cam and the moved mass.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -17,18 +17,18 @@ use crate::error::{DynamicsError, Result};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Train {
-    /// Stiffness between cam and mass, N/m; for hydraulics, of the fluid column.
+    /// Stiffness between cam and mass, N/m; for a hydraulic drive, of the fluid column.
     pub stiffness: f64,
     /// Damping between cam and mass, N·s/m.
     pub damping: f64,
 }
 
 impl Train {
-    /// A train with the given natural frequency on the cam (Hz, return spring not counted) and damping
-    /// ratio, for the drive's mass.
+    /// Creates the train with a given damping ratio and natural frequency on the cam, Hz (without the return spring), for the mass of the drive.
     ///
     /// # Errors
-    /// Frequency or mass not positive, or a negative ratio.
+    ///
+    /// Frequency or mass is not positive, or the ratio is negative.
     pub fn from_frequency(drive: &Drive, hertz: f64, ratio: f64) -> Result<Self> {
         if !(hertz > 0.0 && hertz.is_finite() && ratio >= 0.0 && ratio.is_finite()) {
             return Err(DynamicsError::Frequency {
@@ -48,14 +48,16 @@ impl Train {
         })
     }
 
-    /// Undamped natural frequency, rad/s, return spring included; `None` without mass.
+    /// Undamped natural frequency with the return spring, rad/s; `None` without mass.
     pub fn natural_frequency(&self, drive: &Drive) -> Option<f64> {
         (drive.mass > 0.0).then(|| ((self.stiffness + drive.spring_rate) / drive.mass).sqrt())
     }
 
+    /// Checks that the stiffness is positive and the damping is not negative.
+    ///
     /// # Errors
     ///
-    /// Stiffness not positive, or negative damping.
+    /// The stiffness is not positive, or the damping is negative.
     pub fn check(&self) -> Result<()> {
         let sound = |x: f64| x.is_finite() && x >= 0.0;
         if sound(self.stiffness) && sound(self.damping) && self.stiffness > 0.0 {

@@ -1,13 +1,15 @@
-//! The lift between breakpoints: each stretch has its own spline of slopes, which avoids oscillations at jumps of acceleration or jerk.
+//! Recovery of the lift between breakpoints. Each interval has its own spline of slopes, which avoids oscillations at jumps of acceleration or jerk.
 
 use super::emitted::{Cycle, Emitted, lift_piece};
 use super::slopes::slopes_at;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 
-/// Fraction of a step from a breakpoint within which rows are ignored, because their distance would divide the noise of their coordinates.
+/// Distance from a breakpoint, as a fraction of a step, within which rows are ignored. Division by a shorter distance would amplify the noise of the
+/// coordinates.
 const TOO_NEAR: f64 = 0.25;
-/// Fraction of a step within which rows are not breaks of the law either, because short pieces lose their derivatives to rounding.
+/// Distance from a breakpoint, as a fraction of a step, within which a row is not a break of the law. The derivatives on shorter spans have large
+/// rounding errors.
 const NO_PIECE: f64 = 0.02;
 
 /// Height and slope of the lift at one angle.
@@ -18,7 +20,7 @@ pub struct Station {
     pub slope: f64,
 }
 
-/// The lift through `rows` (equal steps) with both sides of every breakpoint, in order of their angles. `known` states whether the slopes are known;
+/// Lift through `rows` (equal steps) with both sides of every breakpoint, in the order of the angles. `known` states whether the slopes are known;
 /// otherwise they follow from the heights.
 pub fn between_breaks(
     rows: &[Station],
@@ -70,7 +72,7 @@ pub fn between_breaks(
     }
 }
 
-/// The stations of every stretch between two breakpoints, both included. Angles of a closed cycle continue beyond its end.
+/// Stations of every interval between two breakpoints, including both. The angles of a closed cycle continue beyond its end.
 fn stretches(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -112,7 +114,7 @@ fn stretches(
         .collect()
 }
 
-/// Slopes of the splines through the heights; the mean of both sides at the ends of stretches.
+/// Slopes of the splines through the heights. At the ends of an interval the slope is the mean of both sides.
 fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     for stretch in stretches.iter_mut() {
         let slopes = slopes_of(stretch, |s| s.height);
@@ -137,7 +139,7 @@ fn slopes_of(stretch: &[Station], value: fn(&Station) -> f64) -> Vec<f64> {
     slopes_at(&x, &y)
 }
 
-/// Mean slope of the recovered lift; a closed lift has none, so it is subtracted.
+/// Mean slope of the recovered lift. A closed lift has the mean slope zero, so this value is subtracted.
 fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     let mut sum = 0.0;
     for stretch in stretches {
@@ -151,7 +153,7 @@ fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     sum / cycle.length
 }
 
-/// The lift from the first row's angle on, with every row among its breaks unless it nearly coincides with one.
+/// The lift from the angle of the first row. Every row is a break of the lift, except rows that nearly coincide with a breakpoint.
 fn with_rows_as_breaks(
     poly: PiecewisePoly,
     rows: &[Station],
@@ -183,7 +185,7 @@ fn with_rows_as_breaks(
     beginning_at(&poly, start, cycle.length, step)
 }
 
-/// A closed lift that starts at `start`, which is a break of it or a whole cycle before one.
+/// A closed lift that starts at `start`, which is one of its breaks or a whole cycle before one.
 fn beginning_at(poly: &PiecewisePoly, start: f64, length: f64, step: f64) -> PiecewisePoly {
     let n = poly.pieces();
     let end = start + length;

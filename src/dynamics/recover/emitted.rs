@@ -1,11 +1,11 @@
-//! The extent of a profile, and the motion given by its points.
+//! Extent of a profile, and the lift recovered from its points.
 
 use std::f64::consts::TAU;
 
 use crate::law::{Law, Svaj};
 use crate::poly::bernstein;
 
-/// The motion that an emitted profile gives its follower.
+/// Motion of a follower on an emitted profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -22,13 +22,11 @@ use crate::poly::bernstein;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Emitted {
-    /// Lift over the base (prime) circle; degree 4 between the angles of the points, C³ at them but for
-    /// the breakpoints.
+    /// Lift above the base circle (prime circle): polynomials of degree 4 between the angles of the points, C³ at all points except the breakpoints.
     pub law: Law,
     /// Lift and derivatives at the points.
     pub nodes: Vec<Svaj>,
-    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or rows
-    /// that are not contact points.
+    /// Maximum difference between the height of a point and the curve, m. Causes: noise, rounding, or rows that are not contact points.
     pub mismatch: f64,
 }
 
@@ -42,13 +40,13 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// One full turn of a closed profile.
+    /// Full turn of a closed profile.
     pub const TURN: Cycle = Cycle {
         length: TAU,
         closed: true,
     };
 
-    /// Extent of a cam's law.
+    /// Extent of the law of a cam.
     pub fn of(law: &Law) -> Cycle {
         Cycle {
             length: law.extent().1,
@@ -56,13 +54,13 @@ impl Cycle {
         }
     }
 
-    /// Distance of two neighbours among n points.
+    /// Distance between neighbouring points if the extent has n points.
     pub fn step(&self, n: usize) -> f64 {
         self.length / if self.closed { n } else { n - 1 } as f64
     }
 }
 
-/// A piece of the lift: the integral of the cubic velocity with these values and slopes at its ends.
+/// Span of the lift: integral of the cubic velocity with the given values and slopes at both ends.
 pub(super) fn lift_piece(lift: f64, width: f64, [[v, a], [w, b]]: [[f64; 2]; 2]) -> Vec<f64> {
     let velocity = [v, v + a * width / 3.0, w - b * width / 3.0, w];
     let rise = bernstein::antiderivative(&velocity);

@@ -1,8 +1,8 @@
-//! The emitted profile as a smooth closed curve: the lift of the follower from its points. Row i of a profile is the contact at θᵢ, so its
-//! coordinates in the fixed frame give the height of the follower and, by the position of the contact, the slope of the lift. For a flat face these
-//! are the support function of the profile and its derivative, (v, Rb + s); for a roller the contact normal is (centre − contact)/Rf and the slope
-//! follows from it. A C² cubic spline through the slopes is integrated to the lift (C³). Noise in the points is thus divided by the angle step only
-//! once in the acceleration (theory §10). `stance` computes the position of each follower over a contact point; `breaks` joins stretches at the jumps
+//! The emitted profile as a smooth closed curve: lift of the follower from the profile points. Row i of a profile is the contact at θᵢ. Its
+//! coordinates in the fixed frame give the height of the follower; the position of the contact gives the slope of the lift. For a flat face these are
+//! the support function of the profile and its derivative, (v, Rb + s). For a roller the contact normal is (centre − contact)/Rf, and the slope
+//! follows from it. A C² cubic spline through the slopes is integrated to the lift (C³). In the acceleration, noise of the points is thus divided by
+//! the angle step only once (theory §10). `stance` computes the position of each follower on a contact point; `breaks` joins intervals at the jumps
 //! of acceleration or jerk.
 
 mod breaks;
@@ -24,26 +24,28 @@ use emitted::lift_piece;
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};
 
-/// Deviation of a profile's angles from equal steps, in steps, that rounding in a file explains.
+/// Maximum deviation of the angles of a profile from equal steps, in steps, that rounding in a file can cause.
 const STEP_SLACK: f64 = 1e-3;
-/// Minimum mean number of rows of a stretch between two breakpoints.
+/// Minimum mean number of rows between two breakpoints.
 const ROWS_BETWEEN_BREAKS: usize = 6;
 
-/// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
+/// Recovers the lift of `follower` on `points` (equal steps of θ over one turn), smooth over the whole turn.
 ///
 /// # Errors
-/// Fewer than 8 points, angles that are not equal steps of the turn, coordinates that are not finite or out of the follower's reach, and a profile
-/// with a concave or undercut stretch under a flat face.
+///
+/// Fewer than 8 points; angles that are not equal steps of the turn; coordinates that are not finite or that the follower cannot reach; a concave or
+/// undercut part under a flat face.
 pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> {
     recover_over(follower, points, &[], Cycle::TURN)
 }
 
-/// The lift of an emitted cam: its points with the breakpoints of its law.
+/// Recovers the lift of an emitted cam from its points and the breakpoints of its law.
 ///
-/// Breakpoints closer to each other than [`ROWS_BETWEEN_BREAKS`] rows, such as the knots of a fine spline, are omitted: first those where only the
+/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted: first those at which only the
 /// jerk jumps, then all.
 ///
 /// # Errors
+///
 /// As [`recover_over`].
 pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
     let few = |breaks: &Vec<[ProfilePoint; 2]>| ROWS_BETWEEN_BREAKS * breaks.len() <= points.len();
@@ -55,15 +57,15 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
     recover_over(&cam.follower, points, &breaks, cycle)
 }
 
-/// The lift that `points` (equal steps of θ over one cycle) give `follower`.
+/// Recovers the lift of `follower` on `points` (equal steps of θ over one cycle).
 ///
-/// `breaks` are the contacts on both sides of every angle where the acceleration or the jerk jumps
-/// ([`Cam::breakpoints`]); between them the lift is smooth. A spline that ignores a jump of acceleration
-/// overshoots it by 18 % and oscillates over four rows on both sides.
+/// `breaks` are the contacts on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between them the lift is smooth. A
+/// spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
 ///
 /// # Errors
-/// Fewer than 8 points, angles that are not equal steps of the cycle, coordinates that are not finite or out of the follower's reach, and a profile
-/// with a concave or undercut stretch under a flat face.
+///
+/// Fewer than 8 points; angles that are not equal steps of the cycle; coordinates that are not finite or that the follower cannot reach; a concave or
+/// undercut part under a flat face.
 fn recover_over(
     follower: &Follower,
     points: &[ProfilePoint],
@@ -152,7 +154,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
     }
 }
 
-/// The quartic C³ lift through the slopes, shifted to the mean of the heights.
+/// Quartic C³ lift through the slopes, shifted to the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
     // A closed lift has no mean slope: subtract the mean that noise leaves.

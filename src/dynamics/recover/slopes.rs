@@ -1,4 +1,4 @@
-//! Slopes of the C² cubic spline through given values: at equal steps, closed or open, or at any angles.
+//! Slopes of the C² cubic spline through given values, for equal steps (closed or open) or for any angles.
 
 /// Slopes at the nodes of the C² cubic spline through equally spaced values.
 pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
@@ -45,8 +45,8 @@ pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
 /// Number of values that determine the slope at an end.
 const END_POINTS: usize = 5;
 
-/// Slopes at increasing `x` of the C² cubic spline through `y`. The end slopes are those of the polynomials through the nearest five values; for five
-/// values or fewer, of the polynomial through all.
+/// Slopes at increasing `x` of the C² cubic spline through `y`. Each end slope is the slope of the polynomial through the nearest five values. With
+/// five values or fewer, all slopes belong to the polynomial through all values.
 pub fn slopes_at(x: &[f64], y: &[f64]) -> Vec<f64> {
     let n = x.len();
     if n <= END_POINTS {

@@ -1,14 +1,14 @@
-//! Lift of a follower, and its slope, from a given contact point.
+//! Lift of a follower and the slope of the lift, from a given contact point.
 
 use crate::cam::{Arm, Follower, Geometry, ProfilePoint};
 
-/// Whether a contact point determines the slope, which is false for a knife edge.
+/// Whether a contact point determines the slope; false for a knife edge.
 pub fn slopes_known(follower: &Follower) -> bool {
     follower.is_flat() || follower.roller_radius() > 0.0
 }
 
-/// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with `point`; `None` if the follower cannot reach
-/// it. The slope of a knife edge is undefined.
+/// Lift above the base circle (prime circle), m (rad for an arm), and slope of the lift for a contact at `point`; `None` if the follower cannot reach
+/// the point. The slope of a knife edge is undefined.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
     let frame = Geometry::new(follower).frame(point.theta);
     let p = frame.in_space([point.x, point.y]);
@@ -34,7 +34,8 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
     (height.is_finite() && slope.is_finite()).then_some((height, slope))
 }
 
-/// A circle whose centre is above `p` on the line x = offset. The pitch curve's tangent is normal to (side, up): Y·side + (Y′ − e)·up = 0.
+/// Height and slope of a circle whose centre is above `p` on the line x = offset. The tangent of the pitch curve is perpendicular to (side, up):
+/// Y·side + (Y′ − e)·up = 0.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -45,7 +46,7 @@ fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     (centre - rest, offset - centre * side / up)
 }
 
-/// A circle over the profile of a translating cam: its contact is at (slope, −1)·Rf/√(1 + slope²) from the centre.
+/// Height and slope of a circle on the profile of a translating cam. The contact is at (slope, −1)·Rf/√(1 + slope²) from the centre.
 fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -54,8 +55,8 @@ fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     (p[1] + up - rest, scale * p[0] / up)
 }
 
-/// A circle at the end of an arm: its centre lies on the circle about the pivot, a radius away from `p`
-/// on the side of growing ξ; with its normal n the slope is (J·C)·n/(C′·n).
+/// Angle and slope of a circle at the end of an arm. The centre lies on the circle about the pivot, at the distance of the radius from `p`, on the
+/// side of increasing ξ. With the contact normal n, the slope is (J·C)·n/(C′·n).
 fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let Arm { pivot, length: arm } = follower.arm()?;
     let side = pivot.signum();
@@ -78,8 +79,8 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     Some((angle - follower.start_angle()?, slope))
 }
 
-/// A face on an arm through `p`: (P − pivot)·n = f with n = (σ sin ξ, cos ξ), the contact on the arm's side
-/// of the pivot. Along the face the contact is at −σ c cos ξ·v/(1 + v), v = σξ′.
+/// Angle and slope of a face on an arm through `p`: (P − pivot)·n = f with n = (σ sin ξ, cos ξ). The contact is on the arm's side of the pivot, at −σ
+/// c cos ξ·v/(1 + v) along the face, v = σξ′.
 fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
     let (c, side) = (pivot.abs(), pivot.signum());
     let away = [side * p[0] - c, p[1]];

@@ -1,4 +1,4 @@
-//! Hertz contact of cam and follower: pressure, half-width, and the depth of the maximum shear.
+//! Hertz contact of cam and follower: pressure, half-width, and depth of the maximum shear stress.
 //!
 //! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
 
@@ -6,7 +6,7 @@ use crate::drive::Drive;
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Depth of the maximum shear under a line contact over its half-width, and that shear over the pressure (Johnson 1985, Contact Mechanics, §4.2).
+/// Depth of the maximum shear stress below a line contact, relative to the half-width (Johnson 1985, Contact Mechanics, §4.2).
 const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
 
@@ -27,7 +27,7 @@ pub struct Material {
     pub poisson: f64,
 }
 
-/// Steel: 206.8 GPa, 0.3 (theory §10).
+/// Elastic constants of steel: 206.8 GPa, 0.3 (theory §10).
 pub const STEEL: Material = Material {
     young: 206.8e9,
     poisson: 0.3,
@@ -48,7 +48,7 @@ pub struct LineContact {
     pub pressure: f64,
     /// Half-width of the contact, m.
     pub half_width: f64,
-    /// Depth of the maximum shear, m, where pitting starts.
+    /// Depth of the maximum shear stress, m, where pitting starts.
     pub shear_depth: f64,
     /// Maximum shear stress, Pa.
     pub shear: f64,
@@ -59,10 +59,9 @@ pub fn modulus(a: Material, b: Material) -> f64 {
     1.0 / ((1.0 - a.poisson * a.poisson) / a.young + (1.0 - b.poisson * b.poisson) / b.young)
 }
 
-/// Line contact: p₀ = √(F E*/(π L R)), 1/R the sum of `curvature` of both bodies.
+/// Line contact with p₀ = √(F E*/(π L R)), where 1/R is the sum of the curvatures of both bodies, `curvature` in 1/m.
 ///
-/// `force` N, `length` m. The pressure is 0 for a force or curvature of 0 or less (a face in a concave
-/// flank is not a Hertz contact).
+/// `force` is in N, `length` in m. The pressure is 0 if force or curvature is 0 or negative: a face in a concave flank is not a Hertz contact.
 pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContact {
     if force <= 0.0 || curvature <= 0.0 {
         return LineContact::default();
@@ -77,10 +76,10 @@ pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContac
     }
 }
 
-/// Limit of the line pressure under a translating flat face to `pressure` Pa, exact and linear in the law: w·(s, v, a, j) ≤ bound, returned as (w,
-/// bound).
+/// Limit of the line pressure below a translating flat face to `pressure` Pa. The limit is exact and linear in the law: w·(s, v, a, j) ≤ bound,
+/// returned as (w, bound).
 ///
-/// F ≤ π L p²/E*·(Rb + s + a), because the radius of curvature is itself linear in the law (theory §6).
+/// F ≤ π L p²/E*·(Rb + s + a), because the radius of curvature is linear in the law (theory §6).
 pub fn flat_face_limit(
     drive: &Drive,
     base_radius: f64,

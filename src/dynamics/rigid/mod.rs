@@ -1,7 +1,7 @@
 //! Rigid bodies in contact: force, torque, power, lift-off speed.
 //!
-//! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (theory §1); the camshaft gives
-//! T = F·v, plus μ|F|·d against the turning under a flat face (Campillo de Blas 2017, eq. 27).
+//! F = F₀ + k s + c ω v + m ω² a along the line of motion (theory §1). The shaft torque is T = F·v. Under a flat face, friction adds μ|F|·d against
+//! the rotation (Campillo de Blas 2017, eq. 27).
 
 pub mod hertz;
 pub(crate) mod touch;
@@ -12,13 +12,13 @@ use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 
-/// Largest number of iterations; fewer than ten are needed.
+/// Maximum number of iterations; fewer than ten are needed.
 const ROUNDS: usize = 60;
-/// Force at rest, relative to the largest force, below which a pull counts as none, since the lift of zero has the spline's or the solver's
-/// tolerance.
+/// Force at rest, relative to the maximum force, below which a negative force counts as zero. A lift of zero has the tolerance of the spline or of
+/// the solver.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
-/// Height above the centre at which friction acts when s = 0: the base radius under a flat face; bearing friction of a roller is neglected.
+/// Height above the cam centre at which friction acts at s = 0: the base radius for a flat face. Bearing friction of a roller is neglected.
 pub(crate) fn reach(follower: &Follower) -> f64 {
     if let Follower::FlatTranslating { base_radius } = follower {
         *base_radius
@@ -27,8 +27,8 @@ pub(crate) fn reach(follower: &Follower) -> f64 {
     }
 }
 
-/// Torque over the whole law, N·m, as a piecewise polynomial; friction included if the force is positive all the way round; `None` if the force
-/// changes sign, since the torque is then not a polynomial.
+/// Torque over the whole law, N·m, as a piecewise polynomial. Friction is included if the force is positive over the whole turn. `None` if the force
+/// changes sign, because the torque is then not a polynomial.
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
     let force = drive.force_curve(law);
     let rub = friction * drive.speed.signum();
@@ -39,8 +39,8 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
     Some(force.times(&arm))
 }
 
-/// Minimum speed, rad/s, of loss of contact. 0 if the force is negative at rest, `None` if contact is never lost. The worst angle at one speed gives
-/// a lower speed by its quadratic in ω; this converges from above, and the extremes are exact.
+/// Minimum speed of lift-off, rad/s. 0 if the force is negative at rest, `None` if the follower never lifts off. At a given speed, the worst angle
+/// gives a lower speed by its quadratic in ω. The iteration converges from above, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     let extremes = |[s, v, a]: [f64; 3], constant| law.extremes_of([s, v, a, 0.0], constant);
     let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);
@@ -94,8 +94,8 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     Some(speed)
 }
 
-/// Whether damping lifts off at any speed, where nothing presses at the lowest point: there s = α φⁿ, and k s + c ω s′ + m ω² s″ before it is
-/// somewhere negative at all speeds or at none, for c² above or below 4 k m (n − 1)/n. The order n is 2, or 3 at the end of a dwell.
+/// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. There s = α φⁿ. Before this point, k s + c ω s′ + m ω² s″
+/// is negative somewhere at all speeds if c² is above 4 k m (n − 1)/n, and at no speed if c² is below. The order n is 2, or 3 at the end of a dwell.
 fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
     let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
     let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {
@@ -107,7 +107,7 @@ fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool
     touches && law.stroke() > 0.0 && drive.damping.powi(2) > critical
 }
 
-/// The motion at an extreme, from the side of a break on which the quantity has the extreme's value.
+/// Motion at an extreme. At a break, the side is used on which the quantity has the value of the extreme.
 fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Svaj {
     let right = law.svaj(extreme.at);
     let n = law.breaks().len() - 1;
@@ -137,7 +137,7 @@ fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// Preload, N, with which the spring of rate k maintains `margin` N of contact all the way round.
+/// Preload, N, for which a spring of rate k keeps a contact force of at least `margin` N over the whole turn.
 pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
     let free = Drive {
         rest_force: 0.0,

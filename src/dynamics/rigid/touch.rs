@@ -1,14 +1,14 @@
 //! Contact forces and sliding for every follower, by virtual work.
 //!
-//! The follower has the coordinate s, the cam the coordinate θ. With the contact's unit normal n (towards the follower) and G = ∂P/∂s, the velocity
-//! of the follower's own point there, a force N n and a friction μ|N| along the rubbing give the force on that freedom Q = N n·G + μ|N| t·G; the
-//! shaft gives T = (N n + μ|N| t)·U, U the velocity of the cam's own point per unit of θ. Without friction that is T = Q·v. For an arm Q is the
-//! moment about its pivot, N·m, and v is in rad/rad; for a slide T is the push along its travel, N.
+//! The follower has the coordinate s, the cam the coordinate θ. n is the unit normal of the contact, towards the follower. G = ∂P/∂s is the velocity
+//! of the follower's contact point; U is the velocity of the cam's contact point per unit of θ. A normal force N n and a friction force μ|N| t along
+//! the sliding direction t give the force Q = N n·G + μ|N| t·G on the follower, and the shaft torque T = (N n + μ|N| t)·U. Without friction T = Q·v.
+//! For an arm, Q is the moment about its pivot, N·m, and v is in rad/rad. For a translating cam, T is the force along its travel, N.
 
 use crate::cam::{Cam, Contact, Follower, Geometry, Kind};
 use crate::law::Svaj;
 
-/// The contact forces at one cam angle.
+/// Contact forces at one cam angle.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -28,17 +28,17 @@ pub struct Touch {
     pub sliding: f64,
     /// Mean speed of both surfaces relative to the contact (entraining speed), m/s.
     pub entraining: f64,
-    /// Thrust across the guides, or along an arm towards its pivot, N.
+    /// Lateral force on the guides, or force along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Tipping moment of a flat face about the guide's line through the cam's centre, N·m.
+    /// Tilting moment of a flat face about the point where the guide's line passes the cam centre, N·m.
     pub tipping: f64,
-    /// Torque of the shaft in the sense of increasing θ, N·m (the push on a translating cam, N).
+    /// Torque of the shaft in the direction of increasing θ, N·m; for a translating cam the force along its travel, N.
     pub torque: f64,
     /// Sum of the curvatures of cam and follower, 1/m.
     pub curvature: f64,
 }
 
-/// A follower with constants of its motion.
+/// Follower with precomputed constants of its motion.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -68,20 +68,20 @@ pub struct FollowerContact {
 /// Forces at one contact.
 struct Forces {
     normal: f64,
-    /// Velocity along the tangent of the cam's point relative to the follower's, per unit of θ.
+    /// Tangential velocity of the cam's contact point relative to the follower's contact point, per unit of θ.
     rubbing: f64,
-    /// Force on the follower along its motion.
+    /// Force on the follower along its motion, N.
     total: [f64; 2],
     torque: f64,
 }
 
 /// Force formulas of a kind of follower.
 trait Pressed: Kind {
-    /// The contact at one point of the motion and its forces, with friction between the surfaces. The normal force is infinite if friction locks the
+    /// Contact and forces at one point of the motion, with friction between the surfaces. The normal force is infinite if friction locks the
     /// follower.
     fn forces(&self, friction: f64, at: Svaj, force: f64) -> (Contact, Forces);
 
-    /// Torques at points of the motion with their forces, in a loop that the compiler vectorises.
+    /// Torques at many points of the motion with their forces, in a loop that the compiler vectorises.
     fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]);
 }
 
@@ -127,7 +127,7 @@ impl<K: Kind> Pressed for K {
 }
 
 impl FollowerContact {
-    /// The contact formulas of a follower.
+    /// Contact formulas of a follower.
     pub fn of(follower: &Follower) -> FollowerContact {
         let pivot = follower.pivot();
         FollowerContact {
@@ -150,8 +150,8 @@ impl FollowerContact {
         }
     }
 
-    /// Torque of the shaft in the sense of increasing θ, N·m, at one point of the motion, under `force` on the follower; friction is negative if the
-    /// cam turns backwards.
+    /// Torque of the shaft in the direction of increasing θ, N·m, at one point of the motion, for `force` on the follower. `friction` is negative if
+    /// the cam turns backwards.
     pub fn torque(&self, friction: f64, at: Svaj, force: f64) -> f64 {
         let mut torque = [0.0];
         self.fill(friction, &[at], &[force], &mut torque);
@@ -174,7 +174,7 @@ impl FollowerContact {
         }
     }
 
-    /// The contact at one point of the motion, at `speed` rad/s of the cam.
+    /// Contact at one point of the motion, at the cam speed `speed`, rad/s.
     pub fn at(&self, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
         // A roller's own friction is in its bearing and is left out.
         let friction = if self.rubs { friction } else { 0.0 };
@@ -200,7 +200,7 @@ impl FollowerContact {
         }
     }
 
-    /// Speed of the contact along the profile per unit of θ, signed, and the sum of the curvatures of cam and follower, 1/m.
+    /// Signed speed of the contact along the profile per unit of θ, and sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
             // A face on an arm turns with it against the cam.
@@ -217,19 +217,18 @@ impl FollowerContact {
     }
 }
 
-/// The contact at one point of the motion of `follower`, under `force` on the follower (N; for an arm the moment about its pivot, N·m), at `speed`
-/// rad/s of the cam; speed and friction are negative for backward rotation.
+/// Contact at one point of the motion of `follower`, for `force` on the follower (N; for an arm the moment about its pivot, N·m), at the cam speed
+/// `speed`, rad/s. Speed and friction are negative for backward rotation.
 pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
     FollowerContact::of(follower).at(speed, friction, at, force)
 }
 
-/// Whether the cam slides on the follower; a roller rolls.
+/// Whether the cam slides on the follower; false for a roller.
 pub fn rubs(follower: &Follower) -> bool {
     follower.is_flat() || follower.kind().is_mushroom() || follower.roller_radius() == 0.0
 }
 
-/// Whether the follower is held from both sides and cannot lift off: the groove of a barrel, or a conjugate
-/// pair.
+/// Whether the follower is constrained from both sides and cannot lift off: in the groove of a barrel, or by a conjugate pair.
 pub fn held(cam: &Cam, conjugate: Option<&Cam>) -> bool {
     conjugate.is_some() || matches!(cam.follower, Follower::Barrel { .. })
 }

@@ -1,10 +1,10 @@
-//! A force over the cam angle, compared with a target over time.
+//! Comparison of a force over the cam angle with a target over time.
 
 use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-/// Difference of a force from its target over time, with optimal phase and given mean speed.
+/// Difference between a force and its target over time, at the optimal phase and a given mean speed.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -26,21 +26,21 @@ use serde::Serialize;
 pub struct InTime {
     /// Root mean square of the difference over the period, N.
     pub rms_error_n: f64,
-    /// Root mean square as a percentage of the target's mean over time.
+    /// Root mean square of the difference, in percent of the mean of the target over time.
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Maximum number of iterations of the phase, and its final change, in parts of the period.
+/// Maximum number of iterations of the phase.
 const ROUNDS: usize = 20;
 const SAME: f64 = 1e-4;
-/// Number of equal phases among which the minima are searched, and the step of the forces there.
+/// Number of equal phases among which the minima are searched.
 const PHASES: usize = 48;
 const STEP: usize = 6;
-/// Fraction by which the error of another minimum must be lower.
+/// Minimum relative decrease of the error for another minimum to be selected.
 const LOWER: f64 = 1e-6;
 
-/// Difference of forces at equal angles, with speed, rad/s, and time, s, from a target at equal times of one period that begins at the same angle,
-/// minimised over the phase of the target.
+/// Difference between forces at equal angles, with speed, rad/s, and time, s, and a target at equal times of one period, minimised over the phase of
+/// the target. Forces and target begin at the same angle.
 pub fn error_in_time(
     forces: &[f64],
     speed: &[f64],
@@ -78,7 +78,7 @@ pub fn error_in_time(
     }
 }
 
-/// A force with its time and duration, in parts of the period.
+/// A force with its time and duration, as fractions of the period.
 #[derive(Clone, Copy)]
 struct Weighed {
     force: f64,
@@ -86,11 +86,11 @@ struct Weighed {
     weight: f64,
 }
 
-/// Samples of one period with cubics between them.
+/// Samples of one period with cubic interpolation between them.
 pub struct Cubic<'a>(pub &'a [f64]);
 
 impl Cubic<'_> {
-    /// Minimum mean square difference near a phase, by Gauss–Newton steps.
+    /// Minimum mean square difference near a phase, by the Gauss–Newton method.
     fn least_from(&self, phase: f64, rows: &[Weighed]) -> f64 {
         let mut shift = phase;
         let mut least = f64::INFINITY;
@@ -109,7 +109,7 @@ impl Cubic<'_> {
         least
     }
 
-    /// Mean square difference of the forces at a phase, with its slope and Gauss–Newton curvature.
+    /// Mean square difference of the forces at a phase, with its slope and its Gauss–Newton curvature.
     fn distance(&self, shift: f64, rows: &[Weighed]) -> [f64; 3] {
         let mut out = [0.0; 3];
         for row in rows {
@@ -122,7 +122,7 @@ impl Cubic<'_> {
         out
     }
 
-    /// Value and slope at a fraction of the period, by Catmull–Rom cubics.
+    /// Value and slope at a fraction of the period, by Catmull–Rom interpolation.
     pub fn at(&self, part: f64) -> (f64, f64) {
         let n = self.0.len();
         let x = (part - part.floor()) * n as f64;

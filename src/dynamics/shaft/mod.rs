@@ -1,7 +1,7 @@
-//! The motor-driven shaft: speed over the turn, and the supply that gives the mean speed.
+//! Motor-driven shaft: speed over the turn, and the no-load speed that gives the mean speed.
 //!
-//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]); its periodic solution is computed together with the no-load speed
-//! that gives the mean speed ([`steady`], theory §10).
+//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]). Its periodic solution is computed together with the no-load speed
+//! ([`steady`], theory §10).
 
 mod in_time;
 mod steady;
@@ -21,12 +21,12 @@ use crate::units::{Dimension, Quantity};
 pub use steady::forecast;
 use steady::{Stall, Steady};
 
-/// Margin of a suggested no-load speed or inertia above the required one.
+/// Factor between a suggested no-load speed or inertia and the required one.
 const MARGIN: f64 = 1.02;
 /// Work relative to J Ω² below which it is a rounding error.
 const ROUNDING: f64 = 1e-9;
 
-/// The steady motion of the shaft.
+/// Steady motion of the shaft.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -53,51 +53,51 @@ pub struct Shaft {
     /// Maximum speed of the shaft, rad/s.
     #[serde(rename = "max_rad_per_s")]
     pub max: f64,
-    /// Maximum less minimum speed, relative to the mean.
+    /// Difference of maximum and minimum speed, relative to the mean.
     pub ripple: f64,
-    /// No-load speed of the motor, at the camshaft, that gives the mean speed, rad/s.
+    /// No-load speed of the motor at the camshaft for which the shaft has the mean speed, rad/s.
     #[serde(rename = "no_load_speed_rad_per_s")]
     pub no_load_speed: f64,
-    /// Moment of inertia at the camshaft, kg·m².
+    /// Moment of inertia referred to the camshaft, kg·m².
     #[serde(rename = "inertia_kg_m2")]
     pub inertia: f64,
-    /// Root mean square over time of the motor's own torque, N·m.
+    /// Root mean square over time of the torque of the motor shaft, N·m.
     pub motor_torque_rms_n_m: f64,
-    /// Largest absolute value of the shaft, N·m.
+    /// Maximum absolute torque of the motor shaft, N·m.
     pub motor_torque_max_n_m: f64,
     /// Mean power of the motor, W.
     pub motor_power_mean_w: f64,
-    /// Angle from the lowest lift at which the shaft stops when it starts there from rest, rad; `None` if it does not stop.
+    /// Angle between the minimum lift, at which the shaft starts from rest, and the point at which it stops, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
-    /// Minimum inertia, kg·m², to 1 %, with which the shaft keeps turning at the mean speed; 0 if any suffices.
+    /// Minimum inertia, kg·m², to 1 %, for which the shaft keeps turning at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,
-    /// Work of the motor less friction and load, relative to the alternating work of a turn.
+    /// Work of the motor minus the work of friction and load, relative to the alternating work of a turn. It measures the numerical error.
     pub energy_balance: f64,
 }
 
-/// The motion of the shaft over the turn.
+/// Motion of the shaft over one turn.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// Speed ω at equal angles, rad/s; empty until [`Motion::at_rows`].
+    /// Speed ω at equal angles, rad/s; empty before a call of [`Motion::at_rows`].
     pub speed: Vec<f64>,
-    /// Angular acceleration d(ω²/2)/dθ at these angles, rad/s².
+    /// Angular acceleration d(ω²/2)/dθ at equal angles, rad/s².
     pub acceleration: Vec<f64>,
     /// Time since the first angle, s.
     pub time: Vec<f64>,
     mean: f64,
-    /// Load of the motor, and its periodic solution; `None` for constant speed.
+    /// Load of the motor and its periodic solution; `None` for constant speed.
     turn: Option<(Load, Steady)>,
     pieces: Vec<Piece>,
 }
 
-/// Fraction of the period, rad, between an angle since the first, rad, and that of the next piece, as polynomial coefficients.
+/// Fraction of the period, rad, as a polynomial between two angles since the first, rad.
 #[derive(Debug, Clone)]
 struct Piece {
     from: f64,
     factors: [f64; 6],
 }
 
-/// Fraction of the period, rad, at an angle since the first, rad, with its derivatives with respect to the angle; the second may jump.
+/// Fraction of the period, rad, at an angle since the first, rad, with its derivatives with respect to the angle. The second derivative may jump.
 struct Mark {
     angle: f64,
     phase: f64,
@@ -107,7 +107,7 @@ struct Mark {
 }
 
 impl Piece {
-    /// Hermite interpolation by a quintic.
+    /// Quintic Hermite interpolation between two marks.
     fn between(from: &Mark, to: &Mark) -> Piece {
         let h = to.angle - from.angle;
         let (square, rise) = (h * h, to.phase - from.phase);
@@ -150,7 +150,7 @@ impl Motion {
         }
     }
 
-    /// The motion with its values at equal angles.
+    /// The motion with its values at `count` equal angles.
     #[must_use]
     pub fn at_rows(mut self, count: usize) -> Motion {
         for i in 0..count {
@@ -163,12 +163,12 @@ impl Motion {
         self
     }
 
-    /// Angles since the first between which the motion is smooth, from 0 to a turn.
+    /// Angles since the first between which the motion is smooth, from 0 to one turn.
     pub fn breaks(&self) -> impl Iterator<Item = f64> {
         self.pieces.iter().map(|p| p.from).chain([TAU])
     }
 
-    /// Maximum less minimum speed, relative to the mean.
+    /// Difference of maximum and minimum speed, relative to the mean.
     pub fn ripple(&self) -> f64 {
         let range = self.turn.as_ref().map(|(_, steady)| steady.range);
         range.map_or(0.0, |[min, max]| {
@@ -191,7 +191,7 @@ impl Motion {
         ]
     }
 
-    /// The cam angle since the first, rad, at a fraction of the period, rad.
+    /// Cam angle since the first, rad, at a fraction of the period, rad.
     pub fn angle(&self, phase: f64) -> f64 {
         let (turns, phase) = (phase.div_euclid(TAU), phase.rem_euclid(TAU));
         let i = self.pieces.partition_point(|p| p.factors[0] <= phase);
@@ -210,7 +210,7 @@ impl Motion {
         TAU * turns + angle
     }
 
-    /// Speed, rad/s, its time derivative, rad/s², and the derivative of that with respect to the angle, rad/s², at an angle since the first.
+    /// Speed, rad/s, its time derivative, rad/s², and the derivative of the latter with respect to the angle, rad/s², at an angle since the first.
     pub fn speed_at(&self, angle: f64) -> [f64; 3] {
         self.speed_of(self.phase(angle))
     }
@@ -230,7 +230,8 @@ impl Motion {
     /// Rejects a motor whose supply does not reach the no-load speed of this motion.
     ///
     /// # Errors
-    /// The motor's no-load speed is too low for the mean speed.
+    ///
+    /// The no-load speed of the motor is too low for the mean speed.
     pub fn check_supply(&self, motor: &Motor) -> Result<()> {
         let Some((load, steady)) = &self.turn else {
             return Ok(());
@@ -259,7 +260,7 @@ impl Motion {
         Err(fault.into())
     }
 
-    /// Report of the motion, `None` for constant speed; `lowest` is the angle of the lowest lift.
+    /// Report of the motion; `None` for constant speed. `lowest` is the angle of the minimum lift, rad.
     pub fn report(&self, motor: &Motor, lowest: f64) -> Option<Shaft> {
         let (load, turn) = self.turn.as_ref()?;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
@@ -298,9 +299,10 @@ pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
     still + drive.mass * (speed * speed * at.a + acceleration * at.v)
 }
 
-/// The periodic motion of a load under a motor at a mean speed, rad/s; `near` is an approximate motion, if known.
+/// Periodic motion of a motor and its load at a given mean speed, rad/s. `near` is an optional initial guess.
 ///
 /// # Errors
+///
 /// The shaft stops.
 pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> Result<Motion> {
     let near = near.and_then(|m| m.turn.as_ref());
@@ -334,7 +336,7 @@ pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> 
     Ok(Motion::new(mean, Some((load, steady)), pieces))
 }
 
-/// The error of a shaft that stops, with a sufficient inertia.
+/// Error for a shaft that stops, with a sufficient inertia.
 fn stalls(motor: &Motor, stall: Stall) -> DynamicsError {
     let inertia = |j: f64| Quantity::new(j, Dimension::Inertia);
     match stall {

@@ -1,63 +1,64 @@
-//! The periodic turn, by Newton's method on the energies at all stages and the no-load speed. Linearised about the last energies, every step's end is
-//! α + β E₀ + γ δω₀. Two conditions close the turn: periodicity, and the time of the mean speed. An iteration evaluates the loads at the stages once
-//! (theory §10).
+//! Periodic motion over one turn, by Newton's method for the energies at all stages and the no-load speed. After linearisation about the previous
+//! energies, the end of every step is α + β E₀ + γ δω₀. Two conditions close the turn: periodicity, and the period of the mean speed. An iteration
+//! evaluates the loads at the stages once (theory §10).
 
 use std::f64::consts::TAU;
 
 use super::turn::{INNER, Inverse, Load, PLACES, STAGES, WEIGHTS};
 use crate::drive::Motor;
 
-/// Maximum number of iterations; five are usual, two from a nearby turn.
+/// Maximum number of iterations. Five are usual, two from a similar motion.
 const SWEEPS: usize = 30;
-/// Relative change of the energies at which the iteration stops, since convergence is quadratic.
+/// Relative change of the energies below which the iteration stops. Convergence is quadratic.
 const SAME: f64 = 1e-6;
 /// Maximum relative decrease of an energy in one iteration.
 const LEAST_PART: f64 = 0.3;
-/// Number of steps of a turn if only its existence is required.
+/// Number of steps of a turn if only the existence of a solution is required.
 const COARSE: usize = 48;
-/// Inertia is changed by this factor between turns of which one leads to the next, by no less than that, over this range.
+/// Maximum factor between two inertias of the continuation.
 const FACTOR: f64 = 100.0;
 const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
-/// Decay of a disturbance over a step beyond which the step does not resolve it.
+/// Decay exponent of a disturbance over a step above which the step does not resolve it.
 const UNRESOLVED: f64 = 5.0;
-/// Minimum energy of a turn relative to that of its mean speed: at a hundredth of this speed the shaft is at an unstable balance of motor and load.
+/// Minimum energy relative to the energy of the mean speed. Below it, at a hundredth of the mean speed, motor and load are in an unstable
+/// equilibrium.
 const LEAST_ENERGY: f64 = 1e-4;
-/// Ripple at which a flywheel is large enough to turn nearly evenly.
+/// Speed ripple below which a flywheel gives a nearly constant speed.
 const EVEN: f64 = 0.1;
 
-/// The periodic turn of a shaft under its motor.
+/// Periodic motion of a motor-driven shaft over one turn.
 #[derive(Debug, Clone)]
 pub struct Steady {
     /// Energy ω²/2 at the stages of the steps, rad²/s².
     stages: Vec<[f64; STAGES]>,
     /// No-load speed of the motor, rad/s.
     pub no_load: f64,
-    /// Energy ω²/2 at the beginning of every step, and at the end.
+    /// Energy ω²/2 at the start of every step, and at the end of the turn, rad²/s².
     pub energy: Vec<f64>,
-    /// Time at these angles, s.
+    /// Time at the start of every step, and at the end of the turn, s.
     pub time: Vec<f64>,
-    /// Work ∮ of the motor's torque at the camshaft, J.
+    /// Work ∮ of the motor torque at the camshaft, J.
     pub motor_work: f64,
-    /// Integral of its square over time, (N·m)²·s.
+    /// Integral of the squared motor torque over time, (N·m)²·s.
     pub motor_square: f64,
-    /// Work ∮ of the load's torque, J.
+    /// Work ∮ of the load torque, J.
     pub load_work: f64,
-    /// Smallest and largest energy.
+    /// Minimum and maximum energy ω²/2, rad²/s².
     pub range: [f64; 2],
 }
 
-/// Reasons why a shaft does not keep turning.
+/// Reasons for which a shaft does not keep turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
-    /// The inertia is below this, kg·m².
+    /// The inertia is below this value, kg·m².
     Below(f64),
-    /// The shaft stops with any inertia.
+    /// The shaft stops for any inertia.
     Anyway,
 }
 
 impl Steady {
-    /// The periodic turn of a load under a motor at a mean speed, rad/s, with an optional initial turn `near`.
+    /// Finds the periodic motion of a motor and its load at a given mean speed, rad/s. `near` is an optional initial guess.
     pub fn find(
         load: &Load,
         motor: &Motor,
@@ -90,7 +91,7 @@ impl Steady {
         newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
     }
 
-    /// Minimum inertia, kg·m², to 1 %, with which this shaft keeps turning; 0 if any suffices.
+    /// Minimum inertia, kg·m², to 1 %, for which this shaft keeps turning; 0 if any inertia is sufficient.
     pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
         let goal = motor.inertia / RANGE;
         let coarse = load.every(COARSE);
@@ -108,8 +109,8 @@ impl Steady {
         if least > goal { least } else { 0.0 }
     }
 
-    /// E′ at the beginning (0) or the end (1) of a step, from inside it. If the motor settles within a fraction of the step, the energy at its ends
-    /// oscillates, and E′ of the stages is used.
+    /// E′ at the start (0) or the end (1) of a step, from inside the step. If the time constant of the motor is a fraction of the step, the energy at
+    /// the ends oscillates, and E′ of the stages is used.
     pub fn rate_at_end(&self, load: &Load, motor: &Motor, step: usize, end: usize) -> f64 {
         let (own, energy) = (&load.steps[step], self.energy[step + end]);
         let [rate, by_energy, _] = own.ends[end].rate(motor, self.no_load, energy);
@@ -128,7 +129,7 @@ impl Steady {
         (0..STAGES).map(|k| factor(k) * rates[k]).sum()
     }
 
-    /// Energies at the stages of a load with other steps.
+    /// Energies at the stages of a load with different steps.
     fn at_stages_of(&self, load: &Load) -> Vec<[f64; STAGES]> {
         let (own, other) = (self.stages.len(), load.steps.len());
         if own == other {
@@ -152,7 +153,7 @@ pub fn with_inertia(motor: &Motor, inertia: f64) -> Motor {
     }
 }
 
-/// Energies of a shaft that turns evenly, and the no-load speed.
+/// Energies of a shaft with nearly constant speed, and the no-load speed.
 fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     let mean = load.at_constant_speed(speed).0;
     let no_load = motor.no_load_for(speed, mean + motor.friction);
@@ -162,8 +163,8 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed relative to its mean, and RMS change of the force over time relative to its mean, linearised in the change of speed: the first
-/// Newton step from a constant speed, rad/s. The phase minimises the change.
+/// Range of the speed relative to its mean, and RMS change of the force over time relative to its mean, linearised in the change of speed. This is
+/// the first Newton step from a constant speed, rad/s. The phase minimises the change.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
@@ -205,7 +206,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     (0.5 * (high - low) / level, rms)
 }
 
-/// Energies at the extremes within a step, from the rates at its stages.
+/// Energies at the extremes within a step, from the derivatives at its stages.
 fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item = f64> {
     // E′ = a + b x + c x², x from the middle of the step in parts of it.
     let side = PLACES[2] - PLACES[1];
@@ -222,7 +223,7 @@ fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item 
     })
 }
 
-/// The turn with the smallest inertia found, down to `goal`, by continuation from a large inertia.
+/// Motion with the minimum inertia found, down to `goal`, by continuation from a large inertia.
 fn smaller(
     load: &Load,
     motor: &Motor,
@@ -242,7 +243,7 @@ fn smaller(
     (inertia, turn)
 }
 
-/// Newton's method from energies at the stages and a no-load speed.
+/// Newton's method from given energies at the stages and a given no-load speed.
 fn newton(
     load: &Load,
     motor: &Motor,
@@ -283,7 +284,8 @@ fn newton(
     None
 }
 
-/// One linear problem: the first energy and the change of the no-load speed; `lines` receive the energies at the stages as affine functions of both.
+/// Solves the linearised problem for the first energy and the change of the no-load speed. `lines` receives the energies at the stages as affine
+/// functions of both.
 fn sweep(
     load: &Load,
     motor: &Motor,
@@ -329,7 +331,7 @@ fn sweep(
     (found.0.is_finite() && found.1.is_finite()).then_some(found)
 }
 
-/// The turn with the given energies at its stages.
+/// Motion with the given energies at its stages.
 fn evaluated(
     load: &Load,
     motor: &Motor,

@@ -1,7 +1,7 @@
-//! The load over one turn of a shaft with varying speed, for Newton's method ([`super::steady`]) and a start from rest.
+//! Load over one turn of a shaft with varying speed, for Newton's method ([`super::steady`]) and for a start from rest.
 //!
-//! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and τ the torque of the shaft
-//! per unit of contact force (v without friction), by collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
+//! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and the shaft torque τ per unit of contact force (v
+//! without friction). The method is collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -10,24 +10,24 @@ use crate::law::Svaj;
 
 /// Number of steps of a start from rest.
 const SMALL_STEPS: usize = 2048;
-/// Maximum number of Newton iterations of its steps, three are usual, and the final change relative to the energy.
+/// Maximum number of Newton iterations per step of a start from rest; three are usual.
 const ROUNDS: usize = 60;
 const SAME: f64 = 1e-9;
-/// Fraction of a step before its end at which a possible jump is evaluated.
+/// Distance from the end of a step, as a fraction of the step, at which a quantity with a possible jump is evaluated.
 const INSIDE: f64 = 1e-12;
-/// Stages of a step, with their positions and weights.
+/// Number of stages of a step.
 pub const STAGES: usize = 3;
 pub const PLACES: [f64; STAGES] = {
     let r = ROOT / 10.0;
     [0.5 - r, 0.5, 0.5 + r]
 };
-/// Stages and ends of a step.
+/// Positions of the stages and ends of a step, as fractions of the step.
 const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
-/// √15, of the Gauss points of order three.
+/// √15, for the Gauss points of order three.
 const ROOT: f64 = 3.872_983_346_207_417;
 
-/// Coefficient matrix of the stages: the integrals of Lagrange's polynomials (Hairer, Nørsett and Wanner 1993, II.7).
+/// Coefficient matrix of the stages: integrals of the Lagrange polynomials (Hairer, Nørsett and Wanner 1993, II.7).
 pub const INNER: [[f64; STAGES]; STAGES] = {
     let r = ROOT;
     [
@@ -37,10 +37,10 @@ pub const INNER: [[f64; STAGES]; STAGES] = {
     ]
 };
 
-/// The load on the shaft at one angle.
+/// Load on the shaft at one angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
-    /// Torque per unit of positive and of negative force, m.
+    /// Torque per unit of positive and of negative contact force, m.
     arms: [f64; 2],
     /// Static force F₀ + k s, N.
     rest: f64,
@@ -53,7 +53,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// The load of a motion under a drive with these arms, and an acceleration of the floor, m/s².
+    /// Load of a motion for a drive with the given lever arms and an acceleration of the floor, m/s².
     pub fn new(drive: &Drive, at: Svaj, arms: [f64; 2], floor: f64) -> Node {
         Node {
             arms,
@@ -64,13 +64,13 @@ impl Node {
         }
     }
 
-    /// Contact force, N, for ω²/2 and its derivative by the angle.
+    /// Contact force, N, for the energy ω²/2 and its derivative with respect to the angle.
     pub fn force(&self, energy: f64, rate: f64) -> f64 {
         let speed = (2.0 * energy).max(0.0).sqrt();
         self.rest + self.damping * speed + self.bend * energy + self.mass * rate
     }
 
-    /// Derivative of the contact force by ω²/2 at a speed, rad/s.
+    /// Derivative of the contact force with respect to ω²/2, at a speed, rad/s.
     pub fn by_energy(&self, speed: f64) -> f64 {
         self.damping / speed + self.bend
     }
@@ -81,7 +81,7 @@ impl Node {
         self.arms[usize::from(force < 0.0)] * force
     }
 
-    /// Rate E′, and its derivatives with respect to E and to the no-load speed.
+    /// Derivative E′ of the energy, and the derivatives of E′ with respect to E and to the no-load speed.
     pub fn rate(&self, motor: &Motor, no_load: f64, energy: f64) -> [f64; 3] {
         let speed = (2.0 * energy).max(f64::MIN_POSITIVE).sqrt();
         let [torque, by_speed, by_supply] = motor.torque(speed, no_load);
@@ -100,7 +100,7 @@ impl Node {
     }
 }
 
-/// A step of the angle with the loads at its ends, evaluated from inside, and at its stages.
+/// Step of the angle, with the loads at its stages and at its ends, evaluated from inside.
 #[derive(Debug, Clone)]
 pub struct Step {
     pub from: f64,
@@ -116,7 +116,7 @@ impl Step {
         [self.ends[0], p, q, r, self.ends[1]]
     }
 
-    /// Derivative with respect to the angle, at the stages, of the polynomial through all nodes.
+    /// Derivatives with respect to the angle, at the stages, of the polynomial through all nodes.
     pub fn slopes(&self, value: impl Fn(&Node) -> f64) -> [f64; STAGES] {
         let values = self.all().map(|node| value(&node));
         std::array::from_fn(|stage| {
@@ -134,14 +134,14 @@ impl Step {
     }
 }
 
-/// The load of a law over one turn.
+/// Load of a law over one turn.
 #[derive(Debug, Clone)]
 pub struct Load {
     pub steps: Vec<Step>,
 }
 
 impl Load {
-    /// The load `at` every angle of a turn from `start` over `length`, smooth between equal angles and breaks.
+    /// Load of the motion `at` every angle of a turn from `start` over `length`, smooth between equal angles and breaks.
     pub fn of(
         (start, length): (f64, f64),
         breaks: &[f64],
@@ -168,7 +168,7 @@ impl Load {
         Load { steps }
     }
 
-    /// Mean torque over the turn at a constant speed, N·m, and the integral of the deviation from it up to the end of every step, J.
+    /// Mean torque over the turn at a constant speed, N·m, and the integral of the deviation from this mean up to the end of every step, J.
     pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
         let (mut work, mut angle) = (0.0, 0.0);
@@ -185,14 +185,14 @@ impl Load {
         (mean, swings.collect())
     }
 
-    /// The range of a shaft's energy at a constant speed, J.
+    /// Range of the energy of the shaft at a constant speed, J.
     pub fn swing(&self, speed: f64) -> f64 {
         let works = self.at_constant_speed(speed).1.into_iter();
         let (low, high) = works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
         high - low
     }
 
-    /// The load with its steps merged to about this number.
+    /// The load with its steps merged to about `count` steps.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
         if at_once == 1 {
@@ -209,8 +209,8 @@ impl Load {
         }
     }
 
-    /// The angle at which the shaft stops, rad, if it does not complete its first turn from rest at `angle`. The method is of
-    /// second order and L-stable, for small wheels under stiff motors (Alexander 1977).
+    /// Angle at which the shaft stops, rad, if it does not complete the first turn from rest at `angle`. The method is of second order and L-stable,
+    /// suitable for small inertia and a stiff motor (Alexander 1977).
     pub fn stop_from_rest(&self, motor: &Motor, no_load: f64, angle: f64) -> Option<f64> {
         let h = TAU / SMALL_STEPS as f64;
         let part = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
@@ -238,7 +238,7 @@ impl Load {
         None
     }
 
-    /// The load at an angle, interpolated by the polynomial of its step.
+    /// Load at an angle, interpolated by the polynomial of the step.
     fn at(&self, angle: f64) -> Node {
         let first = self.steps[0].from;
         let angle = first + (angle - first).rem_euclid(TAU);
@@ -264,7 +264,7 @@ impl Load {
     }
 }
 
-/// The positive energy E = `base` + `width` E′(E) at a load; `None` if the shaft stops.
+/// Positive solution E of E = `base` + `width` E′(E) for a load; `None` if the shaft stops.
 fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> Option<f64> {
     let excess = |energy: f64| {
         let [rate, slope, _] = node.rate(motor, no_load, energy);
@@ -299,7 +299,7 @@ fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> 
     Some(energy)
 }
 
-/// The matrix (I − h A D)⁻¹, with D the derivatives of the rates with respect to the energy.
+/// Matrix (I − h A D)⁻¹, where D contains the derivatives of E′ with respect to the energy.
 pub struct Inverse([[f64; STAGES]; STAGES]);
 
 impl Inverse {
@@ -330,7 +330,7 @@ mod tests {
     use super::*;
     use crate::drive::TorqueLine;
 
-    /// With a constant torque T against a spring, J ω²/2 = T x − k s²/2 from the lowest lift on.
+    /// With a constant torque T against a spring, J ω²/2 = T x − k s²/2 from the minimum lift on.
     #[test]
     fn a_start_from_rest_stops_where_the_work_of_the_motor_is_used_up() {
         let (torque, rate, height) = (6.0, 2e5, 0.02);

@@ -1,4 +1,4 @@
-//! The automatic choice of the simplest sufficient model, with its reason.
+//! Automatic selection of the simplest sufficient model, with the reason.
 
 use super::models::{contact_run, flexible_run, rigid_run, under};
 use super::prepared::Prepared;
@@ -12,15 +12,15 @@ use crate::error::Result;
 use crate::poly::amplitudes;
 use crate::units::{Dimension, Quantity};
 
-/// Force margin, relative to the mean, below which the contact model is run.
+/// Force margin, relative to the mean, below which the contact model is simulated.
 pub const MARGIN: f64 = 0.05;
-/// Fraction of the lift-off speed above which the contact model is run.
+/// Fraction of the lift-off speed above which the contact model is simulated.
 pub const NEAR_LIFTOFF: f64 = 0.95;
-/// Negligible RMS error of the rigid model, relative to the mean force (theory §10: 0.20 % at 50 Hz for smooth walking targets).
+/// RMS error of the rigid model that is negligible, relative to the mean force (theory §10: 0.20 % at 50 Hz for smooth walking targets).
 pub const RIGID_ENOUGH: f64 = 0.002;
 
-/// The default is the rigid model. The flexible model is run if vibration changes the force by more than [`RIGID_ENOUGH`], and the contact model near
-/// lift-off. The next finer model is run once for comparison.
+/// Selects the model. The default is the rigid model. The flexible model is used if vibration changes the force by more than [`RIGID_ENOUGH`], the
+/// contact model near lift-off. The next finer model is simulated once for comparison.
 pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
@@ -63,7 +63,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(compared(input, p, flexible, why, contact))
 }
 
-/// The outcome with its reason, and its differences from the next finer model, which is run for comparison.
+/// Adds to the outcome its reason and its differences from the next finer model, which is simulated for comparison.
 fn compared(
     input: &Run,
     p: &Prepared,
@@ -138,8 +138,8 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
     }
 }
 
-/// RMS change of the force by vibration, relative to the mean, from the rigid force's harmonics, with the reason for messages: each harmonic n is
-/// transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+/// RMS change of the force by vibration, relative to the mean, from the harmonics of the rigid force, with the reason for messages. Each harmonic n
+/// is transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass there is no vibration, but the train deflects: always run the flexible model.

@@ -1,4 +1,4 @@
-//! Where runs fail: noise, reversed rotation, no damping, resonance, through the whole of [`simulate`].
+//! Limiting cases of [`simulate`]: noise, reversed rotation, no damping, resonance.
 
 use super::*;
 use crate::cam::Cam;
@@ -23,7 +23,7 @@ fn run(cam: &Cam, speed: f64, train: Option<Train>) -> Run {
     }
 }
 
-/// A lift that is not its own mirror image: its force leans one way.
+/// A cam with an asymmetric lift.
 fn leaning() -> Cam {
     Cam {
         law: Law::harmonic(0.012, &[(0.0, 0.008), (0.002, 0.001), (0.0, -0.0006)]),
@@ -31,8 +31,8 @@ fn leaning() -> Cam {
     }
 }
 
-/// Force under a flexible follower at a cam angle, by the gain of every harmonic of [`leaning`]:
-/// M g − M n²ω² Re[Y (k₁ + i c₁ nω)/(k₁ − M n²ω² + i c₁ nω) e^{inθ}]; ω < 0 turns backwards.
+/// Force of a flexible follower at a cam angle, from the gain of every harmonic of [`leaning`]: M g − M n²ω² Re[Y (k₁ + i c₁ nω)/(k₁ − M n²ω² + i c₁
+/// nω) e^{inθ}]. A negative ω turns the cam backwards.
 fn leaning_force(theta: f64, speed: f64, stiffness: f64, damping: f64) -> f64 {
     let mut force = thesis::MASS * crate::units::G;
     for (k, (cos, sin)) in [(0.0, 0.008), (0.002, 0.001), (0.0, -0.0006)]
@@ -109,7 +109,7 @@ fn resonance_is_named_by_every_way_to_it_and_a_hair_beside_it_is_a_large_number(
     }
 }
 
-/// Rise, dwell, fall, dwell with a micrometre of noise on every point.
+/// Rise, dwell, fall and dwell, with a noise of one micrometre on every point.
 #[test]
 fn noise_in_a_dwell_rings_no_more_than_its_own_acceleration() {
     let segment = |motion: &str, lift: f64| Segment {
@@ -201,8 +201,7 @@ fn a_machine_without_force_is_said_to_have_none() {
     assert!(out.contact_lost && !why.contains('–'), "{why}");
 }
 
-/// Fluid on a cam with a dwell: the lift of the emitted points is zero there to their spline's error, which
-/// is no lift-off.
+/// Fluid on a cam with a dwell. In the dwell, the lift of the emitted points is zero within the error of their spline; this is not a lift-off.
 #[test]
 fn a_dwell_known_to_rounding_is_no_pull() {
     let segment = |motion: &str, lift: f64| Segment {
@@ -230,7 +229,7 @@ fn a_dwell_known_to_rounding_is_no_pull() {
     );
 }
 
-/// Simple-harmonic rise and fall of 30 mm in 120° each with dwells of 60°, on a spring.
+/// Simple-harmonic rise and fall of 30 mm in 120° each, with dwells of 60°, on a spring.
 fn spring_loaded(preload: f64) -> Run {
     let part = |motion: &str, lift: f64, degrees: f64| Segment {
         motion: Rise::from_name(motion).unwrap(),

@@ -1,4 +1,4 @@
-//! Every follower, run: rigid for all, contact wherever something can lift off.
+//! Simulations of every follower: with the rigid model for all, with the contact model for those that can lift off.
 
 use super::*;
 use crate::cam::{Cam, Closure, Conjugate, Follower};
@@ -165,7 +165,7 @@ fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
     }
 }
 
-/// Largest normal force and side thrust over the true law, of one of two cams or of the one.
+/// Maximum normal force and lateral force over the exact law, for one cam or for the more loaded one of two.
 fn true_loads(input: &Run) -> [f64; 2] {
     const POINTS: usize = 100_000;
     let follower = |cam: &Cam, at, force| {

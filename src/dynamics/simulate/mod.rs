@@ -12,7 +12,7 @@ use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Placed, Result};
 use prepared::prepare;
 
-/// Runs the emitted cam under `model`.
+/// Simulates the emitted cam with `model`.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -30,8 +30,8 @@ use prepared::prepare;
 /// ```
 ///
 /// # Errors
-/// Profiles that are not a curve for their follower (see [`recover`](crate::dynamics::recover())), machine data out of range, an undamped resonance,
-/// `flexible` without a [`Train`](super::Train), and a moving floor with another model than the rigid one.
+/// A profile that its follower cannot follow (see [`recover`](crate::dynamics::recover())); machine data out of range; an undamped resonance;
+/// `flexible` without a [`Train`](super::Train); a moving floor with a model other than the rigid one.
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;
@@ -42,7 +42,7 @@ pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     }
 }
 
-/// The error of a floor with another model than the rigid one.
+/// Rejects a moving floor with a model other than the rigid one.
 fn refuse_beside_floor(input: &Run, model: Model) -> Result<()> {
     let machine = &input.machine;
     let is_rigid = matches!(model, Model::Auto | Model::Rigid);

@@ -14,7 +14,7 @@ use crate::dynamics::shaft::{Motion, Shaft};
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
-/// Input of the models: one or two profiles of a cam, in its sense of rotation.
+/// Input of the models: one or two profiles of a cam, in the direction of rotation.
 #[derive(Clone)]
 pub(super) struct Prepared {
     pub drive: Drive,
@@ -23,7 +23,7 @@ pub(super) struct Prepared {
     pub laws: Vec<Law>,
     /// Maximum of both lifts.
     pub lift: Law,
-    /// Angles at which its derivatives may jump.
+    /// Angles at which derivatives of the lift may jump.
     pub breaks: Vec<f64>,
     /// Motion at the angles of the rows.
     pub nodes: Vec<Svaj>,
@@ -32,9 +32,9 @@ pub(super) struct Prepared {
     pub start: f64,
     pub cycle: Cycle,
     pub step: f64,
-    /// The follower at its largest contact pressure: for a barrel at the floor of its groove.
+    /// Follower at its maximum contact pressure: for a barrel at the floor of the groove.
     pub bearing: Follower,
-    /// The contact formulas of the follower.
+    /// Contact formulas of the follower.
     pub contact: FollowerContact,
     /// Units of the law, for messages.
     pub measures: Measures,
@@ -43,9 +43,9 @@ pub(super) struct Prepared {
     pub shaft_report: Option<Shaft>,
     /// Motion of shaft and floor, if the floor moves.
     pub machine: Option<MachineMotion>,
-    /// Whether the follower is held from both sides.
+    /// Whether the follower is constrained from both sides.
     pub held: bool,
-    /// Whether friction changes the torque in another way than under a flat face.
+    /// Whether the effect of friction on the torque differs from that under a flat face.
     pub rubs: bool,
     /// Target at the angles of the rows.
     pub target: Option<Vec<f64>>,
@@ -129,21 +129,21 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     })
 }
 
-/// Whether friction changes the torque in another way than under a translating flat face.
+/// Whether the effect of friction on the torque differs from that under a translating flat face.
 fn has_own_friction(input: &Run) -> bool {
     let follower = &input.cam.follower;
     let is_flat = matches!(follower, Follower::FlatTranslating { .. });
     input.machine.friction > 0.0 && rubs(follower) && !is_flat
 }
 
-/// Largest difference between the lift of the emitted points and the law's, m.
+/// Maximum difference between the lift of the emitted points and the lift of the law, m.
 fn mismatch(input: &Run, nodes: &[Svaj]) -> f64 {
     let pairs = input.profile.iter().zip(nodes);
     let differences = pairs.map(|(p, at)| (input.cam.law.svaj(p.theta).s - at.s).abs());
     differences.fold(0.0, f64::max)
 }
 
-/// The follower at its largest contact pressure: for a barrel at the floor of its groove.
+/// Follower at its maximum contact pressure: for a barrel at the floor of the groove.
 fn bearing(input: &Run) -> Follower {
     match (input.cam.follower, input.machine.groove_floor) {
         (barrel @ Follower::Barrel { .. }, Some(floor)) => barrel.with_base_radius(floor),
@@ -151,7 +151,7 @@ fn bearing(input: &Run) -> Follower {
     }
 }
 
-/// The lift of each cam in the sense of rotation, and the maximum of both.
+/// Lift of each cam in the direction of rotation, and the maximum of both.
 fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     let first = if reversed { law.reversed() } else { law };
     let Some(angle) = input.machine.second_cam else {
@@ -195,7 +195,7 @@ fn check_machine(input: &Run) -> Result<()> {
     check_restitution(input.machine.restitution)
 }
 
-/// Target at fractions of its cycle.
+/// Values of the target at fractions of its cycle.
 fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64>> {
     if target.is_empty() || target.iter().any(|f| !f.is_finite()) {
         return Err(DynamicsError::Target.into());
@@ -203,7 +203,7 @@ fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64
     Ok(parts.map(|part| phase_value(target, part)).collect())
 }
 
-/// Rejects machines that no model covers.
+/// Rejects machines that no model supports.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
         return Err(DynamicsError::SlideBackwards.into());
@@ -214,7 +214,7 @@ fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     Ok(())
 }
 
-/// Lift of the second cam, from its own emitted profile, and a note on the constancy of the pair's distance at the rows.
+/// Lift of the second cam from its own emitted profile, and a note on the variation of the pair's distance at the rows.
 fn conjugate_lift(
     cam: &Cam,
     reversed: bool,
@@ -239,12 +239,12 @@ fn conjugate_lift(
 }
 
 impl Prepared {
-    /// Contact forces at the rows at constant speed on a rigid floor, N.
+    /// Contact forces at the rows, at constant speed on a rigid floor, N.
     pub fn still_forces(&self) -> Vec<f64> {
         self.nodes.iter().map(|at| self.drive.force(*at)).collect()
     }
 
-    /// Torque in the sense of rotation for force and motion, N·m.
+    /// Torque in the direction of rotation for a force and a motion, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let (friction, v) = (sign * input.machine.friction, sign * at.v);
@@ -265,7 +265,7 @@ impl Prepared {
         torques
     }
 
-    /// The contact in the sense of rotation. A cam with reversed rotation touches at the same angles; only quantities along the contact change sign.
+    /// Contact in the direction of rotation. A cam with reversed rotation touches at the same angles; only quantities along the contact change sign.
     pub fn seen(
         &self,
         follower: &Follower,

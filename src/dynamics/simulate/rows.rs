@@ -1,4 +1,4 @@
-//! Rows of a run for all models: forces at equal angles with torque and pressure.
+//! Rows of a simulation, for all models: forces at equal angles, with torque and pressure.
 
 use super::prepared::Prepared;
 use crate::cam::Measures;
@@ -12,7 +12,7 @@ use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
 
 impl Prepared {
-    /// A contact force, or the moment of an arm.
+    /// Converts a contact force, or the moment of an arm, to a quantity with its unit.
     pub fn load(&self, value: f64) -> Quantity {
         let dimension = match self.measures {
             Measures::Oscillating => Dimension::Torque,
@@ -21,12 +21,12 @@ impl Prepared {
         Quantity::new(value, dimension)
     }
 
-    /// Speed of the shaft at a row, rad/s, in the sense of rotation.
+    /// Speed of the shaft at a row, rad/s, in the direction of rotation.
     pub fn speed(&self, row: usize) -> f64 {
         (self.shaft.as_ref()).map_or(self.drive.speed, |shaft| shaft.speed[row])
     }
 
-    /// Difference of the forces at the rows from the target over time, if the speed varies.
+    /// Difference over time between the forces at the rows and the target, if the speed varies.
     pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
         let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
         let period = self.cycle.length / self.drive.speed;
@@ -49,7 +49,7 @@ impl Prepared {
         Some((sum / forces.len() as f64).sqrt())
     }
 
-    /// Rows from forces (and heights over the profile's lift) at equal angles over whole turns.
+    /// Rows from forces (and heights above the lift of the profile) at equal angles over whole turns.
     pub fn rows(&self, input: &Run, forces: &[f64], heights: &[f64]) -> Vec<Row> {
         let n = self.nodes.len();
         let total = forces.len();
@@ -93,7 +93,7 @@ impl Prepared {
         rows
     }
 
-    /// Row of a sample in the order of rotation.
+    /// Index of the row of a sample in the order of rotation.
     pub fn place(&self, sample: usize, rows: usize) -> usize {
         if self.reversed {
             (rows - sample) % rows
@@ -102,7 +102,7 @@ impl Prepared {
         }
     }
 
-    /// The loaded contact: that of the second cam if a conjugate pair's first one would have to pull.
+    /// The loaded contact. In a conjugate pair, a negative force loads the second cam.
     pub fn touch(&self, input: &Run, speed: f64, angle: f64, at: Svaj, force: f64) -> Touch {
         let friction = input.machine.friction;
         match (&input.machine.conjugate, &self.second) {

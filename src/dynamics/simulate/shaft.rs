@@ -1,4 +1,4 @@
-//! Shaft and floor of a run: the shaft under its motor, if that changes the force, and the floor under the force.
+//! Motion of shaft and floor in a run. The motor is included if it changes the force; the force moves the floor.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;
@@ -10,14 +10,15 @@ use crate::dynamics::shaft::forecast;
 use crate::error::{DynamicsError, Result};
 use crate::units::Quantity;
 
-/// Number of steps of the motion between the breaks of the law, and of its estimate.
+/// Number of steps of the shaft motion between the breaks of the law.
 const STEPS: usize = 160;
 const FEW: usize = 32;
 
-/// The machine around the cam of a run.
+/// Drive, motor, floor and friction of the machine in this run.
 ///
 /// # Errors
-/// Those of [`Carrier::new`]; two laws have no steady turn under a motor.
+///
+/// Those of [`Carrier::new`]; a motor together with a second cam.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;
     let motor = machine.motor.as_ref();
@@ -34,8 +35,8 @@ pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     Carrier::new(&input.cam, parts, walker, STEPS)
 }
 
-/// Computes the motion of shaft and floor; the automatic model includes the motor only if it changes the force by more than [`RIGID_ENOUGH`] of its
-/// mean.
+/// Computes the motion of shaft and floor. The automatic model includes the motor only if it changes the force by more than [`RIGID_ENOUGH`] of the
+/// mean force.
 pub(super) fn turn(input: &Run, p: &mut Prepared, model: Model) -> Result<()> {
     let mut carrier = carrier(input, p)?;
     let lift = p.lift.clone();

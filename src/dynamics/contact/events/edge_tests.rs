@@ -1,4 +1,4 @@
-//! Where contact models fail: Zeno bouncing, grazing, few points, stiff contacts, no mass, no speed, noise.
+//! Limiting cases of contact models: Zeno bouncing, grazing, few points, stiff contacts, no mass, no speed, noise.
 
 use super::tests::{emitted, rests, run_cam};
 use super::*;

@@ -1,4 +1,4 @@
-//! Lift-off, landings and energy.
+//! Tests of lift-off, landings and energy.
 
 use super::*;
 use crate::cam::Cam;
@@ -8,7 +8,7 @@ use crate::dynamics::{rigid, thesis};
 use crate::law::Law;
 use crate::units::G;
 
-/// The emitted cam, never the law it came from.
+/// Surfaces of the emitted cam, not of the law from which it was made.
 pub(super) fn emitted(cam: &Cam, n: usize, drive: &Drive) -> Vec<Surface> {
     let curve = recover(&cam.follower, &cam.profile(n)).unwrap();
     vec![Surface::new(curve.law, drive)]
@@ -90,7 +90,7 @@ fn bounces_at_restitution_one_half_follow_the_computed_sequences() {
     assert!((rest[0] - 231.589).abs() < 5e-4, "{rest:?}");
 }
 
-/// Angles (degrees) at which bouncing has ended in contact.
+/// Angles (degrees) at which a sequence of bounces ends in contact.
 pub(super) fn rests(run: &ContactRun) -> Vec<f64> {
     run.stretches
         .windows(2)
@@ -171,7 +171,7 @@ fn a_spring_loaded_eccentric_leaves_at_122_474_and_not_before() {
     assert!((x - 0.02 - 0.01 * hit.at.sin()).abs() < 1e-11);
 }
 
-/// A round cam turns under the mass: every flight is a throw over level ground.
+/// A round cam turns below the mass: every flight is a throw above level ground.
 fn level(e: f64, limits: &Limits, speed_up: f64) -> ContactRun {
     let law = Law::harmonic(0.0, &[]);
     let drive = thesis::real(10.0);

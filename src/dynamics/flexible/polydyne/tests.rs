@@ -60,7 +60,7 @@ fn an_undamped_spline_reaches_the_end_exactly() {
     assert!(cam.joints().iter().all(|j| j.jump.a.abs() < 1e-9 * size));
 }
 
-/// End of the follower under a cam, by Runge and Kutta's method of fourth order over turns until it repeats.
+/// Motion of the end of the follower for a cam, by the fourth-order Runge–Kutta method, over several turns until it is periodic.
 fn end_by_steps(cam: &Law, drive: &Drive, train: &Train) -> Vec<(f64, f64)> {
     const STEPS: usize = 20_000;
     let w = drive.speed;
@@ -109,7 +109,7 @@ fn a_damped_spline_reaches_the_end_by_an_independent_integration() {
     }
 }
 
-/// Fluid without mass: springs in series share the lift, so the cam lifts by (1 + k/k₁).
+/// Fluid without mass: springs in series share the lift, so the lift of the cam is multiplied by (1 + k/k₁).
 #[test]
 fn a_fluid_column_needs_no_smooth_derivatives() {
     let drive = Drive {

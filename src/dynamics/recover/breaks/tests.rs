@@ -3,7 +3,7 @@ use crate::dynamics::recover::{Cycle, recover_cam};
 use crate::law::{Extent, Rise, Segment, program};
 use std::f64::consts::TAU;
 
-/// Rise, dwell, fall and dwell whose ends meet no row.
+/// A cam with rise, dwell, fall and dwell, whose ends do not coincide with rows.
 fn cam(motion: &Rise, follower: Follower) -> Option<Cam> {
     let part = |motion: &Rise, lift: f64, degrees: f64| Segment {
         motion: motion.clone(),

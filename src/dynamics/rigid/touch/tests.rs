@@ -2,7 +2,7 @@ use super::*;
 use crate::law::Law;
 use std::f64::consts::TAU;
 
-/// One follower of every kind, on both sides where it has any, with the stroke it takes.
+/// One follower of every kind, where possible on both sides of the cam, with a suitable stroke.
 pub fn everything() -> Vec<(Follower, f64)> {
     let mut all = vec![(Follower::FlatTranslating { base_radius: 0.05 }, 0.01)];
     for roller_radius in [0.0, 0.012] {

@@ -1,4 +1,4 @@
-//! The contact model on a prepared cam: the run over its events, read at the rows and integrated.
+//! Contact model for a prepared cam: event-driven simulation, evaluated at the rows and integrated.
 
 use crate::dynamics::contact::{self, ContactRun, Phase};
 use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
@@ -11,7 +11,7 @@ use crate::error::{DynamicsError, Placed, Result};
 use crate::law::Law;
 use std::f64::consts::TAU;
 
-/// Rejects followers held from both sides, cams with ends and a varying speed, for which the contact model does not apply.
+/// Rejects cases that the contact model does not support: followers constrained from both sides, cams with ends, and a varying speed.
 fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
         let fault = if input.machine.conjugate.is_some() {
@@ -74,7 +74,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Contact force, and height over the lift, at the rows of one repetition.
+/// Contact force, and height above the lift, at the rows of one period.
 fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, Vec<f64>) {
     let (from, _) = run.window();
     let n = p.nodes.len();
@@ -100,7 +100,7 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     (forces, heights)
 }
 
-/// Integrals and extremes over one repetition.
+/// Integrals and extremes over one period of the motion.
 struct Sums {
     force: [f64; 2],
     torque: [f64; 2],
@@ -109,7 +109,7 @@ struct Sums {
     error: f64,
 }
 
-/// Integration with two Gauss points per row and phase: fourth order, with the ends of flights resolved.
+/// Integration with two Gauss points per row and phase: fourth order, with exact ends of the flights.
 fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
     const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
     let (from, to) = run.window();

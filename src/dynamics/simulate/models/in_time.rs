@@ -1,4 +1,4 @@
-//! A law over time on a shaft with varying speed.
+//! Conversion of a law to a function of time, for a shaft with varying speed.
 
 use std::f64::consts::TAU;
 
@@ -6,10 +6,10 @@ use crate::dynamics::shaft::Motion;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 
-/// Distance from a break at which its sides are evaluated, rad.
+/// Distance from a break at which its two sides are evaluated, rad.
 const SIDE: f64 = 1e-10;
 
-/// A lift over the fraction of the period, rad: a quintic between its `breaks` and those of the motion.
+/// Lift as a function of the fraction of the period, rad: a quintic between `breaks` and the breaks of the shaft motion.
 pub fn in_time(law: &Law, breaks: &[f64], clock: &Motion) -> Law {
     let start = law.extent().0;
     let mut marks: Vec<f64> = clock

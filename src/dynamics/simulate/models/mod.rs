@@ -1,4 +1,4 @@
-//! One run of a prepared cam under each model.
+//! Simulation of a prepared cam with each model.
 
 mod contact;
 mod flexible;
@@ -16,7 +16,7 @@ use crate::dynamics::run::Run;
 use crate::error::Result;
 use crate::units::Quantity;
 
-/// A simulation with one model; the rigid one by default.
+/// Simulates a prepared cam with one model; `Auto` stands for the rigid model.
 pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> {
     match model {
         Model::Auto | Model::Rigid => rigid_run(input, p),
@@ -25,7 +25,7 @@ pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> 
     }
 }
 
-/// The fraction of the cycle with a negative force, where contact is lost or, in a groove or a conjugate pair, the other side carries it.
+/// Notes the fraction of the cycle with a negative force. There contact is lost; in a groove or a conjugate pair, the other side carries the force.
 fn note_pull(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if !p.held {
         out.lost_fraction = pulled;

@@ -15,7 +15,7 @@ use crate::dynamics::surface::Surface;
 use crate::error::Result;
 use crate::law::Svaj;
 
-/// A mean torque below this fraction of the root mean square is a rounding error.
+/// Mean torque relative to the root mean square below which the mean is a rounding error.
 const NO_TORQUE: f64 = 1e-9;
 
 pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
@@ -59,13 +59,14 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Fraction of the cycle with a negative surface force; 0 has no sign.
+/// Fraction of the cycle with a negative force on the surface; a force of 0 is not negative.
 fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a);
     pulled / p.cycle.length
 }
 
-/// The rigid follower on a shaft with varying speed, or on a moving floor; minimum and maximum force are those of the rows.
+/// Simulates the rigid model with a varying shaft speed or a moving floor. With a moving floor or a learned force, the minimum and maximum force are
+/// those of the output samples.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
     let motion = |i: usize| match &p.shaft {
