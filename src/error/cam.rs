@@ -1,4 +1,4 @@
-//! Faults in the dimensions of a cam and its follower.
+//! Errors in the dimensions of a cam and its follower.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -6,14 +6,14 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons why a follower, a size, a conjugate pair or a groove is impossible.
+/// Reasons for which a follower, a size, a conjugate pair or a groove is impossible.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum CamError {
-    /// Roller or arc are as large as the prime circle.
+    /// The radius of the roller or arc is not smaller than the prime radius.
     RollerFillsCam { radius: Quantity, prime: Quantity },
     /// The offset is not smaller than the prime radius.
     Offset { offset: Quantity, prime: Quantity },
@@ -56,7 +56,7 @@ pub enum CamError {
         reach: Quantity,
         at: Quantity,
     },
-    /// The second cam of a pair does not exist; the reason is its own fault, serialised.
+    /// The second cam of a pair does not exist. `because` is the serialised error of the second cam.
     SecondCam { because: Value },
     /// No second cam closes the pair at this dimension.
     NoConjugate {
@@ -69,16 +69,16 @@ pub enum CamError {
     NoSize { follower: &'static str },
     /// The floor of a groove is not below its surface.
     GrooveDepth { floor: Quantity, surface: Quantity },
-    /// Rollers that do not fit a groove.
+    /// The rollers do not fit the groove.
     GrooveRollers {
         radius: Quantity,
         eccentricity: Quantity,
     },
-    /// The roller is larger than the floor radius of its groove allows.
+    /// The radius of the roller is too large for the floor radius of its groove.
     GrooveFloor { radius: Quantity, floor: Quantity },
 }
 
-/// Faults of given lengths, or of measured points.
+/// Errors in given lengths or in measured points.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -100,21 +100,21 @@ pub enum CamInputError {
     NotPositive { length: CamLength, value: Quantity },
     /// A length is not a finite number.
     NotFinite { length: CamLength },
-    /// A distance does not define a pair of oscillating followers.
+    /// A pair of oscillating followers is given by a distance instead of an angle.
     ArmsByDistance,
-    /// An angle does not define a pair of translating followers.
+    /// A pair of translating followers is given by an angle instead of a distance.
     SlidesByAngle,
-    /// The follower has no conjugate cam.
+    /// This kind of follower has no conjugate cam.
     NoConjugateOf { follower: &'static str },
     /// The base height of a translating cam has no minimum.
     TranslatingHeight,
-    /// Too few measured points.
+    /// There are too few measured points.
     MeasuredFew { points: usize, least: usize },
     /// A measured point is not finite.
     MeasuredNotFinite { row: usize },
-    /// Only rotating cams can be fitted to measured points.
+    /// The cam does not rotate; only rotating cams can be fitted to measured points.
     MeasuredUnrolled { follower: &'static str },
-    /// Points of a circle do not show the zero angle.
+    /// The measured points are on a circle, so they do not determine the zero angle.
     MeasuredCircle,
     /// The points fit the mirror image of the cam.
     MeasuredMirror {
@@ -129,7 +129,7 @@ pub enum CamInputError {
     },
 }
 
-/// A length of a follower or cam.
+/// Length of a follower or cam, named in a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
@@ -146,7 +146,7 @@ pub enum CamLength {
     FaceOffset,
 }
 
-/// Reasons why an arm does not reach its prime circle.
+/// Reasons for which an arm does not reach its prime circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

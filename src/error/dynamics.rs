@@ -1,11 +1,11 @@
-//! Faults in the input of a simulation, and cases outside its models.
+//! Errors in the input of a simulation, and cases that its models do not support.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Faults of a machine, an emitted profile or the requested model.
+/// Errors in a machine, an emitted profile or the requested model.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -23,11 +23,11 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum DynamicsError {
-    /// Machine data out of range.
+    /// Machine data are out of range.
     Machine,
-    /// Invalid coefficient of friction.
+    /// The coefficient of friction is invalid.
     Friction { friction: f64 },
-    /// Invalid contact line or material.
+    /// The contact line or a material is invalid.
     ContactLine,
     /// The target force is empty or not finite.
     Target,
@@ -35,11 +35,11 @@ pub enum DynamicsError {
     SlideBackwards,
     /// Follower and law do not allow a second cam on the shaft.
     SecondCam,
-    /// Invalid coefficient of restitution.
+    /// The coefficient of restitution is invalid.
     Restitution { restitution: f64 },
-    /// Too few points of a profile.
+    /// The profile has too few points.
     FewRows { rows: usize },
-    /// A point of the profile deviates from its equal step.
+    /// The angle of a profile point deviates from its equal step.
     RowAngle {
         row: usize,
         at: Quantity,
@@ -49,11 +49,11 @@ pub enum DynamicsError {
     RowReach { row: usize, follower: &'static str },
     /// The profile is undercut or concave under a flat face.
     Concave { at: Quantity, radius: Quantity },
-    /// Invalid natural frequency or damping ratio.
+    /// The natural frequency or the damping ratio is invalid.
     Frequency { frequency: f64, ratio: f64 },
-    /// A natural frequency needs a mass, but a column of fluid has none.
+    /// A natural frequency is given, but the mass is zero; a column of fluid has no mass.
     FrequencyWithoutMass { fluid: bool },
-    /// Invalid stiffness or damping.
+    /// The stiffness or the damping is invalid.
     Train,
     /// An undamped natural frequency equals a harmonic.
     Resonance { cycles: f64 },
@@ -61,13 +61,13 @@ pub enum DynamicsError {
     NoTrain,
     /// An open law has no steady vibration.
     OpenVibration,
-    /// A groove holds the roller from both sides.
+    /// The groove constrains the roller from both sides, so it cannot lift off.
     HeldByGroove,
-    /// A conjugate pair holds the follower from both sides.
+    /// The conjugate pair constrains the follower from both sides, so it cannot lift off.
     HeldByPair,
     /// The contact model needs a law of one turn.
     NotOneTurn,
-    /// Motor data out of range.
+    /// Motor data are out of range.
     Motor,
     /// A motor supports only one cam with a law of one turn.
     MotorTurns,

@@ -1,10 +1,10 @@
-//! Faults in reading scenes, recordings and tables of motion from files and in putting results into folders.
+//! Errors in reading scenes, recordings and tables of motion from files, and in writing results to folders.
 
 use gaitcam_base::wording::InLanguages;
 use serde::Serialize;
 use strum::VariantNames;
 
-/// Faults of a file or folder. Text fields come from the operating system.
+/// Errors of a file or folder. Text fields come from the operating system.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};
@@ -19,21 +19,21 @@ use strum::VariantNames;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum FileError {
-    /// It cannot be read: `missing`, `denied`, or the text of the operating system.
+    /// The file cannot be read: `missing`, `denied`, or the text of the operating system.
     CannotRead { fault: String },
     /// A file that a scene names does not exist.
     Missing { file: String },
     /// The operating system cannot move the files into place.
     CannotPlace { fault: String },
-    /// A foreign file or folder has a required name.
+    /// A file or folder that gaitcam did not write has a required name.
     Foreign,
     /// Another process has locked the folder.
     Held { process: Option<String> },
-    /// A folder instead of a file.
+    /// The path is a folder instead of a file.
     Folder,
-    /// A pipe or device instead of a file.
+    /// The path is a pipe or device instead of a file.
     Device,
-    /// Larger than the maximum size.
+    /// The file is larger than the maximum size.
     TooLarge { mib: u64 },
     /// The file is not UTF-8 text.
     NotUtf8,
@@ -43,11 +43,11 @@ pub enum FileError {
     NotJson { fault: String },
     /// The file is not a table of comma-separated values.
     NotCsv { fault: String },
-    /// No columns of measured points.
+    /// The file has no columns of measured points.
     MeasuredColumns { found: String },
     /// A coordinate of a measured point is not a number.
     MeasuredField { typed: String },
-    /// A summary without a scene.
+    /// The summary does not contain a scene.
     NoSceneInSummary,
     /// An existing file would be replaced.
     Replaced { file: String },
@@ -55,7 +55,7 @@ pub enum FileError {
     AnotherSweep { differences: String },
     /// The folder contains files that are not blocks of a sweep.
     NotSweepFolder { file: String },
-    /// Cycles that cannot belong to a population, by file or walker.
+    /// Some cycles cannot be used in the population, by file or walker.
     Walkers {
         count: usize,
         unreadable: Option<InLanguages>,
@@ -65,7 +65,7 @@ pub enum FileError {
         kind: Option<String>,
         cycle: Option<String>,
     },
-    /// No table of numbers for the curve of a motor or the rows of a motion; `start` is the start of the file.
+    /// The file for the curve of a motor or the rows of a motion contains no table of numbers; `start` is its first text.
     NoTable { start: String, purpose: String },
     /// The curve of a motor lacks a column.
     MotorColumn { column: String, columns: String },
@@ -75,7 +75,7 @@ pub enum FileError {
         example: String,
         columns: String,
     },
-    /// A column of a motion has no unit, or one of another dimension.
+    /// A column of a motion has no unit, or a unit of another dimension.
     MotionUnit { column: String, example: String },
     /// A cell of a motion is not a number.
     MotionValue { column: String, typed: String },
@@ -83,7 +83,7 @@ pub enum FileError {
     MotionOrder { column: String, x: f64, before: f64 },
     /// A motion has too many rows.
     MotionManyRows { most: usize },
-    /// Extent or lift of the segment differ from its file.
+    /// Length or lift of the segment differ from its file.
     MotionDiffers {
         column: String,
         covered: f64,

@@ -1,11 +1,11 @@
-//! Faults in motions, programmes and polynomials of boundary conditions.
+//! Errors in motions, programmes and polynomials of boundary conditions.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Faults of a motion, a programme of segments or a set of conditions.
+/// Errors in a motion, a programme of segments or a set of conditions.
 ///
 /// ```
 /// use gaitcam::error::LawError;
@@ -25,40 +25,40 @@ use crate::units::Quantity;
 pub enum LawError {
     /// A programme has no segments.
     NoSegment,
-    /// The extent of a programme is not positive.
+    /// The length of a programme is not positive.
     Extent { length: f64 },
-    /// Lift or length of a segment are not finite.
+    /// The lift or the length of a segment is not finite.
     SegmentNotFinite { segment: SegmentName },
     /// The length of a segment is not positive.
     SegmentLength {
         segment: SegmentName,
         length: Quantity,
     },
-    /// A dwell with a lift.
+    /// A dwell has a lift.
     DwellLift {
         segment: SegmentName,
         lift: Quantity,
     },
-    /// The segments do not fill the extent.
+    /// The segments do not cover the whole length.
     Uncovered {
         covered: Quantity,
         wanted: Quantity,
         missing: Quantity,
     },
-    /// The segments exceed the extent.
+    /// The segments exceed the whole length.
     Overfull {
         covered: Quantity,
         wanted: Quantity,
         excess: Quantity,
     },
-    /// Two adjacent general polynomials have no end conditions.
+    /// The common end of two adjacent general polynomials has no conditions.
     GeneralNeighbours {
         first: SegmentName,
         second: SegmentName,
     },
     /// The segments of a constant-breadth cam do not cover half a turn.
     BreadthAngle { covered: Quantity },
-    /// A general polynomial in the half turn of a constant-breadth cam.
+    /// The half turn of a constant-breadth cam contains a general polynomial.
     BreadthPolynomial { segment: usize },
     /// The segments of a constant-breadth cam do not lead from 0 to the maximum lift.
     BreadthLift {
@@ -68,9 +68,9 @@ pub enum LawError {
     },
     /// A polynomial has no conditions.
     NoCondition,
-    /// Invalid interval of a polynomial.
+    /// The interval of a polynomial is invalid.
     Interval { start: f64, end: f64 },
-    /// Too many conditions on a polynomial.
+    /// A polynomial has too many conditions.
     ManyConditions {
         conditions: usize,
         degree: usize,
@@ -102,9 +102,9 @@ pub enum LawError {
     NotFixed { conditions: usize, degree: usize },
     /// A parameter of a motion is not a number.
     Parameter { word: String, motion: String },
-    /// Wrong number of parameters.
+    /// The number of parameters of a motion is wrong.
     Parameters { motion: String, given: usize },
-    /// Unknown name of a motion.
+    /// The name of the motion is unknown.
     UnknownMotion {
         motion: String,
         nearest: Option<String>,
@@ -112,34 +112,34 @@ pub enum LawError {
     },
     /// A table or spline has no numbers.
     MotionNeedsPoints { motion: String },
-    /// A motion in a file, which the caller has to read.
+    /// The motion is in a file, which the caller has to read.
     MotionFile { motion: String, file: String },
-    /// A general polynomial of a degree other than 5 or 7.
+    /// A general polynomial has a degree other than 5 or 7.
     GeneralDegree { degree: usize },
     /// The fractions of an SCCA law do not add to 1.
     SccaShares { b: f64, c: f64, d: f64 },
     /// The eccentric does not enclose its shaft.
     EccentricRatio { ratio: f64 },
-    /// A table with an odd number of values.
+    /// A table has an odd number of values.
     TablePairs { numbers: usize },
-    /// Too few rows of a table.
+    /// A table has too few rows.
     TableRows { table: String, rows: usize },
     /// A row of a table is not finite.
     TableNotFinite { table: String, row: usize },
-    /// The x of a table does not increase.
+    /// The x values of a table do not increase.
     TableOrder {
         table: String,
         row: usize,
         x: f64,
         before: f64,
     },
-    /// A table ends at its first lift.
+    /// The last lift of a table equals its first lift.
     TableLevel { table: String },
     /// The spacing of a table is too uneven for a spline.
     TableSpacing { table: String },
 }
 
-/// Reasons why a programme of segments gives no valid law.
+/// Reasons for which a programme of segments does not give a valid law.
 ///
 /// ```
 /// use gaitcam::error::JoinError;
@@ -180,8 +180,7 @@ pub enum JoinError {
         depth: Quantity,
         at: Quantity,
     },
-    /// The spline through a table falls below the base circle between two rows, by more than half a unit of their
-    /// last decimal.
+    /// The spline through a table is below the base circle between two rows, by more than half a unit of their last decimal.
     TableBelowBaseCircle {
         segment: SegmentName,
         first: usize,
@@ -191,7 +190,7 @@ pub enum JoinError {
     },
 }
 
-/// A segment of a programme in a message.
+/// Segment of a programme, named in a message.
 ///
 /// ```
 /// use gaitcam::error::LawError;
@@ -211,7 +210,7 @@ pub enum SegmentName {
     Segment {
         /// Number of the segment, counted from 1.
         number: usize,
-        /// Name of its motion.
+        /// Name of the motion of the segment.
         motion: String,
     },
 }
@@ -224,7 +223,7 @@ impl SegmentName {
     }
 }
 
-/// Change that makes the velocity continuous between two segments.
+/// Suggested change that makes the velocity continuous between two segments.
 ///
 /// ```
 /// use gaitcam::error::{JoinCure, JoinError};
@@ -248,16 +247,16 @@ impl SegmentName {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum JoinCure {
-    /// Both segments move in the same direction, and another length of one makes the velocities equal.
+    /// Both segments move in the same direction. With another length of one segment, the velocities are equal.
     LetCover {
         /// The segment to change.
         segment: SegmentName,
         /// New length of the segment.
         length: Quantity,
     },
-    /// One of the two segments moves at the joint, so that a segment between them is needed.
+    /// One of the two segments has a velocity at the joint, so a further segment between them is needed.
     PutBetween {
-        /// The segment that moves.
+        /// The segment that has a velocity at the joint.
         segment: SegmentName,
     },
 }

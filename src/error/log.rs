@@ -1,48 +1,48 @@
-//! Faults of the log of a running machine.
+//! Errors in the log of a running machine.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Faults of a log.
+/// Errors in a log.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum LogError {
-    /// Neither time nor angle, or no force column.
+    /// The log has neither time nor angle, or no force column.
     NoColumn { columns: String },
-    /// Several columns for one quantity.
+    /// Several columns match one quantity.
     ManyColumns { option: String, columns: String },
-    /// A column without unit.
+    /// A column has no unit.
     NoUnit {
         column: String,
         unit: String,
         option: String,
     },
-    /// A unit of another quantity, or an unknown one.
+    /// A column has an unknown unit, or the unit of another quantity.
     UnknownUnit {
         column: String,
         unit: String,
         units: String,
     },
-    /// An angle in counts of an encoder.
+    /// The angle is given in counts of an encoder.
     Counts { column: String },
-    /// A number of counts per turn that is not positive.
+    /// The number of counts per turn is not positive.
     BadCounts { counts: f64 },
-    /// Counts per turn without a column of counts.
+    /// The counts per turn are given, but there is no column of counts.
     NoCounts { columns: String },
-    /// Columns of different lengths.
+    /// The columns have different lengths.
     Lengths {
         column: String,
         count: usize,
         rows: usize,
     },
-    /// A constant angle.
+    /// The angle is constant.
     NoMotion { angle: f64 },
-    /// A cell that is not a number.
+    /// A cell is not a number.
     Value { column: String, typed: String },
     /// Time or angle does not increase.
     Order {
@@ -50,25 +50,25 @@ pub enum LogError {
         value: f64,
         before: f64,
     },
-    /// Too few rows for a cycle.
+    /// The log has too few rows for a cycle.
     FewRows { rows: usize, least: usize },
-    /// A constant force signal.
+    /// The force signal is constant.
     NoForce { force: f64 },
-    /// A force with clipped peaks.
+    /// The peaks of the force are clipped.
     Clipped { force: f64, percent: f64 },
-    /// Too few whole cycles.
+    /// The log has too few whole cycles.
     Short { cycles: f64, least: usize },
-    /// Too few samples per cycle.
+    /// The log has too few samples per cycle.
     Aliased { samples: f64, needed: usize },
-    /// A cycle with a gap.
+    /// A cycle has a gap.
     Gap { cycle: usize, samples: f64 },
-    /// No repetition near the speed of the scene.
+    /// The log has no periodic force near the speed of the scene.
     NoCycle { speed: Quantity },
     /// The speed changes during the log.
     Drift { first: Quantity, last: Quantity },
     /// The mean cycle changes during the log.
     Changes { cycle: usize, percent: f64 },
-    /// Hardly any alternating force.
+    /// The alternating force is much smaller than expected.
     NoAlternating { found: Quantity, expected: Quantity },
     /// The force is probably in another unit.
     WrongUnit {
@@ -76,11 +76,11 @@ pub enum LogError {
         found: Quantity,
         expected: Quantity,
     },
-    /// The force has another magnitude.
+    /// The magnitude of the force differs from the expected one.
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,
-    /// The same log twice.
+    /// The same log is given twice.
     Copy { other: String },
     /// A parameter differs from that of another log.
     OtherMachine {
@@ -89,17 +89,17 @@ pub enum LogError {
         before: Quantity,
         other: String,
     },
-    /// No common parameters explain the logs: force that they do not explain, RMS.
+    /// No common set of parameters fits the logs. The values are the RMS residuals of the common fit and of the separate fit.
     Inconsistent { together: Quantity, alone: Quantity },
-    /// A log of another speed than that of the design.
+    /// The speed of the log differs from that of the design.
     OtherSpeed { speed: Quantity, design: Quantity },
-    /// The cam does not turn once per cycle.
+    /// The cam does not make one turn per cycle.
     NoTurn,
-    /// A scene without a target force.
+    /// The scene has no target force.
     NoTarget,
 }
 
-/// Reasons why a log gives no new cam.
+/// Reasons for which a log does not lead to a new cam.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -1,6 +1,6 @@
-//! Faults in the input: message, place and remedy. An error is data: a place and a fault with fields. Each area of the library has a file here with
-//! its faults; their messages are in `wording/en/AREA.ftl`, the help as the attribute `.help`. A bad cam is not an error but a
-//! [`Verdict`](crate::cam::Verdict), an impossible one is an [`Infeasible`](crate::synth::Infeasible) answer, and a panic is an internal error.
+//! Errors in the input: message, location and suggested change. An error is data: a location and a fault with fields. Each area of the library has a
+//! file here with its faults. Their messages are in `wording/en/AREA.ftl`, the suggested change in the attribute `.help`. A bad cam is not an error
+//! but a [`Verdict`](crate::cam::Verdict). An impossible cam is an [`Infeasible`](crate::synth::Infeasible) result. A panic is an internal error.
 
 mod cam;
 mod dynamics;
@@ -29,7 +29,7 @@ pub(crate) use synth::NoDesignError;
 pub use synth::SynthError;
 pub use write::WriteError;
 
-/// Areas of faults with their enums, and whether their faults mean that no cam satisfies the scene.
+/// Areas of faults with their enums. For each area: whether its faults mean that no cam satisfies the scene.
 macro_rules! faults {
     ($($area:literal => $fault:ty, $answer:literal);* $(;)?) => {
         $(impl Fault for $fault {

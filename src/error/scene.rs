@@ -1,11 +1,11 @@
-//! Faults of a scene.
+//! Errors in a scene.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Faults of a scene file. Text fields quote the user.
+/// Errors in a scene file. Text fields quote the user.
 ///
 /// ```
 /// use gaitcam::error::SceneError;
@@ -27,24 +27,24 @@ pub enum SceneError {
     NotToml { line: usize, fault: String },
     /// The name is not valid for an output folder.
     OutputName { typed: String },
-    /// An unknown key, with the nearest known one.
+    /// A key is unknown; with the nearest known key.
     NoSuchKey {
         nearest: Option<String>,
         known: String,
     },
-    /// A key that does not apply to this kind of follower.
+    /// A key does not apply to this kind of follower.
     NotOfFollower { follower: &'static str },
-    /// A key that does not apply to this kind of drive.
+    /// A key does not apply to this kind of drive.
     NotOfDrive { drive: &'static str },
-    /// A mass for an arm, which needs a moment of inertia.
+    /// An arm has a mass instead of a moment of inertia.
     MassOfArm,
     /// A value instead of a table.
     NotTable { typed: String, section: String },
-    /// Text that is not a hardness with its scale.
+    /// A text is not a hardness with its scale.
     NotHardness { typed: String },
-    /// Text that is not a measure of the errors of several walkers.
+    /// A text is not a measure of the errors of several walkers.
     NotRobust { typed: String },
-    /// Text that is not a range of step frequencies.
+    /// A text is not a range of step frequencies.
     NotFrequencies { typed: String },
     /// A value instead of a list of tables.
     NotList { typed: String, list: String },
@@ -60,7 +60,7 @@ pub enum SceneError {
         low: usize,
         high: usize,
     },
-    /// A number of spans that is too large for a certified optimum in reasonable time.
+    /// The number of spans is too large for a certified optimum in reasonable time.
     NotSpans {
         typed: String,
         low: usize,
@@ -68,7 +68,7 @@ pub enum SceneError {
     },
     /// A value that is not a number with its unit.
     NotQuantity { typed: String, example: String },
-    /// An unknown word, with the nearest known one.
+    /// A word is unknown; with the nearest known word.
     UnknownWord {
         word: String,
         nearest: Option<String>,
@@ -86,139 +86,139 @@ pub enum SceneError {
     },
     /// A pressure angle of 90° or more.
     NotAcute { typed: String },
-    /// A key that the follower needs.
+    /// A key that the follower requires is missing.
     NeededByFollower {
         follower: &'static str,
         example: String,
     },
-    /// A key that the drive needs.
+    /// A key that the drive requires is missing.
     NeededByDrive {
         drive: &'static str,
         example: String,
     },
-    /// A key that every entry of a list needs.
+    /// A key that every entry of a list requires is missing.
     NeededInEntry { example: String },
-    /// A change without an equals sign.
+    /// A change (`--set`) has no equals sign.
     NoAssignment { typed: String },
-    /// A missing entry of a list.
+    /// An entry of a list does not exist.
     NoEntry {
         list: String,
         number: String,
         given: usize,
     },
-    /// A list without the number of an entry.
+    /// The number of the entry of a list is missing in a path.
     ListWithoutNumber { list: String, given: usize },
-    /// A path that leads through a value.
+    /// A path continues below a value that is not a table.
     ValueNotTable { part: String },
-    /// Both a recording and a model.
+    /// Both a recording and a model are given.
     FileAndModel,
-    /// A text that is not a load factor with its phase.
+    /// A text is not a load factor with its phase.
     NotHarmonic { typed: String },
-    /// A text of `machine.learned_force` that is not a force with its phase.
+    /// A text of `machine.learned_force` is not a force with its phase.
     NotLearnedForce { typed: String },
-    /// More harmonics of `machine.learned_force` than are supported.
+    /// There are more harmonics of `machine.learned_force` than supported.
     LearnedForces { given: usize, most: usize },
-    /// Load factors that are all zero, or too many of them.
+    /// All load factors are zero, or there are too many of them.
     Harmonics { given: usize, most: usize },
-    /// Neither a recording nor a model.
+    /// Neither a recording nor a model is given.
     NoForceNamed,
-    /// An empty range of weighted phases.
+    /// The range of weighted phases is empty.
     NoPhases { from: Quantity, to: Quantity },
     /// Every phase has weight zero.
     NothingWeighed,
-    /// The weighted objective `law.weigh`, which was removed.
+    /// The scene uses the weighted objective `law.weigh`, which is no longer supported.
     WeighRemoved,
-    /// A force objective without a force.
+    /// The objective refers to a force, but the scene has no force.
     NoForceToFollow,
-    /// A weight on the size of a cam whose size is given.
+    /// The objective weights the size of the cam, but the size is given.
     SizeNotFree,
-    /// A spline's degree outside its range.
+    /// The degree of a spline is outside its range.
     SplineDegree { typed: String },
     /// The minimised derivative does not exist for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
-    /// A condition that only splines support.
+    /// A condition is given that only splines support.
     OnlySplines { family: &'static str },
-    /// A programme without segments.
+    /// A programme has no segments.
     ProgramWithoutSegments,
-    /// A polynomial without points.
+    /// A polynomial has no points.
     PolynomialWithoutPoints,
-    /// No requirement on the law.
+    /// The scene has no requirement for the law.
     NothingAsked,
-    /// An automatic speed without a cycle.
+    /// The speed is automatic, but the scene has no force cycle.
     NoSpeed,
-    /// An automatic mass without a force.
+    /// The mass is automatic, but the scene has no force.
     NoMass,
-    /// A radius given twice.
+    /// Both base radius and prime radius are given.
     BaseAndPrime,
-    /// A radius in addition to a breadth, which determines it.
+    /// A radius is given together with a breadth, which determines it.
     RadiusAndBreadth,
-    /// A breadth without a programme.
+    /// A breadth is given without a programme.
     BreadthWithoutProgram,
-    /// A roller as large as the prime circle.
+    /// The radius of the roller is not smaller than the prime radius.
     RollerFillsPrime { roller: String, base: Quantity },
-    /// A base circle inside the bore.
+    /// The base circle is inside the bore.
     BaseInBore {
         base: String,
         bore: String,
         least: Quantity,
     },
-    /// A keyway without a bore.
+    /// A keyway is given without a bore.
     KeywayWithoutBore,
-    /// A bore for which the standard has no keyway.
+    /// The standard has no keyway for this bore.
     NoKeywayForBore { bore: String },
-    /// A width that is not in the standard.
+    /// The standard has no keyway of this width.
     NoKeywayOfWidth { width: String, widths: String },
-    /// A keyway as wide as its bore.
+    /// The keyway is not narrower than its bore.
     KeywayTooWide { width: String, bore: String },
-    /// An offset as large as the prime radius.
+    /// The offset is not smaller than the prime radius.
     OffsetReachesPrime { offset: String, prime: String },
-    /// A target force for a follower whose lift is not over one turn.
+    /// A target force is given for a follower whose law is not over one turn.
     ForceNeedsTurn { follower: &'static str },
-    /// A law over a length that is not a programme.
+    /// A law over a length of travel is not given as a programme, which is required.
     LengthNeedsProgram,
-    /// A law over several turns that is not a programme.
+    /// A law over several turns is not given as a programme, which is required.
     TurnsNeedProgram,
-    /// An arm under a cam on a moving axis.
+    /// A follower on an arm is combined with a cam on a moving axis.
     ArmOnMovingAxis,
-    /// A conjugate pair with no closure, or with two.
+    /// A conjugate pair has no closing dimension, or two of them.
     PairNotClosed,
-    /// The stiffness of the follower given twice.
+    /// Both natural frequency and stiffness of the follower are given.
     FrequencyAndStiffness,
-    /// A motor has not exactly one torque line.
+    /// A motor must have exactly one torque line.
     MotorLine,
-    /// A no-load speed without the stall torque that makes a line of it.
+    /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
-    /// The torque of a motor does not fall with its speed.
+    /// The torque of a motor does not decrease with its speed.
     MotorCurve,
-    /// A motor without the inertia of its shaft.
+    /// A motor is given without the inertia of its shaft.
     MotorWithoutInertia,
     /// A mode of the floor lacks a number.
     FloorLacks { example: String },
-    /// One mode of the floor and a list of modes.
+    /// Both a single mode of the floor and a list of modes are given.
     FloorTwice,
-    /// Not as many phases as walkers.
+    /// The number of phases differs from the number of walkers.
     WalkerPhases { count: usize },
-    /// Not as many weights as walkers.
+    /// The number of weights differs from the number of walkers.
     WalkerWeights { count: usize },
-    /// A moving floor with a motor or a flexible follower.
+    /// A moving floor is combined with a motor or a flexible follower, which is not supported.
     FloorAlone,
-    /// A moving floor without a shaker that follows a force.
+    /// A moving floor requires a shaker with a target force.
     FloorNeedsShaker,
-    /// A limit on vibration without data of the follower's vibration.
+    /// A limit on vibration is given without data on the vibration of the follower.
     ResidualWithoutFrequency,
-    /// A minimum force that is not below the maximum.
+    /// The minimum force is not below the maximum force.
     ForceRange { low: String, high: String },
-    /// A polydyne cam of a rigid follower.
+    /// A polydyne cam is requested for a rigid follower.
     PolydyneWithoutStiffness,
-    /// A polydyne cam of a family without four continuous derivatives.
+    /// A polydyne cam is requested with a family that lacks four continuous derivatives.
     PolydyneFamily { family: &'static str },
-    /// A polydyne cam of too low a degree.
+    /// The degree of a polydyne cam is too low.
     PolydyneDegree,
-    /// A polydyne cam that does not rotate.
+    /// A polydyne cam is requested for a cam that does not rotate.
     PolydyneOnSlide,
-    /// A polydyne cam of constant breadth.
+    /// A polydyne cam is combined with constant breadth.
     PolydyneBreadth,
-    /// A change of a key without effect.
+    /// A changed key has no effect.
     NoEffect {
         key: String,
         why: &'static str,
@@ -226,7 +226,7 @@ pub enum SceneError {
         follower: &'static str,
         drive: &'static str,
     },
-    /// An unknown built-in scene, with a similar name.
+    /// The name of a built-in scene is unknown; with a similar name.
     NoSuchScene {
         typed: String,
         nearest: Option<String>,

@@ -1,9 +1,9 @@
-//! Faults in a sweep: its axes, its plan, its tolerances and its tables.
+//! Errors in a sweep: its axes, its plan, its tolerances and its tables.
 
 use serde::Serialize;
 use strum::VariantNames;
 
-/// Faults of a sweep. Text fields quote the user.
+/// Errors of a sweep. Text fields quote the user.
 ///
 /// ```
 /// use gaitcam::error::SweepError;
@@ -22,9 +22,9 @@ pub enum SweepError {
     NoAssignment { typed: String },
     /// An axis has no values.
     NoValues,
-    /// A sampled range has a count.
+    /// A range to be sampled has a count.
     SampledCount,
-    /// A range of a grid without its count.
+    /// A range of a grid has no count.
     NoCount,
     /// The count of a range is not a whole number.
     NotCount { typed: String },
@@ -34,39 +34,39 @@ pub enum SweepError {
     NotNumber { typed: String },
     /// A plan has no rows.
     NoRows,
-    /// More rows than row numbers can represent.
+    /// The number of rows exceeds the range of row numbers.
     TooManyRows { rows: String },
-    /// Columns of a list differ in length.
+    /// The columns of a list differ in length.
     ListLengths {
         key: String,
         values: u64,
         first: u64,
     },
-    /// A recording that is missing in the sweep.
+    /// A recording is not stored with the sweep.
     NotCarried,
-    /// Tolerances together with several scenes or values.
+    /// Tolerances are combined with several scenes or values.
     ScatterAlone,
-    /// No cam exists whose errors could be sampled.
+    /// There is no cam for which manufacturing errors could be sampled.
     NoDesign,
     /// The time limit ended the search of a row.
     OutOfTime,
-    /// A key that cannot be varied.
+    /// A key is not suitable for variation.
     Fixed { key: String, known: String },
-    /// A key that is given twice.
+    /// A key is given twice.
     KeyTwice { key: String },
-    /// A sample without varied keys.
+    /// A sample is requested without varied keys.
     NothingToSample,
-    /// More keys than the dimensions of Sobol sequences.
+    /// The number of keys exceeds the dimensions of the Sobol sequence.
     SobolAxes { most: usize },
-    /// A row with the name of an unknown base scene.
+    /// A row contains the number of an unknown base scene.
     NoScene { scene: usize },
-    /// A tolerance without `=`.
+    /// A tolerance has no `=`.
     NoToleranceValue { typed: String },
     /// A part of the tolerances has no value.
     NoTolerance { typed: String },
     /// A tolerance is negative.
     NegativeTolerance { part: String, typed: String },
-    /// A scene without a target force has no force error.
+    /// The scene has no target force and therefore no force error.
     NoForceError,
     /// Tolerances are not supported for oscillating followers.
     ScatterOfArm,
@@ -80,8 +80,8 @@ pub enum SweepError {
         nearest: Option<String>,
         known: String,
     },
-    /// A fault of the Arrow library.
+    /// Error of the Arrow library.
     Arrow { fault: String },
-    /// A fault of the Parquet library.
+    /// Error of the Parquet library.
     Parquet { fault: String },
 }

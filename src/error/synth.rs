@@ -1,4 +1,4 @@
-//! Faults in the requirements of a design.
+//! Errors in the requirements of a design.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons why a design cannot start.
+/// Reasons for which a design cannot be started.
 ///
 /// ```
 /// use gaitcam::error::SynthError;
@@ -31,23 +31,23 @@ pub enum SynthError {
     NoLiftChangesForce,
     /// A value is required if no force is given.
     ValueMissing,
-    /// A cam under a negative mean force supports no mass.
+    /// The mean force is negative, so no mass corresponds to it.
     MeanForceNegative { mean: Quantity },
     /// The force cannot be scaled to the weight.
     NotScalable { mean: Quantity, weight: Quantity },
     /// The target is one cycle and has no spread.
     NoSpread,
-    /// A trade-off is between two quantities.
+    /// A trade-off does not name two quantities.
     PairIncomplete { pair: String, known: String },
-    /// One quantity of a trade-off is the force error.
+    /// Neither quantity of a trade-off is the force error.
     PairWithoutForceError { known: String },
-    /// Unknown quantity of a trade-off.
+    /// A quantity of a trade-off is unknown.
     PairUnknown { typed: String, known: String },
-    /// The trade-off needs a target force.
+    /// A trade-off is requested without a target force.
     NoTarget,
-    /// The trade-off is for splines.
+    /// A trade-off is requested for a family other than splines.
     OnlySplines,
-    /// The scene fixes the size of the cam.
+    /// A trade-off with the size is requested, but the scene fixes the size of the cam.
     SizeFixed,
     /// The iteration between law and shaft speed does not converge.
     ShaftDiverges {
@@ -57,17 +57,17 @@ pub enum SynthError {
     },
     /// A given value would have to be adjusted for each walker.
     AdjustsGiven { key: String },
-    /// The mass of this drive does not carry a walker's weight.
+    /// The mass of this drive does not depend on the weight of a walker.
     MassNotAdjustable,
-    /// At another speed the force is not a multiple of that at the reference speed.
+    /// At another speed, the force is not a multiple of the force at the reference speed.
     SpeedNotAdjustable,
     /// The setting is not supported for several walkers.
     NotOfPopulation,
-    /// Several cams for one walker.
+    /// Several cams are requested for one walker.
     OneWalker,
-    /// The solver failed with a fault.
+    /// The solver failed with this error.
     SearchFailed { fault: String },
-    /// More harmonics than the samples of the force hold.
+    /// The number of harmonics is too large for the samples of the force.
     TooManyHarmonics { samples: usize, most: usize },
     /// Spring and inertia cancel at a harmonic of the force.
     Resonance { harmonic: usize },
@@ -89,7 +89,7 @@ pub enum SynthError {
         degree: usize,
         missing: usize,
     },
-    /// More conditions than the maximum.
+    /// The number of conditions exceeds the maximum.
     ManyDemands { given: usize, most: usize },
     /// The law does not close.
     LawOpen { rise: Quantity },
@@ -97,11 +97,11 @@ pub enum SynthError {
     ForceGivesNoLift,
     /// The points contain no condition.
     PointsEmpty,
-    /// The family requires a target force.
+    /// The family of the law requires a target force.
     FamilyNeedsForce,
-    /// No double harmonic approximates the force better than rest.
+    /// No double harmonic approximates the force better than a constant lift.
     DoubleHarmonicUseless,
-    /// Two dwells overlap each other.
+    /// Two dwells overlap.
     DwellsOverlap,
     /// The dwells fill the whole turn.
     DwellsFillTurn,
@@ -109,14 +109,14 @@ pub enum SynthError {
     PointOutside { at: Quantity },
 }
 
-/// Reasons why no cam satisfies a scene.
+/// Reasons for which no cam satisfies a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum NoDesignError {
-    /// No law exists even without the limits; the reason is a serialised [`Reason`](crate::synth::Reason).
+    /// No law exists even without the limits. The reason is a serialised [`Reason`](crate::synth::Reason).
     NoLaw { reason: Value },
     /// The law does not have a constant breadth.
     NoConstantBreadth {
@@ -124,9 +124,9 @@ pub enum NoDesignError {
         miss: Quantity,
         at: Quantity,
     },
-    /// The breadth is smaller than base circle and lift need.
+    /// The breadth is too small for base circle and lift.
     BreadthTooSmall { breadth: Quantity, lift: Quantity },
-    /// No prime circle suffices.
+    /// No prime circle satisfies the limits.
     NoPrimeCircle,
     /// The search found no double harmonic law.
     NoDoubleHarmonic,

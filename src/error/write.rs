@@ -1,11 +1,11 @@
-//! Faults in writing a design: files, drawings and solids.
+//! Errors in writing a design: files, drawings and solids.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons why a file cannot be made or written.
+/// Reasons for which a file cannot be created or written.
 ///
 /// ```
 /// use gaitcam::error::{Placed, WriteError};
