@@ -1,7 +1,7 @@
-//! The cycles of a log: their phases, and the harmonics of every cycle.
+//! Cycles of a log: their phases, and the harmonics of every cycle.
 //!
-//! Each cycle is fitted separately with a mean and harmonics (least squares at the times of its samples), so that the scatter of the fits measures
-//! the noise, correlated or not.
+//! A mean and harmonics are fitted to each cycle separately (least squares at the times of its samples). The scatter of the fits measures the noise,
+//! whether or not it is correlated.
 
 use std::f64::consts::TAU;
 
@@ -13,19 +13,19 @@ use crate::error::{LogError, Result};
 
 /// Maximum number of harmonics of a cycle.
 pub(super) const MOST: usize = 24;
-/// Minimum number of samples per cycle and harmonic; with fewer the fit follows the noise.
+/// Minimum number of samples per cycle and harmonic. With fewer samples, the fit follows the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Range of the speed from the angle, relative to the expected one, outside which a column has another unit.
+/// Range of the measured speed, relative to the expected one, outside which the angle column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
-/// Change of the mean cycle within the log that is an error, relative to its alternating force and to the scatter.
+/// Change of the mean cycle within the log above which the log is rejected, relative to the alternating force.
 pub(super) const CHANGE: f64 = 0.05;
 pub(super) const SURPRISE: f64 = 8.0;
-/// Diagonal of the factor below which a cycle has a gap, relative to equal steps: 0.7.
+/// Diagonal entry of the factor, relative to equal steps (0.7), below which a cycle has a gap.
 const UNSEEN: f64 = 0.2;
 /// Number of iterations in which the phases of the cycles correct the period.
 const ROUNDS: usize = 4;
 
-/// The harmonics of one quantity in every cycle and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
+/// Harmonics of one quantity in every cycle, and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Averaged {
     /// Coefficients of every cycle.
@@ -34,27 +34,27 @@ pub struct Averaged {
     pub mean: Vec<f64>,
 }
 
-/// The cycles of a log.
+/// Cycles of a log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
     /// Mean speed of the cam, rad/s.
     pub speed: f64,
-    /// Whether the phase φ is the cam angle; otherwise it is 2π times the fraction of the period since the first sample.
+    /// Whether the phase φ is the cam angle; otherwise φ is 2π times the fraction of the period since the first sample.
     pub by_angle: bool,
     /// Force over a cycle, N, as harmonics.
     pub force: Averaged,
-    /// Speed of the cam, rad/s.
+    /// Speed of the cam over a cycle, rad/s, as harmonics.
     pub shaft: Option<Averaged>,
-    /// Torque at the camshaft, N·m.
+    /// Torque at the camshaft over a cycle, N·m, as harmonics.
     pub torque: Option<Averaged>,
-    /// 2π times the fraction of the period, less the cam angle, rad, as a function of the cam angle.
+    /// 2π times the fraction of the period minus the cam angle, rad, as a function of the cam angle.
     pub lead: Option<Averaged>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms: f64,
 }
 
 impl Averaged {
-    /// The averages of cycles of equal numbers of harmonics.
+    /// Mean of cycles with equal numbers of harmonics.
     pub fn of(each: Vec<Vec<f64>>) -> Averaged {
         let count = each.len() as f64;
         let mean = (0..each[0].len())
@@ -63,12 +63,12 @@ impl Averaged {
         Averaged { each, mean }
     }
 
-    /// The averages under a linear map of every cycle.
+    /// Applies a linear map to every cycle.
     pub fn map(&self, map: impl Fn(&[f64]) -> Vec<f64>) -> Averaged {
         Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
     }
 
-    /// Variance of the mean of each entry.
+    /// Variance of the mean of each coefficient.
     pub fn variance(&self) -> Vec<f64> {
         let count = self.each.len() as f64;
         let of = |j: usize| {
@@ -80,10 +80,11 @@ impl Averaged {
 }
 
 impl Cycles {
-    /// The cycles of a log of a machine whose cam turns at about `speed`, rad/s, with a force of `harmonics` harmonics.
+    /// Determines the cycles of a log of a machine whose cam turns at about `speed`, rad/s, for a force with `harmonics` harmonics.
     ///
     /// # Errors
-    /// The log is too short, has too few samples, shows no repetition, or its speed or cycle changes.
+    ///
+    /// The log is too short, has too few samples, or is not periodic; its speed or its mean cycle changes.
     pub fn of(log: &Log, speed: f64, harmonics: usize) -> Result<Cycles> {
         let (phases, speed) = phases(log, speed)?;
         let turns = span(&phases);
@@ -118,7 +119,7 @@ impl Cycles {
         Ok(out)
     }
 
-    /// Phase lead of every cycle over the mean, rad.
+    /// Phase lead of every cycle relative to the mean, rad.
     fn leads(&self) -> Vec<f64> {
         let mean = &self.force.mean;
         let slope = derivative(mean);
@@ -134,7 +135,7 @@ impl Cycles {
         self.force.each.iter().map(lead).collect()
     }
 
-    /// Phase lead per cycle, turns, which is the excess of the period.
+    /// Phase lead per cycle, in turns: the relative excess of the period.
     fn slope(&self) -> f64 {
         let leads = self.leads();
         let line = polynomial(&leads, 1);
@@ -181,7 +182,7 @@ impl Cycles {
     }
 }
 
-/// Number of turns that the phases cover.
+/// Number of turns covered by the phases.
 fn span(phases: &[f64]) -> f64 {
     let n = phases.len();
     let step = (phases[n - 1] - phases[0]) / (n - 1) as f64;
@@ -230,7 +231,7 @@ fn polynomial(values: &[f64], degree: usize) -> Vec<f64> {
         .map_or_else(|_| vec![0.0; degree + 1], |x| x.as_slice().to_vec())
 }
 
-/// Derivative with respect to the phase.
+/// Derivative of a harmonic series with respect to the phase.
 pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; harmonics.len()];
     for n in 1..=harmonics.len() / 2 {
@@ -240,7 +241,7 @@ pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The curve shifted by `shift` in phase.
+/// A harmonic series shifted by `shift` in phase.
 pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     let mut out = harmonics.to_vec();
     for n in 1..=harmonics.len() / 2 {
@@ -251,13 +252,13 @@ pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     out
 }
 
-/// Value of the curve at a phase.
+/// Value of a harmonic series at a phase.
 pub(super) fn value(harmonics: &[f64], phase: f64) -> f64 {
     let basis = basis(phase, harmonics.len());
     basis.iter().zip(harmonics).map(|(a, b)| a * b).sum()
 }
 
-/// The basis 1, cos φ, sin φ, cos 2φ …
+/// Basis functions 1, cos φ, sin φ, cos 2φ … at a phase.
 fn basis(phase: f64, count: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(count);
     out.push(1.0);
@@ -270,7 +271,7 @@ fn basis(phase: f64, count: usize) -> Vec<f64> {
     out
 }
 
-/// Time in units of the period (2π), less the cam angle, if the log has both.
+/// Time in units of the period (2π) minus the cam angle, if the log contains both.
 fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     let (time, _) = log.columns.time.as_ref().zip(log.columns.theta.as_ref())?;
     let last = phases.len() - 1;

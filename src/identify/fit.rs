@@ -1,17 +1,17 @@
-//! Least squares of a linear model of several logs with physical signs, shifts of their phases, and intervals.
+//! Least squares of a linear model for several logs: parameters with physical signs, phase shifts of the logs, and confidence intervals.
 
 use std::ops::Range;
 
 use super::cycles::{Averaged, derivative, shifted};
 use super::least_squares::{Bounded, Column, difference, dot, inverse, product};
 
-/// Number of trial shifts around a turn before the best is refined, and number of refinement steps.
+/// Number of trial shifts over a turn before the best one is refined.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
-/// Number of standard deviations by which the residual's energy must exceed the noise for a repeatable error.
+/// Number of standard deviations by which the energy of the residual must exceed the noise to count as a repeatable error.
 pub(super) const EXCESS: f64 = 3.0;
 
-/// A parameter with the ends of its 95 % interval, which are infinite if the columns do not determine it.
+/// A parameter with the ends of its 95 % interval. The ends are infinite if the columns do not determine the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Estimate {
     pub value: f64,
@@ -20,29 +20,29 @@ pub(super) struct Estimate {
 
 /// Result of the fit.
 pub(super) struct Fit {
-    /// The unknowns of the phases.
+    /// Unknown phase shifts with their intervals.
     pub shifts: Vec<Estimate>,
     pub each: Vec<Estimate>,
-    /// The cycles of every log shifted to the phase of the machine.
+    /// Cycles of every log, shifted to the phase of the machine.
     pub measured: Vec<Averaged>,
-    /// Energy of the mean residual of every log.
+    /// Energy of the mean residual of each log.
     pub left: Vec<f64>,
-    /// Repeatable part of that energy.
+    /// Repeatable part of the energy of each mean residual.
     pub repeats: Vec<f64>,
-    /// Variance of a component of the repeatable residual in its effective harmonics, and their number.
+    /// Variance of a component of the repeatable residual in its effective harmonics, and number of these harmonics.
     pub component: f64,
     pub harmonics: usize,
 }
 
-/// One unknown of the phases: a delay that logs share, or the phase of one log.
+/// An unknown phase shift: a delay that several logs share, or the phase of one log.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shift {
     pub range: [f64; 2],
-    /// Phase delay of every log per unit of the unknown, rad; 0 where it has no effect.
+    /// Phase delay of each log per unit of the unknown, rad; 0 for a log that the unknown does not affect.
     pub rates: Vec<f64>,
 }
 
-/// The cycles of several logs, one after the other, with their unknown phases.
+/// Cycles of several logs in sequence, with their unknown phase shifts.
 #[derive(Clone, Copy)]
 struct Stack<'a> {
     runs: &'a [Averaged],
@@ -55,14 +55,14 @@ impl Stack<'_> {
         parts.map(|(shift, x)| shift.rates[run] * x).sum()
     }
 
-    /// The means of the cycles at their phases.
+    /// Means of the cycles at their phases.
     fn means(self, at: &[f64]) -> Vec<f64> {
         let runs = self.runs.iter().enumerate();
         let mean = |(i, run): (usize, &Averaged)| shifted(&run.mean, self.phase(i, at));
         runs.flat_map(mean).collect()
     }
 
-    /// Entries of a log in the sequence of all.
+    /// Entries of one log in the sequence of all logs.
     fn part(self, run: usize) -> Range<usize> {
         let length = |r: &Averaged| r.mean.len();
         let from = self.runs[..run].iter().map(length).sum();
@@ -73,7 +73,7 @@ impl Stack<'_> {
         (0..self.runs.len()).map(move |i| self.part(i))
     }
 
-    /// Derivatives of the shifted means by the unknown phases.
+    /// Derivatives of the shifted means with respect to the unknown phase shifts.
     fn slopes(self, model: &[f64]) -> Vec<Vec<f64>> {
         let of_run = |shift: &Shift, run: usize| -> Vec<f64> {
             let slope = derivative(&model[self.part(run)]);
@@ -88,7 +88,7 @@ impl Stack<'_> {
     }
 }
 
-/// Fits columns to the means of the cycles of several logs at their best phases, searched from `start`.
+/// Fits columns to the mean cycles of several logs at the best phase shifts, searched from `start`.
 pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start: &[f64]) -> Fit {
     let solver = Bounded::new(columns);
     let stack = Stack { runs, shifts };
@@ -124,7 +124,8 @@ pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start
     intervals(&solver, stack, &values, &at)
 }
 
-/// The intervals include all columns, also those at their bound, which a repeatable force may cause.
+/// Intervals of the parameters. They take all columns into account, also those of parameters at their bound, because a repeatable force may be the
+/// cause.
 fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit {
     let runs = stack.runs.iter().enumerate();
     let turned = |(i, run): (usize, &Averaged)| run.map(|c| shifted(c, stack.phase(i, at)));
@@ -196,8 +197,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Square of the effect of a repeatable residual of unit components on an estimate: whichever is larger of a residual that differs between logs and
-/// one that is the same in all.
+/// Squared effect on an estimate of a repeatable residual with unit components: the maximum for a residual that differs between logs and for one that
+/// is equal in all.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];
@@ -207,8 +208,8 @@ fn size(stack: Stack, row: &[f64]) -> f64 {
     dot(row, row).max(dot(&sum, &sum))
 }
 
-/// Repeatable part of a mean residual whose entries have these variances: energy per log, variance of a component in its effective number of
-/// harmonics (participation ratio), and that number. The means count where several logs share them.
+/// Repeatable part of a mean residual whose entries have the given variances: energy per log, variance of a component, and effective number of
+/// harmonics (participation ratio). Means that several logs share are included.
 fn repeatable(stack: Stack, left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, usize) {
     let pairs = |part: Range<usize>| -> Vec<(Range<usize>, f64)> {
         let mean = (stack.runs.len() > 1).then(|| (part.start..part.start + 1, 2.0));
@@ -243,7 +244,7 @@ fn repeatable(stack: Stack, left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, u
     )
 }
 
-/// The best of equally spaced values of one unknown of the phases, the others as they are.
+/// Best of equally spaced values of one unknown phase shift, with the others fixed.
 fn best_shift(solver: &Bounded, stack: Stack, at: &[f64], place: usize) -> f64 {
     let Shift { range, rates } = &stack.shifts[place];
     let rate = rates.iter().fold(0.0_f64, |m, r| m.max(*r));
@@ -259,7 +260,7 @@ fn best_shift(solver: &Bounded, stack: Stack, at: &[f64], place: usize) -> f64 {
     best.map_or(range[0], |b| b.0)
 }
 
-/// Quantile 0.975 of Student's t: tabulated for few degrees of freedom, beyond them the expansion of Cornish and Fisher.
+/// Quantile 0.975 of Student's t distribution: tabulated for few degrees of freedom, otherwise by the Cornish–Fisher expansion.
 pub(super) fn t95(degrees: usize) -> f64 {
     const FEW: [f64; 6] = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447];
     if let Some(known) = FEW.get(degrees.max(1) - 1) {

@@ -1,4 +1,4 @@
-//! Logs fitted together with the machine of a design: its parameters are shared, the phases are their own.
+//! Joint fit of several logs with the machine of a design. The logs share the parameters; each log has its own phase.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -15,14 +15,14 @@ use crate::error::{LogError, Placed, Result};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Relative difference below which two logs hold the same samples.
+/// Relative difference below which two logs contain the same samples.
 const SAME: f64 = 1e-9;
 
-/// Logs fitted with the machine of a design.
+/// Several logs with the fitted machine of a design.
 pub(super) struct Fitted {
     pub runs: Vec<Run>,
     pub terms: Vec<Term>,
-    /// Unknowns of the phases: first the delay of the logs with an angle, s, then the phase of each other one, rad.
+    /// Unknown phase shifts: first the common delay of the logs with an angle, s, then the phase of each log without an angle, rad.
     pub shifts: Vec<Shift>,
     pub fit: Fit,
 }
@@ -59,7 +59,7 @@ impl Fitted {
         self.runs.iter().any(|run| run.cycles.by_angle)
     }
 
-    /// The model of a log with the fitted parameters.
+    /// Force of a log in the model with the fitted parameters.
     pub fn modelled(&self, run: usize) -> Vec<f64> {
         let mut out = vec![0.0; self.fit.measured[run].mean.len()];
         for (column, found) in self.runs[run].columns.iter().zip(&self.fit.each) {
@@ -75,7 +75,7 @@ impl Fitted {
         all.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
-    /// The measured cycles of all logs at the speed of one of them, in its phase.
+    /// Measured cycles of all logs at the speed and in the phase of the log `place`.
     pub fn measured_at(&self, place: usize) -> Averaged {
         let near = |i: &usize| {
             let speed = |run: &Run| run.cycles.speed;
@@ -97,7 +97,7 @@ impl Fitted {
     }
 }
 
-/// The unknowns of the phases, and the fit; `alone` are the fits of each log where there are several.
+/// Unknown phase shifts and the fit. `alone` contains the separate fits of the logs if there are several.
 fn fitted(runs: &[Run], alone: &[Fit]) -> (Vec<Shift>, Fit) {
     let column = |term: usize| Column {
         values: runs
@@ -132,7 +132,7 @@ fn fitted(runs: &[Run], alone: &[Fit]) -> (Vec<Shift>, Fit) {
     (shifts, fit)
 }
 
-/// Rejects a log that is given twice, perhaps in other units.
+/// Rejects a log that is given twice, also in different units.
 fn check_copies(logs: &[Log], runs: &[Run]) -> Result<()> {
     let size = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     for (i, (log, run)) in logs.iter().zip(runs).enumerate() {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Singular values below this fraction of the largest count as zero; columns are normalised.
+/// Fraction of the maximum singular value below which a singular value counts as zero; columns are normalised.
 const RANK: f64 = 1e-9;
 
 /// One column of the linear model.
@@ -51,7 +51,7 @@ impl Bounded {
         sum.as_slice().to_vec()
     }
 
-    /// Unknowns, and the remaining sum of squares.
+    /// Values of the unknowns, and the residual sum of squares.
     pub fn solve(&self, y: &[f64]) -> (Vec<f64>, f64) {
         let y = DVector::from_column_slice(y);
         let right = self.q.tr_mul(&y);
@@ -105,7 +105,7 @@ impl Bounded {
     }
 }
 
-/// Rows of the pseudoinverse of a matrix of columns; a row is not finite where a column is a combination of the others.
+/// Rows of the pseudoinverse of a matrix given by its columns. A row is not finite if its column is a linear combination of the others.
 pub(super) fn inverse(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let Some(first) = columns.first() else {
         return Vec::new();

@@ -1,11 +1,11 @@
-//! A log of a running machine: force, and recorded angle, speed and torque.
+//! Log of a running machine: recorded force, angle, speed and torque.
 
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Fault, LogError, Placed, Result};
 
-/// Columns of a log in SI, in the order of [`LogColumns`].
+/// Columns of a log in SI units, in the order of [`LogColumns`].
 pub(super) const NAMES: [&str; 5] = [
     "time_s",
     "theta_rad",
@@ -15,12 +15,12 @@ pub(super) const NAMES: [&str; 5] = [
 ];
 /// Minimum number of rows of a log.
 const LEAST_ROWS: usize = 32;
-/// Maximum magnitude of a number of a log, SI: 30 years, 1 GN.
+/// Maximum magnitude of a number in a log, SI: 30 years, 1 GN.
 pub(super) const LARGEST: f64 = 1e9;
-/// Fraction of the samples at exactly the largest or smallest force above which the force is clipped.
+/// Fraction of the samples at exactly the maximum or minimum force above which the force is clipped.
 const CLIPPED: f64 = 0.02;
 
-/// Samples of a log in SI; time or angle or both, all of the length of the force.
+/// Samples of a log in SI units. Time or angle or both are given; all columns have the length of the force.
 ///
 /// ```
 /// use gaitcam::identify::{Log, LogColumns};
@@ -35,7 +35,7 @@ const CLIPPED: f64 = 0.02;
 pub struct LogColumns {
     /// Time of the samples, s; increasing.
     pub time: Option<Vec<f64>>,
-    /// Cam angle, rad; increasing, or begun anew after each turn.
+    /// Cam angle, rad; increasing, or restarting after each turn.
     pub theta: Option<Vec<f64>>,
     /// Force of the load cell, N.
     pub force: Vec<f64>,
@@ -64,7 +64,7 @@ impl LogColumns {
     }
 }
 
-/// Adds whole turns to angles that begin anew after each turn.
+/// Adds whole turns to angles that restart after each turn.
 fn unwrap(theta: &mut [f64]) {
     let mut turns = 0.0;
     for row in 1..theta.len() {
@@ -75,7 +75,7 @@ fn unwrap(theta: &mut [f64]) {
     }
 }
 
-/// A log of a running machine: finite numbers in columns of one length, time and angle in order.
+/// A log of a running machine: finite numbers in columns of equal length, with increasing time and angle.
 ///
 /// ```
 /// use gaitcam::identify::{Log, LogOptions};
@@ -91,22 +91,23 @@ fn unwrap(theta: &mut [f64]) {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    /// The angle is not wrapped and does not decrease.
+    /// Columns of the log; the angle does not restart and does not decrease.
     pub(super) columns: LogColumns,
     path: PathBuf,
 }
 
 impl Log {
-    /// A log from columns in SI. `path`, its file or any name, is used in messages.
+    /// Creates a log from columns in SI units. `path`, the file or any name, is used in messages.
     ///
     /// # Errors
+    ///
     /// Neither time nor angle; columns of different lengths; a number that is not finite or above 10⁹; times or angles that do not increase; too few
-    /// rows; a force that is clipped.
+    /// rows; a clipped force.
     pub fn new(path: &Path, columns: LogColumns) -> Result<Log> {
         Log::checked(path, columns, &[])
     }
 
-    /// A log from columns whose rows are in these lines of a file; without lines, of no file.
+    /// Creates a log from columns whose rows are at the given lines of a file; no lines if there is no file.
     pub(super) fn checked(path: &Path, mut columns: LogColumns, lines: &[usize]) -> Result<Log> {
         let at = |row: usize, fault: LogError| match lines.get(row) {
             Some(line) => fault.at_line(path, *line),
@@ -177,17 +178,17 @@ impl Log {
         name.to_string_lossy().into_owned()
     }
 
-    /// The samples; the angle is not wrapped.
+    /// Samples of the log; the angle does not restart.
     pub fn columns(&self) -> &LogColumns {
         &self.columns
     }
 
-    /// A fault of the log as a whole.
+    /// Error of the log as a whole.
     pub(super) fn refused(&self, fault: impl Fault) -> Error {
         fault.in_file(&self.path)
     }
 
-    /// Rejects a force that stays at its largest or smallest value.
+    /// Rejects a force that remains at its maximum or minimum.
     fn check_clipping(&self) -> Result<()> {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let range = (self.columns.force.iter()).fold(ends, |[l, h], f| [l.min(*f), h.max(*f)]);

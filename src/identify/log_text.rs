@@ -1,4 +1,4 @@
-//! Logs in delimited texts: the columns of a table by their names and units, converted to SI.
+//! Logs in delimited texts: columns are recognised by names and units, and converted to SI.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::error::{LogError, Placed, Result};
 use crate::force::NumberTable;
 use crate::units::{Dimension, parse};
 
-/// Option that names each column, in the order of [`NAMES`], and its quantity.
+/// Option that names each column, in the order of [`NAMES`], and the quantity of the column.
 const OPTIONS: [(&str, Dimension); 5] = [
     ("time", Dimension::Time),
     ("angle", Dimension::Angle),
@@ -16,7 +16,7 @@ const OPTIONS: [(&str, Dimension); 5] = [
     ("speed", Dimension::AngularSpeed),
     ("torque", Dimension::Torque),
 ];
-/// Units of each column; case, blanks, dots and `per` for `/` do not matter.
+/// Units of each column. Case, spaces and dots are ignored, and `per` stands for `/`.
 const UNITS: [&str; 5] = [
     "s, ms, us, min, sec, secs, seconds",
     "rad, deg, °, rev, revs, turn, turns, degrees, revolutions",
@@ -24,7 +24,7 @@ const UNITS: [&str; 5] = [
     "rad/s, deg/s, °/s, rpm, rev/s, rps, 1/min, min^-1, min⁻¹",
     "N m, N mm, kN m, lbf in, in lbf, lb in, in lb, lbf ft, ft lbf, lb ft, ft lb",
 ];
-/// Words in the names of angle, speed and torque; names of time and force are those of recordings.
+/// Words in the names of angle, speed and torque columns. The names of time and force columns are those of recordings.
 const WORDS: [&str; 5] = [
     "",
     "theta angle phi master position winkel angulo ángulo posicion posición",
@@ -37,7 +37,7 @@ const COUNTS: &str = "counts ticks pulses encoder cuentas pulsos";
 const ANGLE: usize = 1;
 const FORCE: usize = 2;
 
-/// Columns of a log, each by name or by number from 1; the others are recognised by names and units.
+/// Columns of a log, each given by name or by number from 1. The others are recognised by names and units.
 ///
 /// ```
 /// use gaitcam::identify::{Log, LogOptions};
@@ -62,18 +62,20 @@ pub struct LogOptions {
     pub speed: Option<String>,
     /// Column of the torque at the camshaft.
     pub torque: Option<String>,
-    /// Counts of the encoder per turn of the cam: the column of the angle holds counts.
+    /// Counts of the encoder per turn of the cam, if the angle column contains counts.
     pub counts_per_turn: Option<f64>,
 }
 
 impl Log {
-    /// Reads a delimited text with a column of force and one of time or cam angle (or both), and optionally of speed and torque; others are ignored.
+    /// Reads a delimited text with a column of force and a column of time or cam angle (or both). Columns of speed and torque are optional; other
+    /// columns are ignored.
     ///
-    /// A column is recognised by its name or its unit (`t_ms`, `Angle [deg]`, `Force (kN)`, or a row of units); one that is named in the options and
-    /// has no unit is in SI. An angle may begin anew after each turn. `path` is used in messages.
+    /// A column is recognised by its name or its unit (`t_ms`, `Angle [deg]`, `Force (kN)`, or a row of units). A column that is named in the options
+    /// and has no unit is in SI units. The angle may restart after each turn. `path` is used in messages.
     ///
     /// # Errors
-    /// A column that is missing, ambiguous, without unit or of an unknown unit; a cell that is not a number; and as [`Log::new`].
+    ///
+    /// A column that is missing or ambiguous, or whose unit is missing or unknown; a cell that is not a number; and as [`Log::new`].
     pub fn read(path: &Path, bytes: &[u8], options: &LogOptions) -> Result<Log> {
         let table = NumberTable::find(path, bytes)?;
         let names = Names {
@@ -129,7 +131,7 @@ impl Log {
 
 /// Unit of a column.
 enum Unit {
-    /// The quantity, as index in [`NAMES`], and its SI value.
+    /// Index of the quantity in [`NAMES`], and the SI value of the unit.
     Known(usize, f64),
     /// Unit of a quantity that a log does not contain.
     Other(String),
@@ -162,13 +164,13 @@ impl Names<'_> {
         }
     }
 
-    /// The columns as a message lists them; without a header their numbers.
+    /// The columns as a message lists them: by name, or by number if there is no header.
     fn listed(&self) -> String {
         let all = (0..self.width().min(40)).map(|i| self.name(i));
         all.collect::<Vec<_>>().join(", ")
     }
 
-    /// The column of a quantity with the factor to SI.
+    /// The column of a quantity, with its factor to SI.
     fn column(&self, which: usize) -> Result<Option<(usize, f64)>> {
         let o = self.options;
         let stated = [&o.time, &o.angle, &o.force, &o.speed, &o.torque][which];
@@ -209,7 +211,7 @@ impl Names<'_> {
         }
     }
 
-    /// Whether the name of a column means a quantity.
+    /// Whether the name of a column denotes a quantity.
     fn means(&self, which: usize, place: usize) -> bool {
         match which {
             0 => self.table.means_time(place),
@@ -231,7 +233,7 @@ impl Names<'_> {
         }
     }
 
-    /// Factor of a column to SI; `default` for a column without unit, which is refused where it is NaN.
+    /// Factor of a column to SI. For a column without unit it is `default`; NaN means that the unit is required.
     fn factor(&self, which: usize, place: usize, default: f64) -> Result<f64> {
         let (column, (option, dimension)) = (self.name(place), OPTIONS[which]);
         let counts = self.options.counts_per_turn.filter(|_| which == ANGLE);
@@ -265,7 +267,7 @@ impl Names<'_> {
         }))
     }
 
-    /// The unit of a column, from the row of units, the brackets of its name or its last words.
+    /// Unit of a column, from the row of units, the brackets in its name or its last words.
     fn unit(&self, place: usize) -> Unit {
         let whole = self.table.names().get(place).map_or("", |n| n.trim());
         let (name, stated) = self.table.name_and_unit(place);

@@ -1,14 +1,15 @@
 //! Identification of the parameters of a running machine from its logs, and design of the next cam.
 //!
-//! The law s(θ) is known, so that of a steady cycle everything but a shift of the phase is linear:
+//! The law s(θ) is known. For a steady cycle, the model is therefore linear in all unknowns except the phase shift:
 //!
 //! ```text
 //! y(φ + ψ) = b + F₀ + m (ω² a + α v) + k s + c ω v + f_C sign v + r(φ) + noise
 //! ```
 //!
-//! The mean cycle is fitted in harmonics, with parameters that cannot be negative. An interval has two sources: the noise of the mean cycle, from the
-//! scatter over the cycles, and the repeatable residual r. r is treated as random in its few harmonics, so a residual that resembles a delay or a
-//! damping widens their intervals. Several logs share the parameters and a delay; a second speed separates mass and stiffness. A parameter whose interval contains 0, or is wider than half its value, is not identified (theory §10).
+//! The harmonics of the mean cycle are fitted with non-negative parameters. An interval has two sources: the noise of the mean cycle, from the
+//! scatter over the cycles, and the repeatable residual r. r is treated as random in its few harmonics. A residual that resembles a delay or a
+//! damping therefore widens their intervals. Several logs share the parameters and a delay; a second speed separates mass and stiffness. A parameter
+//! whose interval contains 0, or is wider than half its value, is not identified (theory §10).
 //!
 //! The next cam corrects every repeatable force error, identified or not: [`recut`] adds the repeatable difference from the design to the machine
 //! (`machine.learned_force`) and designs again within all limits.
@@ -71,7 +72,7 @@ use model::Effect;
 pub struct Identified {
     /// Parameters of the machine with their intervals.
     pub parameters: Vec<Parameter>,
-    /// Root mean square of the samples about the mean cycles, N.
+    /// Root mean square deviation of the samples from the mean cycles, N.
     pub noise_rms_n: f64,
     /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
@@ -79,15 +80,15 @@ pub struct Identified {
     pub speed_rad_per_s: f64,
     /// Number of whole cycles of all logs.
     pub cycles: usize,
-    /// Whether all logs have the cam angle; the phase of one without is that of the best fit.
+    /// Whether every log contains the cam angle. The phase of a log without it is fitted.
     pub has_angle: bool,
-    /// Each log.
+    /// Results for each log.
     pub logs: Vec<LogFit>,
-    /// A run that would identify the remaining parameters.
+    /// A further run that would identify the remaining parameters.
     pub next_run: Option<NextRun>,
 }
 
-/// One log of an identification.
+/// Result of an identification for one log.
 ///
 /// ```
 /// use gaitcam::identify::LogFit;
@@ -101,9 +102,9 @@ pub struct LogFit {
     pub name: String,
     /// Mean speed of the cam, rad/s.
     pub speed_rad_per_s: f64,
-    /// Number of whole cycles.
+    /// Number of whole cycles in the log.
     pub cycles: usize,
-    /// Root mean square of the samples about the mean cycle, N.
+    /// Root mean square deviation of the samples from the mean cycle, N.
     pub noise_rms_n: f64,
     /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
@@ -119,7 +120,8 @@ impl Identified {
     /// The scene with the identified values, otherwise unchanged.
     ///
     /// # Errors
-    /// A value that the scene rejects.
+    ///
+    /// The scene rejects a value.
     pub fn scene(&self, scene: &Scene) -> Result<Scene> {
         let mut out = scene.clone();
         for parameter in self.parameters.iter().filter(|p| p.identifiable) {
@@ -133,10 +135,12 @@ impl Identified {
     }
 }
 
-/// The parameters of the machine of a design, `scene` as it is written, from one or several logs.
+/// Identifies the parameters of the machine of a design from one or several logs. `scene` is the scene of the design as written, with the nominal
+/// parameters.
 ///
 /// # Errors
-/// A log without a steady run of this machine, with the reason; a log given twice; logs that no common parameters explain.
+///
+/// A log without steady running of this machine, with the reason; the same log twice; logs that no common set of parameters fits.
 pub fn identify(design: &Design, scene: &Scene, logs: &[Log]) -> Result<Identified> {
     Ok(identified(design, scene, &Fitted::of(design, scene, logs)?))
 }

@@ -12,12 +12,12 @@ use crate::synth::Design;
 
 /// Number of equal cam angles.
 pub(super) const ANGLES: usize = 720;
-/// Fraction of the maximum speed of the follower below which it is at rest.
+/// Fraction of the maximum speed of the follower below which the follower is at rest.
 const RESTS: f64 = 1e-6;
 
-/// The motion of the cam at equal angles.
+/// Motion of the cam at equal angles.
 pub(super) struct Clock {
-    /// Phase of the log.
+    /// Phase of the log at each angle, rad.
     pub phase: Vec<f64>,
     /// Phase of the log at each angle, as a fraction of a cycle.
     pub part: Vec<f64>,
@@ -30,7 +30,7 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// The motion from the speed of the log; without it from the design's estimate at the mean speed of the log.
+    /// Motion from the speed of the log; without a measured speed, from the estimate of the design at the mean speed of the log.
     pub fn of(design: &Design, cycles: &Cycles) -> Clock {
         let mean = cycles.speed;
         let angles = (0..ANGLES).map(angle);
@@ -93,12 +93,12 @@ impl Clock {
         out
     }
 
-    /// Values of the series at equal angles.
+    /// Values of a harmonic series at equal angles.
     pub fn at_angles(&self, harmonics: &[f64]) -> Vec<f64> {
         self.phase.iter().map(|p| value(harmonics, *p)).collect()
     }
 
-    /// The motion at another speed.
+    /// The motion at a speed multiplied by `by`.
     pub fn faster(&self, by: f64) -> Clock {
         Clock {
             phase: self.phase.clone(),
@@ -119,22 +119,22 @@ pub(super) fn angle(i: usize) -> f64 {
 pub(super) struct Term {
     /// Key of the parameter in the scene, or its name.
     pub key: &'static str,
-    /// Value in the scene, in the drive's units.
+    /// Value in the scene, in the units of the drive.
     pub nominal: f64,
-    /// Whether it cannot be negative.
+    /// Whether the parameter cannot be negative.
     pub is_positive: bool,
-    /// Quantity multiplied by the parameter.
+    /// Quantity that is multiplied by the parameter.
     pub effect: Effect,
 }
 
-/// Quantity multiplied by a parameter in the force.
+/// Quantity that is multiplied by a parameter in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
     /// A constant force: the column of ones.
     Constant,
-    /// Mass on a moving axis: g + ω²a + αv.
+    /// Mass on a moving axis: g + ω²a + αv, with the angular acceleration α.
     Weight,
-    /// Mass: ω²a + αv.
+    /// Mass: ω²a + αv, with the angular acceleration α.
     Mass,
     /// Spring: the lift s.
     Spring,
@@ -142,11 +142,11 @@ pub(super) enum Effect {
     Damping,
     /// Friction: the sign of v.
     Coulomb,
-    /// Compliance: −(k F + c ω F′ + m ω² F″), with F the force of the drive; a train of compliance 1/k₁ deflects by F/k₁.
+    /// Compliance 1/k₁ of a train, which deflects by F/k₁: −(k F + c ω F′ + m ω² F″), with the force F of the drive.
     Compliance,
 }
 
-/// The parameters of a machine: those of the scene, the friction of its guide, and the zero of the load cell.
+/// Parameters of a machine: those of the scene, the friction of its guide, and the zero of the load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();
@@ -203,11 +203,11 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
         .collect()
 }
 
-/// A machine with a law, in motion.
+/// A machine with its law, in motion.
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
-    /// Spring rate per unit of its parameter: 1, or the factor of a pressure per volume.
+    /// Spring rate per unit of its parameter: 1, or the factor for a pressure per volume.
     spring_unit: f64,
     /// Gravitational acceleration g, m/s².
     gravity: f64,
@@ -258,7 +258,7 @@ impl<'a> Machine<'a> {
         self.motion().map(value).collect()
     }
 
-    /// Mean sign of v around every angle, so that a change of sign between two angles is resolved.
+    /// Mean sign of v around every angle. It resolves a change of sign between two angles.
     fn signs(&self) -> Vec<f64> {
         let law = self.design.pressing();
         let half = 0.5 * TAU / ANGLES as f64;
@@ -271,7 +271,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(mean).collect()
     }
 
-    /// Change of the force per compliance of the train, for a mass that follows s − F/k₁.
+    /// Change of the force per compliance of the train, for a mass whose motion is s − F/k₁.
     fn compliance(&self) -> Vec<f64> {
         let drive = &self.design.problem.drive;
         let own: Vec<f64> = self
@@ -289,7 +289,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(given).collect()
     }
 
-    /// The force of the design at this speed, at equal angles: the drive's, and the force learned before.
+    /// Force of the design at this speed, at equal angles: force of the drive and learned force.
     pub fn nominal_force(&self) -> Vec<f64> {
         let (drive, problem) = (&self.design.problem.drive, &self.design.problem);
         let learned = (0..ANGLES).map(|i| problem.learned_force(angle(i)));

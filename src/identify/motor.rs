@@ -1,7 +1,7 @@
-//! Motor line and inertia of the shaft, from the energy of the cycle, where the log has the speed.
+//! Motor line and inertia of the shaft, from the energy of the cycle, for logs with the speed.
 //!
-//! T = J α + F v (+ friction): if the torque is in the log, J and the mean friction follow from it; otherwise the line T = T₀ − d ω of the scene's
-//! motor replaces it, −F v = J α + d (ω − ω̄) − T̄.
+//! T = J α + F v (+ friction). If the log contains the torque, J and the mean friction follow from it. Otherwise the line T = T₀ − d ω of the scene's
+//! motor replaces the torque: −F v = J α + d (ω − ω̄) − T̄.
 
 use super::cycles::derivative;
 use super::fit::fit;
@@ -11,7 +11,7 @@ use super::model::{ANGLES, angle};
 use super::parameter::Parameter;
 use crate::synth::Design;
 
-/// Inertia, and slope or friction, as far as the logs determine them; of several logs the narrowest interval of each.
+/// Inertia, and slope of the motor or friction, if the logs determine them. With several logs, each parameter has the narrowest of its intervals.
 pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let mut narrowest: Vec<Parameter> = Vec::new();
     for next in (0..fitted.runs.len()).flat_map(|run| of_run(design, fitted, run)) {

@@ -1,7 +1,7 @@
 //! Suggestion of a further run that identifies the remaining parameters, by Fisher information.
 //!
-//! Of runs with the columns J₁, J₂ … the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹, with σ² the variance of a component of the noise
-//! and of the repeatable residual.
+//! For runs with the columns J₁, J₂ …, the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹, where σ² is the variance of a component of the
+//! noise and of the repeatable residual.
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -14,9 +14,10 @@ use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Candidate speeds relative to that of the first log; of equally useful ones the first.
+/// Candidate speeds relative to the speed of the first log. Of equally useful speeds, the first is selected.
 const SPEEDS: [f64; 8] = [0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 0.6, 1.7];
-/// Part of the admitted width of an interval that the predicted one may have, since the residual of the further run is unknown.
+/// Maximum predicted width of an interval, as a fraction of the permitted width. The margin is necessary because the residual of the further run is
+/// unknown.
 const SAFE: f64 = 0.7;
 
 /// A further run of the same cam at another speed.
@@ -31,13 +32,13 @@ const SAFE: f64 = 0.7;
 pub struct NextRun {
     /// Speed of the cam, rad/s.
     pub speed_rad_per_s: f64,
-    /// The same relative to the speed of the first log.
+    /// Speed of the cam, relative to the first log.
     pub relative_speed: f64,
-    /// Parameters that all runs together identify, beyond those of the logs.
+    /// Parameters that all runs together identify, in addition to those of the logs.
     pub identifies: Vec<&'static str>,
 }
 
-/// The candidate run that identifies most parameters, or `None` if none identifies more than the logs.
+/// The candidate run that identifies most parameters; `None` if no candidate identifies more than the logs.
 pub(super) fn next_run(
     design: &Design,
     scene: &Scene,
@@ -84,7 +85,7 @@ pub(super) fn next_run(
     best
 }
 
-/// Columns of the terms and of the unknowns of the phases in a run, and the minimum of its force. The run has the harmonics of the log `place`, and
+/// Columns of the terms and of the unknown phase shifts in a run, and the minimum of its force. The run has the harmonics of the log `place`, and
 /// `count` unknowns with the rates `rate`.
 fn jacobian(
     design: &Design,
@@ -113,7 +114,7 @@ fn jacobian(
     (matrix, least)
 }
 
-/// Open parameters whose intervals become sufficiently narrow.
+/// Unidentified parameters whose intervals become sufficiently narrow.
 fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) -> Vec<&'static str> {
     let scale = DVector::from_iterator(
         information.ncols(),

@@ -1,4 +1,4 @@
-//! A parameter of a machine with its interval.
+//! Parameter of a machine with its interval.
 
 use serde::Serialize;
 
@@ -22,11 +22,11 @@ pub struct Parameter {
     pub key: &'static str,
     /// Most likely value, SI.
     pub value: f64,
-    /// Ends of the 95 % interval; `None` if unbounded.
+    /// Lower end of the 95 % interval; `None` if unbounded.
     pub low: Option<f64>,
     /// Upper end of the 95 % interval; `None` if unbounded.
     pub high: Option<f64>,
-    /// Whether the log identifies it.
+    /// Whether the log identifies the parameter.
     pub identifiable: bool,
 }
 
@@ -44,7 +44,7 @@ impl Parameter {
         }
     }
 
-    /// A parameter estimated by its inverse; one that may be infinite gets its smallest possible value.
+    /// A parameter estimated by its inverse. If it may be infinite, its value is the minimum possible one.
     pub(super) fn inverse(key: &'static str, found: Estimate) -> Parameter {
         let of = Parameter::of(key, found, true);
         let inverse = |x: f64| (x > 0.0).then(|| 1.0 / x);

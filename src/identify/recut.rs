@@ -1,4 +1,4 @@
-//! The next cam: the repeatable difference of the log from the design is attributed to the machine and corrected.
+//! The next cam: the repeatable difference between log and design is attributed to the machine and corrected.
 
 use serde::Serialize;
 
@@ -17,19 +17,20 @@ use crate::scene::{Harmonic, Scene};
 use crate::synth::{self, Design, Search};
 use crate::units::{Dimension, Quantity};
 
-/// Ratio of amplitude and noise above which a harmonic is learned.
+/// Ratio of amplitude and noise above which a harmonic is corrected.
 const ABOVE_NOISE: f64 = 2.0;
-/// Number of learned harmonics, as a multiple of those of the target. Above it, the resonances of the real machine could reverse a correction.
+/// Number of corrected harmonics, as a multiple of the number of harmonics of the target. At higher harmonics, the resonances of the real machine
+/// could reverse a correction.
 const IN_BAND: usize = 3;
 /// Assumed relative uncertainty of stiffness and mass, and of the added damping ratio of the guide.
 const UNSURE: f64 = 0.05;
-/// Fraction of a correction that is applied after an earlier one: Coulomb friction changes its sign with the velocity, so whole corrections could
-/// oscillate.
+/// Fraction of a further correction that is applied after an earlier one. Coulomb friction changes its sign with the velocity, so full corrections
+/// could oscillate.
 const AGAIN: f64 = 0.5;
-/// Number of iterations of the parameters' force changes with the law.
+/// Number of iterations between the law and the force change of the identified parameters.
 const ROUNDS: usize = 2;
 
-/// Force error before and after, N.
+/// Force error before the correction and predicted error after it, N.
 ///
 /// ```
 /// use gaitcam::identify::Recut;
@@ -39,24 +40,26 @@ const ROUNDS: usize = 2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Recut {
-    /// RMS of the repeatable force less the target; on a moving axis without its mean, which is the weight.
+    /// RMS difference between repeatable force and target, N; on a moving axis without its mean, which is the weight.
     pub before_rms_n: f64,
-    /// Expected RMS for the new cam: remaining noise, effect of the limits, harmonics that were not learned, and friction that
-    /// changes sign at other angles under the new law.
+    /// Predicted RMS force error of the new cam, N: remaining noise, effect of the limits, harmonics that were not corrected, and friction that
+    /// changes sign at other angles.
     pub predicted_rms_n: f64,
 }
 
-/// Difference of the speed of the log from that of the design above which its error is another one.
+/// Relative difference between the speeds of log and design above which the log is not used to correct the force error.
 const OTHER_SPEED: f64 = 0.1;
 
-/// The scene of the next cam, with the learned force as `machine.learned_force`, and the expected error. `force` is the target of the scene. The
-/// scene keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
+/// Scene of the next cam, with the learned force as `machine.learned_force`, and the predicted error. `force` is the target of the scene. The scene
+/// keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
 ///
-/// The corrected error is the mean over the cycles of all logs whose speed is within 1 % of the speed nearest to the design; logs at other speeds
-/// serve the identification only.
+/// The corrected error is the mean over the cycles of all logs whose speed is within 1 % of the speed nearest to the design. Logs at other speeds are
+/// used only for the identification.
 ///
 /// # Errors
-/// As [`super::identify`]; a design without target; no log within 10 % of the speed of the design; a residual that is noise; faults of the new design.
+///
+/// As [`super::identify`]; a design without target; no log within 10 % of the speed of the design; a residual that is only noise; errors of the new
+/// design.
 pub fn recut(
     design: &Design,
     scene: &Scene,
@@ -159,7 +162,7 @@ pub fn recut(
     Ok((next, recut, found))
 }
 
-/// The force learned before and now, as harmonics of the cam angle, N at the lever.
+/// Sum of the learned force of the design and the new correction, as harmonics of the cam angle; in N at the lever of the drive.
 fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmonic> {
     let problem = &design.problem;
     let sum: Vec<f64> = (0..ANGLES)
@@ -181,13 +184,13 @@ fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmon
     std::iter::once(constant).chain(all).collect()
 }
 
-/// RMS of harmonics from the mean (`from` 0) or without it.
+/// RMS of harmonics, with the mean (`from` = 0) or without it.
 fn rms(harmonics: &[f64], from: usize) -> f64 {
     let mean = if from == 0 { harmonics[0].powi(2) } else { 0.0 };
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
 }
 
-/// RMS of values at equal angles, with their mean (`from` 0) or without it.
+/// RMS of values at equal angles, with their mean (`from` = 0) or without it.
 fn spread(values: &[f64], from: usize) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -196,15 +199,15 @@ fn spread(values: &[f64], from: usize) -> f64 {
     (square - without).max(0.0).sqrt()
 }
 
-/// RMS corrected for the noise.
+/// RMS of harmonics, corrected for the noise.
 fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
 }
 
-/// Part of a correction at an angular frequency with which cuts converge. A new cam changes the force by the machine's gain per lift, k − m ω² + i c
-/// ω, with the uncertainty `UNSURE`. Iterations converge while the fraction times true over nominal gain is below 2, which is uncertain near the
-/// resonance of a spring (Bristow, Tharayil and Alleyne 2006).
+/// Fraction of a correction at an angular frequency for which the corrections converge. A new cam changes the force by the gain of the machine per
+/// lift, k − m ω² + i c ω, which has the uncertainty `UNSURE`. Iterations converge while the fraction times the ratio of true and nominal gain is
+/// below 2. Near the resonance of a spring this ratio is uncertain (Bristow, Tharayil and Alleyne 2006).
 fn convergent(drive: &Drive, frequency: f64) -> f64 {
     let inertia = drive.mass * frequency * frequency;
     let gain = (drive.spring_rate - inertia).hypot(drive.damping * frequency);
@@ -214,8 +217,8 @@ fn convergent(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics above their noise, each reduced by its likely noise and by `made`, and the RMS of the others and of the noise; all zero if there is only
-/// noise.
+/// Harmonics above their noise, each reduced by its likely noise and by `made`, and the RMS of the other harmonics and of the noise. All are zero if
+/// the residual is only noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],

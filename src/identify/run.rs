@@ -1,4 +1,4 @@
-//! A log as cycles of the machine of a design; logs of another magnitude, unit or sign are rejected.
+//! A log as cycles of the machine of a design. Logs with another magnitude, unit or sign are rejected.
 
 use std::f64::consts::TAU;
 
@@ -15,13 +15,13 @@ use crate::units::Quantity;
 
 /// Maximum delay of a sensor, s.
 pub(super) const LONGEST_DELAY: f64 = 0.05;
-/// Fraction of the alternating force of the model that the sampled harmonics must contain.
+/// Minimum fraction of the alternating force of the model that the sampled harmonics must contain.
 const HELD: f64 = 0.999;
-/// Ranges of alternating and mean force of the log relative to the model's; outside, unit or machine differ.
+/// Range of the ratio of log and model, for alternating and mean force; outside it, unit or machine differ.
 const SIZES: [f64; 2] = [0.4, 2.5];
 /// Alternating force below this fraction of the model's counts as zero.
 const NO_FORCE: f64 = 0.02;
-/// Newtons per unit of common load cells, and relative tolerance of the comparison.
+/// Newtons per unit of common load cells.
 const UNITS: [(&str, f64); 5] = [
     ("kN", 1e3),
     ("lbf", 4.448_221_615_260_5),
@@ -38,7 +38,7 @@ pub(super) struct Run {
     pub cycles: Cycles,
     pub clock: Clock,
     pub columns: Vec<Column>,
-    /// Range of its phase delay, rad.
+    /// Range of the phase delay of the log, rad.
     pub phases: [f64; 2],
 }
 
@@ -86,7 +86,7 @@ impl Run {
 }
 
 impl Clock {
-    /// The model at the design's own speed.
+    /// The model at the speed of the design.
     fn steady(design: &Design) -> Clock {
         let none = Averaged {
             each: Vec::new(),
@@ -107,7 +107,7 @@ impl Clock {
     }
 }
 
-/// Number of harmonics with all but a thousandth of the energy.
+/// Number of harmonics that contain all but a thousandth of the energy.
 pub(super) fn held(harmonics: &[f64]) -> usize {
     let energy = |n: usize| harmonics[2 * n - 1].powi(2) + harmonics[2 * n].powi(2);
     let count = harmonics.len() / 2;
@@ -120,7 +120,7 @@ pub(super) fn held(harmonics: &[f64]) -> usize {
     enough.unwrap_or(count)
 }
 
-/// Rejects a force that this machine cannot have produced: magnitude, unit or sign.
+/// Rejects a force whose magnitude, unit or sign is impossible for this machine.
 fn check_size(
     log: &Log,
     design: &Design,

@@ -1,4 +1,4 @@
-//! Whether several logs are of the same machine.
+//! Check that several logs belong to the same machine.
 
 use super::cycles::{CHANGE, SURPRISE};
 use super::fit::Fit;
@@ -12,10 +12,10 @@ use crate::scene::{Scene, keys};
 use crate::synth::Design;
 use crate::units::{Dimension, Quantity};
 
-/// Difference of two values, relative to the sum of the half widths of their 95 % intervals, above which the logs are of two machines.
+/// Difference of two values above which the logs belong to different machines, relative to the sum of the half widths of their 95 % intervals.
 const APART: f64 = 1.5;
 
-/// Rejects logs that no common parameters explain. `together` is the fit of all logs, `alone` are those of each.
+/// Rejects logs that no common set of parameters fits. `together` is the fit of all logs; `alone` has the fit of each log.
 pub(super) fn check(
     (design, scene): (&Design, &Scene),
     (logs, runs): (&[Log], &[Run]),
@@ -45,7 +45,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// The first parameter that two logs identify with different values.
+/// First parameter for which two logs have different identified values.
 fn differs(
     scene: &Scene,
     terms: &[Term],
