@@ -9,7 +9,7 @@
 //! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a
 //! ```
 //!
-//! The problem is to find the law s for which F is nearest to a measured F*, and the cam with this law:
+//! The problem is to find the law s with the minimum difference between F and a measured force F*, and the cam with this law:
 //!
 //! ```text
 //! minimise    (1/2π) ∮ (F − F*)² dθ          or the energy, or the peak, of a derivative, or the cam's size
@@ -19,8 +19,8 @@
 //!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
 //! ```
 //!
-//! Everything but the last line is convex. Limits hold between samples too: laws are piecewise polynomials in
-//! Bernstein form (or sinusoids), so every extreme is a root, not a sample.
+//! The problem is convex except for the last line. The limits hold at every angle, not only at samples: laws are piecewise polynomials in Bernstein
+//! form (or sinusoids), so every extreme is computed from roots.
 //!
 //! # From end to end
 //!
@@ -48,15 +48,15 @@
 //!
 //! # The modules
 //!
-//! A force is given ([`force`]) → a law of motion produces it ([`drive`], [`law`], computed by [`synth`]) → a cam produces
-//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and written to files (crate `gaitcam-output`). Modules import
-//! downwards only.
+//! [`force`] reads the given force. [`drive`] and [`law`] describe the law of motion that produces it; [`synth`] computes this law. [`cam`] describes
+//! the cam that produces the law, and checks it. [`dynamics`] simulates the cam. The crate `gaitcam-output` writes the files. Modules import only
+//! modules of lower layers.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-/// Unit tests share cams with `gaitcam-test-support`, which refers to this crate.
+/// Unit tests share cams with `gaitcam-test-support`, which depends on this crate.
 #[cfg(test)]
 extern crate self as gaitcam;
 
@@ -93,7 +93,7 @@ pub use gaitcam_gait::{self as force, ForceCurve};
 pub use problem::Problem;
 pub use scene::Scene;
 
-/// The program in the README compiles and runs.
+/// Compiles and runs the program in the README as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! Evaluation of a law at many ordered angles: no search of the pieces, polynomials for several angles together.
+//! Evaluation of a law at many ascending angles, without a search for the spans and with several angles together.
 
 use super::{Law, Svaj};
 
@@ -6,7 +6,7 @@ use super::{Law, Svaj};
 const TOGETHER: usize = 8;
 
 impl Law {
-    /// [`Law::svaj`] at each of some ascending angles of the law's extent, rad, with identical digits.
+    /// [`Law::svaj`] at each of several ascending angles within the law's extent, rad, with bitwise identical results.
     pub(crate) fn svaj_along(&self, angles: &[f64]) -> Vec<Svaj> {
         let breaks = self.breaks();
         let mut out = Vec::with_capacity(angles.len());
@@ -25,7 +25,7 @@ impl Law {
         out
     }
 
-    /// Adds the values at angles of one piece.
+    /// Appends the values at angles of one span to `out`.
     fn extend_on(&self, piece: usize, angles: &[f64], out: &mut Vec<Svaj>) {
         let (from, to) = (self.breaks()[piece], self.breaks()[piece + 1]);
         let scaled = self.scaled_by_binomials();

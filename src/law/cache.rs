@@ -5,16 +5,16 @@ use std::sync::{Arc, Mutex, OnceLock};
 use super::joint::Joint;
 use crate::poly::Extreme;
 
-/// Pair of smallest and largest value.
+/// Pair of minimum and maximum.
 pub type Extremes = (Extreme, Extreme);
 
-/// Cached properties of a law. Clones share them; they do not take part in comparisons.
+/// Cached properties of a law. Clones share them; comparisons ignore them.
 #[derive(Debug, Clone, Default)]
 pub struct Cache(Arc<Cached>);
 
 #[derive(Debug, Default)]
 struct Cached {
-    /// Extremes by the weights of s, v, a, j.
+    /// Extremes of w₀s + w₁v + w₂a + w₃j, by the weights.
     extremes: Mutex<Vec<([f64; 4], Extremes)>>,
     joints: OnceLock<Vec<Joint>>,
     /// Bernstein coefficients of s, v, a, j times their binomials.
@@ -28,7 +28,7 @@ impl PartialEq for Cache {
 }
 
 impl Cache {
-    /// The cache for the law raised by a constant: combinations without the lift remain valid.
+    /// Cache for the law raised by a constant. Extremes of combinations without the lift remain valid.
     pub fn on_any_level(&self) -> Cache {
         let same = |list: &Vec<([f64; 4], Extremes)>| {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
@@ -42,7 +42,7 @@ impl Cache {
         }))
     }
 
-    /// Cached extremes, computed on the first request.
+    /// Cached extremes; `search` computes them on the first request.
     pub fn extremes(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
         let cached = self.0.extremes.lock().ok().and_then(|list| {
             let same = list.iter().find(|(key, _)| *key == weights);
@@ -57,12 +57,12 @@ impl Cache {
         })
     }
 
-    /// The joints, computed on the first request.
+    /// Cached joints; `find` computes them on the first request.
     pub fn joints(&self, find: impl FnOnce() -> Vec<Joint>) -> &[Joint] {
         self.0.joints.get_or_init(find)
     }
 
-    /// The scaled coefficients, computed on the first request.
+    /// Cached scaled coefficients; `find` computes them on the first request.
     pub fn scaled(&self, find: impl FnOnce() -> [Vec<f64>; 4]) -> &[Vec<f64>; 4] {
         self.0.scaled.get_or_init(find)
     }

@@ -1,13 +1,13 @@
-//! A law run backwards or mounted at another angle.
+//! Laws derived from another law: reversed, shifted, or combined.
 
 use super::{Law, pieces::Pieces};
 use crate::poly::PiecewisePoly;
 
-/// Fraction of a piece within which an angle counts as its break.
+/// Fraction of a span within which an angle counts as the break.
 const AT_BREAK: f64 = 1e-9;
 
 impl Law {
-    /// Weighted sum of polynomial laws over the same breaks.
+    /// Weighted sum of polynomial laws with the same breaks.
     pub(crate) fn mixed(parts: &[(f64, &Law)]) -> Option<Law> {
         let first = parts.first()?.1;
         let alike =
@@ -32,7 +32,7 @@ impl Law {
         Some(out)
     }
 
-    /// The law run backwards: s(−θ), for a clockwise cam. Its extent is mirrored about zero.
+    /// The reversed law s(−θ), for a clockwise cam. Its extent is mirrored about zero.
     #[must_use]
     pub fn reversed(&self) -> Law {
         let poly = self.poly();
@@ -50,7 +50,7 @@ impl Law {
         Law::with_waves(poly, waves, self.is_closed())
     }
 
-    /// The closed law of a cam mounted `ahead` rad ahead: s(θ + ahead), on the same extent. Open laws remain unchanged.
+    /// Closed law of a cam that is mounted `ahead` rad ahead: s(θ + ahead), on the same extent. Open laws remain unchanged.
     #[must_use]
     pub fn ahead(&self, ahead: f64) -> Law {
         let (start, length) = self.extent();
@@ -65,7 +65,7 @@ impl Law {
         pieces.finish(true)
     }
 
-    /// The break of a piece that equals an angle to rounding, otherwise the angle itself.
+    /// The break of a span if it equals an angle to rounding, otherwise the angle.
     fn near_break(&self, theta: f64) -> f64 {
         let (i, u) = self.poly().locate(theta);
         match u {

@@ -1,5 +1,5 @@
-//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its
-//! derivatives, its jumps, and scaled coefficients.
+//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its derivatives, its jumps, and scaled
+//! coefficients.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use super::joint::Joint;
 use super::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes, stand_in};
 
-/// Relative accuracy of the approximations whose extremes are computed.
+/// Relative accuracy of the polynomial approximations whose extremes are computed.
 const STAND_IN: f64 = 1e-12;
 
-/// The extremes after scaling by `factor` and adding a constant.
+/// Extremes after scaling by `factor` and adding a constant.
 fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
     let there = |e: Extreme| e.map(|x| factor * x + constant);
     if factor < 0.0 {
@@ -22,15 +22,14 @@ fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
 }
 
 impl Law {
-    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), for the continuous law, including one-sided values at
-    /// breaks.
+    /// Minimum and maximum of the derivative of the given order (0 = lift … 3 = jerk) of the continuous law, including one-sided values at breaks.
     pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
         let mut weights = [0.0; 4];
         weights[order] = 1.0;
         self.cached_extremes(weights)
     }
 
-    /// Smallest and largest value of w₀s + w₁v + w₂a + w₃j + constant on the continuous law.
+    /// Minimum and maximum of w₀s + w₁v + w₂a + w₃j + constant on the continuous law.
     pub(crate) fn extremes_of(&self, weights: [f64; 4], constant: f64) -> (Extreme, Extreme) {
         let mut counted = (0..4).filter(|k| weights[*k] != 0.0);
         match (counted.next(), counted.next()) {
@@ -39,14 +38,14 @@ impl Law {
         }
     }
 
-    /// Extremes over the law of a function of the motion, by a polynomial approximation.
+    /// Extremes of a function of the motion over the law, by a polynomial approximation.
     pub(crate) fn extremes_by(&self, f: impl Fn(Svaj) -> f64) -> Extremes {
         let breaks = self.breaks();
         let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x)))).extremes()
     }
 
-    /// Extremes where the lift rises and where it falls, including ends of a rise or fall; `None` without such a part.
+    /// Extremes where the lift rises and where it falls, including the ends of a rise or fall; `None` if there is no rise or fall.
     pub(crate) fn extremes_on_rise_and_fall(
         &self,
         f: impl Fn(Svaj) -> f64,
@@ -94,7 +93,7 @@ impl Law {
         self.cache.extremes(weights, search)
     }
 
-    /// (cosine, sine) of harmonics 1, 2, … if the law is a sum of them and a mean.
+    /// (cosine, sine) of harmonics 1, 2, … if the law is a sum of harmonics and a mean.
     pub(crate) fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
         let waves = self.waves(0);
         let is_sum = self.breaks() == [0.0, TAU]
@@ -103,25 +102,25 @@ impl Law {
         is_sum.then(|| waves.iter().map(|w| (w.cos, w.sin)).collect())
     }
 
-    /// Jumps of s, v, a and j at every break, including the wrap of a closed law.
+    /// Jumps of s, v, a and j at every break, including the end of the cycle of a closed law.
     pub fn joints(&self) -> Vec<Joint> {
         self.cache.joints(|| joints(self)).to_vec()
     }
 
-    /// Bernstein coefficients of s, v, a and j, piece by piece, times their binomials, for fast evaluation.
+    /// Bernstein coefficients of s, v, a and j, span by span, multiplied by their binomial coefficients, for fast evaluation.
     pub(super) fn scaled_by_binomials(&self) -> &[Vec<f64>; 4] {
         let each = |order| times_binomials(&self.of_order(order));
         self.cache.scaled(|| std::array::from_fn(each))
     }
 
-    /// Stroke: maximum lift less minimum.
+    /// Stroke: maximum lift minus minimum lift.
     pub fn stroke(&self) -> f64 {
         let (low, high) = self.extremes(0);
         high.value - low.value
     }
 }
 
-/// Harmonics of w₀s + w₁v + w₂a + w₃j, s the sum of these.
+/// Harmonics of w₀s + w₁v + w₂a + w₃j, where s is the sum of the given harmonics.
 pub(crate) fn weighted(harmonics: &[(f64, f64)], [s, v, a, j]: [f64; 4]) -> Vec<(f64, f64)> {
     let waves = (1..).zip(harmonics);
     let wave = |(n, &(cos, sin)): (u32, &(f64, f64))| {
@@ -141,7 +140,7 @@ fn times_binomials(p: &PiecewisePoly) -> Vec<f64> {
         .collect()
 }
 
-/// Joints at all inner breaks, and at the wrap (reported at the law's first angle) of a closed law.
+/// Joints at all inner breaks, and at the end of the cycle of a closed law, reported at its first angle.
 fn joints(law: &Law) -> Vec<Joint> {
     let n = law.poly().pieces();
     let first = usize::from(!law.is_closed());
@@ -167,7 +166,7 @@ fn joints(law: &Law) -> Vec<Joint> {
 mod tests {
     use super::*;
 
-    /// s = cos θ + 0.2 sin 2θ.
+    /// Law s = cos θ + 0.2 sin 2θ.
     fn law() -> Law {
         Law::harmonic(0.0, &[(1.0, 0.0), (0.0, 0.2)])
     }

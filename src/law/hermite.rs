@@ -1,15 +1,14 @@
-//! The polynomial through boundary conditions of any order at any angles (Hermite–Birkhoff).
+//! Polynomial through boundary conditions of any order at any angles (Hermite–Birkhoff interpolation).
 //!
-//! Solved for Bernstein coefficients on the whole interval: monomials of degree 8 already have a condition
-//! number of 1.7e6 (theory §2). Monomial coefficients are for output only,
-//! [`bernstein::to_power`](crate::poly::bernstein::to_power).
+//! The unknowns are Bernstein coefficients on the whole interval: monomials of degree 8 already have a condition number of 1.7e6 (theory §2).
+//! Monomial coefficients are used only for output, [`bernstein::to_power`](crate::poly::bernstein::to_power).
 
 use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
-/// A condition on a law at one angle: its derivative of the given order has the given value.
+/// A condition on a law at one angle: the derivative of the given order has the given value.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -31,13 +30,13 @@ pub struct Condition {
     pub value: f64,
 }
 
-/// Maximum degree; above it the rounding of the data is magnified beyond use.
+/// Maximum degree. Above it, the rounding errors of the data are amplified too much.
 const MAX_DEGREE: usize = 40;
-/// Ratio to the largest singular value below which one counts as zero: the conditions do not determine the polynomial.
+/// Fraction of the maximum singular value below which a singular value counts as zero. The conditions then do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single piece. The conditions hold to rounding of the
-/// largest of them.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold to rounding relative
+/// to the maximum value.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -51,8 +50,8 @@ const RANK: f64 = 1e-14;
 /// ```
 ///
 /// # Errors
-/// No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an order above the degree, or a set that
-/// does not determine a polynomial (possible if orders are skipped).
+/// No conditions; an angle outside the interval; two conditions on the same derivative at the same angle; an order above the degree; conditions that
+/// do not determine a polynomial (possible if orders are skipped).
 pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
     check(conditions, start, end)?;
     let n = conditions.len();

@@ -1,8 +1,8 @@
-//! Joints between the pieces of a law; the fundamental law of cam design requires C² everywhere.
+//! Joints between the spans of a law. The fundamental law of cam design requires C² everywhere.
 
 use super::svaj::Svaj;
 
-/// Jumps at one break: value after less value before.
+/// Jumps at one break: value after minus value before the break.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -19,7 +19,7 @@ use super::svaj::Svaj;
 pub struct Joint {
     /// Angle of the break, rad.
     pub at: f64,
-    /// The motion on both sides of the break.
+    /// Motion on both sides of the break.
     pub sides: [Svaj; 2],
     /// Jumps of s, v, a, j at the break.
     pub jump: Svaj,

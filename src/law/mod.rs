@@ -1,4 +1,4 @@
-//! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
+//! Laws of motion: lift s over the cam angle θ, with exact derivatives v = ds/dθ, a and j.
 
 mod along;
 mod cache;
@@ -25,11 +25,11 @@ pub(crate) use extremes::weighted;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A law of motion: on each piece a polynomial plus a few sinusoids.
+/// A law of motion. On each span it is a polynomial plus a few sinusoids.
 ///
-/// This form includes all common laws: splines and polynomials have no sinusoids, harmonic laws have one piece, and modified sine and trapezoid have
-/// a line or parabola with one sinusoid per piece. A *closed* law repeats after its extent (one turn, usually); an open one (translating cam) ends
-/// where it ends.
+/// This form includes all common laws: splines and polynomials have no sinusoids, harmonic laws have one span, and modified sine and trapezoid have a
+/// line or parabola with one sinusoid per span. A *closed* law is periodic with its extent (usually one turn). An open law (translating cam) is not
+/// periodic.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -46,23 +46,23 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
     poly: PiecewisePoly,
-    /// Sinusoids of each piece; empty if there are none.
+    /// Sinusoids of each span; empty if the law has no sinusoids.
     waves: Vec<Vec<Wave>>,
     closed: bool,
-    /// Derivatives v, a and j, if more accurate than differences of the lift's coefficients.
+    /// Derivatives v, a and j, if they are more accurate than differences of the lift's coefficients.
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
     cache: Cache,
 }
 
-/// Number of spans above which the derivatives of a spline have their own coefficients, which may be the unknowns of a program. Differences of the
-/// lift's coefficients lose (spans/turn)³ of a jerk's digits. With fewer spans all of some hundred random scenes are certified; with 40 to 100 spans
-/// one in forty was not.
+/// Number of spans above which the derivatives of a spline have separate coefficients, which may be the unknowns of a program. Differences of the
+/// lift's coefficients lose (spans/turn)³ of the digits of a jerk. Below this number all of several hundred random scenes were certified; with 40 to
+/// 100 spans 1 in 40 was not.
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
-    /// The law of a program's optimum.
+    /// Law at the optimum of a program.
     pub fn of(basis: &Basis, x: &[f64]) -> Self {
         match basis {
             Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
@@ -73,7 +73,7 @@ impl Law {
         }
     }
 
-    /// A spline law from its coefficients.
+    /// Spline law with the given coefficients.
     pub fn spline(space: &SplineSpace, coefficients: &[f64], closed: bool) -> Self {
         let poly = space.spline(coefficients);
         if !closed || space.spans().len() < MANY_SPANS {
@@ -100,7 +100,7 @@ impl Law {
         }
     }
 
-    /// The polynomials of the lift (order 0) or of a derivative, without waves.
+    /// Polynomials of the lift (order 0) or of a derivative, without the sinusoids.
     fn of_order(&self, order: usize) -> PiecewisePoly {
         let given = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
         match order.checked_sub(1).and_then(|k| given.get(k)) {
@@ -110,15 +110,16 @@ impl Law {
         }
     }
 
-    /// A purely polynomial law.
+    /// Law without sinusoids.
     pub fn from_poly(poly: PiecewisePoly, closed: bool) -> Self {
         Law::with_waves(poly, Vec::new(), closed)
     }
 
-    /// Polynomial pieces plus the sinusoids of each (`waves` empty, or one list per piece).
+    /// Law of polynomial spans plus the sinusoids of each span. `waves` is empty or has one list per span.
     ///
     /// # Panics
-    /// When `waves` has a length other than 0 or the number of pieces: an error of the caller.
+    ///
+    /// If `waves` has a length other than 0 or the number of spans, which is an error of the caller.
     pub fn with_waves(poly: PiecewisePoly, waves: Vec<Vec<Wave>>, closed: bool) -> Self {
         assert!(waves.is_empty() || waves.len() == poly.pieces());
         let has_waves = waves.iter().any(|on_piece| !on_piece.is_empty());
@@ -131,7 +132,7 @@ impl Law {
         }
     }
 
-    /// Σ cₙ cos nθ + sₙ sin nθ, n = 1…, plus a mean, over one turn of 2π.
+    /// Law Σ cₙ cos nθ + sₙ sin nθ, n = 1…, plus a mean, over one turn of 2π.
     pub fn harmonic(mean: f64, terms: &[(f64, f64)]) -> Self {
         let poly = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![mean]);
         let waves = terms
@@ -146,33 +147,33 @@ impl Law {
         Law::with_waves(poly, vec![waves], true)
     }
 
-    /// Breaks of the pieces, from the start to the end of the law, rad.
+    /// Breaks between the spans, from the start to the end of the law, rad.
     pub fn breaks(&self) -> &[f64] {
         self.poly.breaks()
     }
 
-    /// The polynomial part of the law.
+    /// Polynomial part of the law.
     pub fn poly(&self) -> &PiecewisePoly {
         &self.poly
     }
 
-    /// The sinusoids of piece `i`, about the piece's start.
+    /// Sinusoids of span `i`, as functions of the distance from the start of the span.
     pub fn waves(&self, i: usize) -> &[Wave] {
         self.waves.get(i).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the law repeats after its extent.
+    /// Whether the law is periodic with its extent.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// First angle and length, rad.
+    /// First angle and length of the law, rad.
     pub fn extent(&self) -> (f64, f64) {
         let b = self.breaks();
         (b[0], b[b.len() - 1] - b[0])
     }
 
-    /// Reduces an angle to the law's extent (closed laws only; open ones keep it).
+    /// Reduces an angle to the extent of a closed law. For an open law the angle is unchanged.
     pub fn wrap(&self, theta: f64) -> f64 {
         let (start, length) = self.extent();
         if !self.closed || (theta >= start && theta < start + length) {
@@ -183,14 +184,14 @@ impl Law {
         if t < length { start + t } else { start }
     }
 
-    /// Exact lift and derivatives at `theta`, rad. At a break the piece to the right applies.
+    /// Exact lift and derivatives at `theta`, rad. At a break, the span to the right is used.
     pub fn svaj(&self, theta: f64) -> Svaj {
         let (i, u) = self.place(self.wrap(theta));
         self.svaj_on(i, u)
     }
 
-    /// The piece that contains an angle, and the position on it. At a break, and up to rounding before it, the next piece applies, so that all rows
-    /// of all tables are on the same side of a jump.
+    /// Span that contains an angle, and position on this span. At a break, and up to rounding before it, the next span is used, so that all rows of
+    /// all tables are on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();
@@ -201,14 +202,14 @@ impl Law {
         (i, u)
     }
 
-    /// Rounding error of the law's angles, rad.
+    /// Rounding error of the angles of the law, rad.
     fn rounding(&self) -> f64 {
         let breaks = self.poly.breaks();
         let ends = breaks[0].abs().max(breaks[breaks.len() - 1].abs());
         16.0 * f64::EPSILON * ends
     }
 
-    /// Lift and derivatives on piece `i` at u ∈ [0, 1], for one-sided values at a break.
+    /// Lift and derivatives on span `i` at u ∈ [0, 1], for one-sided values at a break.
     pub fn svaj_on(&self, i: usize, u: f64) -> Svaj {
         let n = self.poly.degree();
         let scaled = self.scaled_by_binomials();
@@ -229,11 +230,10 @@ impl Law {
         Svaj { s, v, a, j }
     }
 
-    /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial: exact for polynomial laws; sinusoids
-    /// enter by Taylor polynomials on subdivided pieces, with remainders below rounding.
+    /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial. It is exact for polynomial laws. Sinusoids are replaced by Taylor polynomials on
+    /// subdivided spans, with remainders below rounding errors.
     ///
-    /// Force, flat-face curvature and every limit that is linear in the law take this form, so their
-    /// extremes come from roots.
+    /// Force, flat-face curvature and every limit that is linear in the law have this form, so their extremes are computed from roots.
     pub fn combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
         if self.waves.is_empty() {
             return self.polynomial_combination(weights, constant);
@@ -250,7 +250,7 @@ impl Law {
         add_taylor(sum, &waves, weights)
     }
 
-    /// The polynomial without waves: only the derivatives involved, in the required degree.
+    /// The combination for a law without sinusoids. Only the necessary derivatives are used, in the necessary degree.
     fn polynomial_combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
         let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         let mut orders: Vec<PiecewisePoly> = Vec::with_capacity(last + 1);
@@ -268,8 +268,8 @@ impl Law {
         PiecewisePoly::combine(&terms, constant)
     }
 
-    /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes. It exceeds the true maximum by a small factor at
-    /// most, so it can be used as a scale.
+    /// Upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes. It exceeds the true maximum only by a small factor, so
+    /// it is used as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
         let poly = self.of_order(order);
         let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * w.cos.hypot(w.sin);
@@ -282,7 +282,7 @@ impl Law {
             .fold(0.0, f64::max)
     }
 
-    /// The law raised by `ds` everywhere.
+    /// The law with its lift raised by `ds`.
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);
@@ -307,7 +307,7 @@ impl Law {
     }
 }
 
-/// Value of Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ (binomials already in cₖ).
+/// Value of Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ, where cₖ includes the binomial coefficient.
 fn horner_bernstein(c: &[f64], u: f64) -> f64 {
     let v = 1.0 - u;
     let mut power = 1.0;

@@ -1,4 +1,4 @@
-//! Construction of laws piece by piece.
+//! Construction of laws span by span.
 
 use super::{Law, Wave};
 use crate::poly::{PiecewisePoly, bernstein};
@@ -19,13 +19,12 @@ impl Pieces {
         }
     }
 
-    /// Angle up to which pieces exist.
+    /// Angle up to which spans exist.
     pub fn reached(&self) -> f64 {
         self.breaks[self.breaks.len() - 1]
     }
 
-    /// Adds a piece up to `end`, with Bernstein coefficients and waves about its start. A piece without
-    /// length adds nothing.
+    /// Adds a span up to `end`, with Bernstein coefficients and sinusoids relative to its start. A span without length is ignored.
     pub fn push(&mut self, end: f64, coef: Vec<f64>, waves: Vec<Wave>) {
         if end > self.reached() {
             self.breaks.push(end);
@@ -34,8 +33,7 @@ impl Pieces {
         }
     }
 
-    /// Adds base + lift·`shape`, stretched from its own extent to the next `width`, or its mirror image
-    /// base + lift·(1 − shape(1 − x)).
+    /// Adds base + lift·`shape`, scaled from its own extent to the next `width`. If `mirrored`, adds base + lift·(1 − shape(1 − x)) instead.
     pub fn push_shape(&mut self, shape: &Law, width: f64, base: f64, lift: f64, mirrored: bool) {
         let (first, length) = shape.extent();
         let stretch = width / length;
@@ -76,7 +74,7 @@ impl Pieces {
         }
     }
 
-    /// Adds the part of `law` between `from` and `to`, both within one extent of it.
+    /// Adds the part of `law` between `from` and `to`, which lie in the same period of the law.
     pub fn push_part(&mut self, law: &Law, from: f64, to: f64) {
         let start = self.reached();
         for i in 0..law.poly().pieces() {
@@ -97,14 +95,14 @@ impl Pieces {
         }
     }
 
-    /// Sets the last break exactly, without the rounding of sums.
+    /// Sets the last break exactly, without the rounding errors of sums.
     pub fn end_exactly_at(&mut self, end: f64) {
         if let Some(last) = self.breaks.last_mut() {
             *last = end;
         }
     }
 
-    /// The law of the pieces; at least one is required.
+    /// Law of the spans; at least one span is required.
     pub fn finish(self, closed: bool) -> Law {
         let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
         let elevated = self.coef.iter().flat_map(|c| bernstein::elevate(c, degree));

@@ -1,7 +1,7 @@
-//! The catalogue of motions from one lift to another, normalised: s from 0 to 1 over x from 0 to 1.
+//! Catalogue of motions from one lift to another, normalised: s from 0 to 1 over x from 0 to 1.
 //!
-//! Peak factors (theory §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
-//! Cj·h/β³; Ct = max|a·v| scales the inertia torque.
+//! Peak factors (theory §7): a rise by h over β has the peak velocity Cv·h/β, the peak acceleration Ca·h/β² and the peak jerk Cj·h/β³. Ct = max|a·v|
+//! scales the inertia torque.
 
 mod ends;
 mod formula;
@@ -25,7 +25,7 @@ use std::mem::discriminant;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Rise {
-    /// A dwell: no motion.
+    /// A dwell, without motion.
     #[default]
     Dwell,
     /// A straight line (constant velocity).
@@ -36,27 +36,27 @@ pub enum Rise {
     Cubic,
     /// Simple harmonic: ½(1 − cos πx).
     SimpleHarmonic,
-    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]: at rest only at its low end; a fall is the mirror image.
+    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]. It is at rest only at its low end; a fall is the mirror image.
     DoubleHarmonic,
     /// Cycloidal: x − sin(2πx)/2π.
     Cycloidal,
-    /// Quarter-period start of a harmonic: at rest at x = 0, v = π/2 at x = 1.
+    /// First quarter period of a harmonic: at rest at x = 0, v = π/2 at x = 1.
     SemiharmonicStart,
-    /// Quarter-period end of a harmonic: v = π/2 at x = 0, at rest at x = 1.
+    /// Last quarter period of a harmonic: v = π/2 at x = 0, at rest at x = 1.
     SemiharmonicEnd,
-    /// Half a cycloid: at rest at x = 0, v = 2 at x = 1 (CAM-DAS prints π/2, which is the semiharmonic's; theory §5).
+    /// First half of a cycloid: at rest at x = 0, v = 2 at x = 1. CAM-DAS prints π/2, the value of the semiharmonic (theory §5).
     SemicycloidalStart,
-    /// Half a cycloid: v = 2 at x = 0, at rest at x = 1.
+    /// Second half of a cycloid: v = 2 at x = 0, at rest at x = 1.
     SemicycloidalEnd,
     /// Trapezoid of acceleration with corners rounded by sines.
     ModifiedTrapezoid,
-    /// Two sines of different period.
+    /// Acceleration of two sines with different periods.
     ModifiedSine,
-    /// Sine, constant, cosine acceleration with free fractions, b + c + d = 1.
+    /// Acceleration of sine, constant and cosine with free fractions, b + c + d = 1.
     Scca {
-        /// Fraction b of the sines at both ends together.
+        /// Fraction b of both sines at the ends together.
         b: f64,
-        /// Fraction c of the constant accelerations together.
+        /// Fraction c of both constant accelerations together.
         c: f64,
         /// Fraction d of the cosine in the middle.
         d: f64,
@@ -67,20 +67,20 @@ pub enum Rise {
     Poly4567,
     /// Polynomial 5-6-7-8-9: 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
     Poly56789,
-    /// A polynomial of degree 5 (or 7) that takes s, v, a (and j) from its neighbours; between dwells it
-    /// is 3-4-5 (4-5-6-7).
+    /// A polynomial of degree 5 (or 7) that takes s, v, a (and j) at its ends from its neighbours. Between dwells it equals polynomial 3-4-5
+    /// (4-5-6-7).
     Polynomial {
-        /// Degree 5 or 7.
+        /// Degree of the polynomial: 5 or 7.
         degree: usize,
     },
     /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (Bautista Morelos 2018).
     BerzakD,
     /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
     Gutman13,
-    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed: it has v = −1/56 at both ends, so it cannot join a dwell.
+    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed. It has v = −1/56 at both ends, so it cannot join a dwell.
     /// [`Rise::Freudenstein13AtRest`] corrects it.
     Freudenstein13,
-    /// x − (27/56π)(sin 2πx + sin(6πx)/81): at rest at both ends.
+    /// x − (27/56π)(sin 2πx + sin(6πx)/81), with rest at both ends.
     Freudenstein13AtRest,
     /// x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192.
     Freudenstein135,
@@ -89,13 +89,13 @@ pub enum Rise {
         /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
         ratio: f64,
     },
-    /// A law given by the user: see [`Rise::table`].
+    /// A law given by the user, see [`Rise::table`].
     User {
         /// Name of the table in messages.
         name: String,
-        /// Text of the motion in a scene, as read by [`Rise::from_name`].
+        /// Text of the motion in a scene, as [`Rise::from_name`] reads it.
         written: String,
-        /// The law on [0, 1], leading from 0 to 1.
+        /// The law on [0, 1], from 0 to 1.
         law: Box<Law>,
         /// Rows of the table, both columns from 0 to 1.
         rows: Vec<(f64, f64)>,
@@ -104,7 +104,7 @@ pub enum Rise {
     },
 }
 
-/// Every motion without user data, by its name in a scene file; SCCA with equal ends b = c = ¼.
+/// All motions without user data, by their names in a scene file; SCCA with equal ends b = c = ¼.
 #[rustfmt::skip]
 static CATALOGUE: [(&str, Rise); 24] = [
     ("constant-velocity",        Rise::ConstantVelocity),
@@ -134,12 +134,12 @@ static CATALOGUE: [(&str, Rise); 24] = [
 ];
 
 impl Rise {
-    /// Every motion without user data, SCCA with equal ends b = c = ¼.
+    /// All motions without user data; SCCA with equal ends b = c = ¼.
     pub fn catalogue() -> Vec<Rise> {
         CATALOGUE.iter().map(|row| row.1.clone()).collect()
     }
 
-    /// The name in a scene file.
+    /// Name of the motion in a scene file.
     pub fn name(&self) -> &str {
         match self {
             Rise::Dwell => "dwell",
@@ -151,7 +151,7 @@ impl Rise {
         }
     }
 
-    /// The name with its parameters, as read by [`Rise::from_name`].
+    /// Name of the motion with its parameters, as [`Rise::from_name`] reads it.
     pub fn written(&self) -> String {
         match self {
             Rise::Scca { b, c, d } => format!("scca {b} {c} {d}"),
@@ -161,11 +161,11 @@ impl Rise {
         }
     }
 
-    /// The motion of a name as in the catalogue or in Spanish, or `dwell`. Parameters may follow the name:
-    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
-    /// both ends).
+    /// The motion with a name of the catalogue, in English or Spanish, or `dwell`. Parameters may follow the name: `scca 0.25 0.25 0.5` (b, c, d),
+    /// `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at both ends).
     ///
     /// # Errors
+    ///
     /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers, which
     /// [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
@@ -214,10 +214,11 @@ impl Rise {
         Ok(rise)
     }
 
-    /// The normalised rise: from 0 to 1 over x ∈ [0, 1] (a dwell stays at 0).
+    /// The normalised rise from 0 to 1 over x ∈ [0, 1]; for a dwell constantly 0.
     ///
     /// # Errors
-    /// Parameters out of range.
+    ///
+    /// Parameters are out of range.
     pub fn law(&self) -> Result<Law> {
         Ok(match self {
             Rise::Dwell => shapes::power(&[0.0]),
@@ -267,7 +268,7 @@ impl Rise {
         })
     }
 
-    /// Whether a fall is the rise reversed in x.
+    /// Whether a fall is the rise mirrored in x.
     pub(super) fn mirrors(&self) -> bool {
         matches!(self, Rise::DoubleHarmonic | Rise::Eccentric { .. })
     }
@@ -281,7 +282,7 @@ impl Rise {
     }
 }
 
-/// The names of the catalogue, and `dwell`.
+/// Names of the catalogue, and `dwell`.
 fn names() -> Vec<&'static str> {
     let catalogue = CATALOGUE.iter().map(|row| row.0);
     catalogue.chain(["dwell"]).collect()
@@ -301,7 +302,7 @@ fn unknown(word: &str) -> LawError {
     }
 }
 
-/// The polynomial over [0, width] with given s, v, a (degree 7: and j) at both ends.
+/// Polynomial over [0, width] with given s, v, a (degree 7: and j) at both ends.
 pub(super) fn joining(
     degree: usize,
     before: Svaj,

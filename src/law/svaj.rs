@@ -1,6 +1,6 @@
-//! Lift with its derivatives at one angle.
+//! Lift and derivatives at one angle.
 
-/// Lift and its first three derivatives with respect to the cam angle: m, m/rad, m/rad², m/rad³ (oscillating follower: rad instead of m).
+/// Lift and its first three derivatives with respect to the cam angle: m, m/rad, m/rad², m/rad³ (for an oscillating follower rad instead of m).
 ///
 /// ```
 /// use gaitcam::law::Law;

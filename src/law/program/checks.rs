@@ -1,4 +1,4 @@
-//! Checks of a programme: total length, neighbouring segments, jumps at joints, lift below the base circle.
+//! Checks of a programme: total length, adjacent segments, jumps at joints, lift below the base circle.
 
 use super::segment::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, JoinError, LawError, Result};
@@ -6,7 +6,7 @@ use crate::law::{Joint, Law, Rise};
 use crate::units::{Dimension, Quantity};
 
 impl Extent {
-    /// A length of the programme: an angle, or travel for a translating cam.
+    /// Converts a length of the programme to a quantity: an angle, or travel for a translating cam.
     fn quantity(self, x: f64) -> Quantity {
         match self {
             Extent::Length(_) => Quantity::length(x),
@@ -14,7 +14,7 @@ impl Extent {
         }
     }
 
-    /// A velocity: per angle, or per travel.
+    /// Converts a velocity to a quantity: per angle, or per travel.
     fn velocity(self, v: f64) -> Quantity {
         let dimension = match self {
             Extent::Length(_) => Dimension::Ratio,
@@ -24,7 +24,7 @@ impl Extent {
     }
 }
 
-/// Checks the sum of the lengths, which must fill the extent to rounding.
+/// Checks that the sum of the lengths equals the extent to rounding.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());
@@ -69,7 +69,7 @@ pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     Ok(total)
 }
 
-/// Rejects adjacent general polynomials, which have no end values.
+/// Rejects adjacent general polynomials, whose common end has no values.
 pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     let n = segments.len();
     for i in 0..n {
@@ -145,10 +145,11 @@ fn cure(
     }
 }
 
-/// The law on its base circle. Rounded rows of a table may lead it below by half a unit of their last decimal.
+/// Accepts the law if its lift is nowhere below the base circle. Rounded rows of a table may lead it below by half a unit of their last decimal.
 ///
 /// # Errors
-/// A law that falls further.
+///
+/// The lift is further below the base circle.
 pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Result<Law> {
     let (low, high) = draft.law.extremes(0);
     let rounding = JUMP * (high.value - low.value);

@@ -1,4 +1,4 @@
-//! Programmes: a law composed of motions, segment after segment.
+//! Programmes: laws composed of motions, segment by segment.
 
 mod checks;
 mod segment;
@@ -11,7 +11,7 @@ use crate::units::Quantity;
 use segment::{Draft, JUMP, ROUNDING};
 use std::f64::consts::{PI, TAU};
 
-/// The law of a programme that starts at lift 0 at θ = 0, without jumps of lift or velocity at the joints. Jumps of acceleration are allowed
+/// Law of a programme that starts at lift 0 at θ = 0. The lift and the velocity are continuous at the joints. Jumps of acceleration are allowed
 /// (CAM-DAS: not for high speed); [`Law::joints`] lists them.
 ///
 /// ```
@@ -28,28 +28,29 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// The segment, if lengths do not fill the extent, the lift does not return or falls below the base circle, a motion cannot join its neighbour, or
-/// two general polynomials are neighbours.
+/// The lengths do not cover the extent; the lift does not return or falls below the base circle; a motion cannot join its neighbour; two general
+/// polynomials are adjacent. The error names the segment.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;
     checks::on_base_circle(draft, segments, extent)
 }
 
-/// As [`program`], but allows jumps of lift and velocity and falls below the base circle, for reports on invalid laws.
+/// As [`program`], but permits jumps of lift and velocity and a lift below the base circle, for reports on invalid laws.
 ///
 /// # Errors
-/// Lengths that do not fill the extent, two general polynomials side by side.
+///
+/// The lengths do not cover the extent; two general polynomials are adjacent.
 pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
 }
 
-/// The law of a constant-breadth (flat faces) or constant-diameter (rollers) cam: `half` describes the
-/// first half turn, from lift 0 to the full lift L; the second half is L − s(θ − π), so that
-/// s(θ) + s(θ + π) = L everywhere and two parallel faces 2·Rb + L apart both touch.
+/// Law of a constant-breadth (flat faces) or constant-diameter (rollers) cam. `half` describes the first half turn, from lift 0 to the maximum lift
+/// L. The second half is L − s(θ − π), so that s(θ) + s(θ + π) = L everywhere, and two parallel faces at the distance 2·Rb + L both touch the cam.
 ///
 /// # Errors
-/// A half turn that does not lead from 0 to its largest lift in 180°, and the errors of [`program`].
+///
+/// The half turn does not lead from 0 to its maximum lift in 180°; the errors of [`program`].
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {
@@ -150,7 +151,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     })
 }
 
-/// v, a and j of a segment at its end (or start), with respect to the cam angle.
+/// Derivatives v, a and j of a segment at its end (or start), with respect to the cam angle.
 fn end_of(segment: &Segment, shape: &Law, width: f64, at_end: bool) -> Svaj {
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();

@@ -1,11 +1,11 @@
-//! Segments of a programme, its extent, and the law before its checks.
+//! Segments of a programme, its extent, and the law before the checks.
 
 use std::f64::consts::TAU;
 
 use crate::error::SegmentName;
 use crate::law::{Law, Rise};
 
-/// One motion of a programme.
+/// Segment of a programme: a motion with its lift and length.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -20,9 +20,9 @@ use crate::law::{Law, Rise};
 pub struct Segment {
     /// Shape of the motion.
     pub motion: Rise,
-    /// Change of lift: positive rises, negative falls, 0 for a dwell; m (rad when oscillating).
+    /// Change of lift, m (rad for an oscillating follower): positive for a rise, negative for a fall, 0 for a dwell.
     pub lift: f64,
-    /// Extent: rad of cam angle, m of travel for a translating cam.
+    /// Length of the segment: rad of cam angle, or m of travel for a translating cam.
     pub angle: f64,
 }
 
@@ -41,9 +41,9 @@ pub struct Segment {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// Whole turns (several: a barrel cam); the law repeats after them.
+    /// A number of whole turns (several only for a barrel cam). The law is periodic with this extent.
     Turns(usize),
-    /// A length of travel, m (translating cam); the law is open.
+    /// A length of travel, m (translating cam). The law is open.
     Length(f64),
 }
 
@@ -63,9 +63,9 @@ impl Extent {
     }
 }
 
-/// Fraction by which segment lengths may miss the whole, as rounded degrees do; they are then stretched.
+/// Maximum relative difference between the sum of the segment lengths and the extent, for example by rounded degrees. The lengths are then scaled.
 pub(super) const ROUNDING: f64 = 1e-6;
-/// Jumps below this fraction of the maximum of their derivative are rounding errors.
+/// Fraction of the maximum of a derivative below which its jumps are rounding errors.
 pub(super) const JUMP: f64 = 1e-9;
 
 /// A law with the angles at which its segments end.
@@ -93,7 +93,7 @@ impl Draft {
     }
 }
 
-/// The name of a segment in an error.
+/// Name of a segment in an error.
 pub(super) fn name(segments: &[Segment], i: usize) -> SegmentName {
     SegmentName::Segment {
         number: i + 1,

@@ -6,10 +6,11 @@ use crate::law::Svaj;
 use crate::wording::{self, Language};
 
 impl Rise {
-    /// Exact peak factors.
+    /// Exact peak factors of a rise.
     ///
     /// # Errors
-    /// Parameters out of range.
+    ///
+    /// Parameters are out of range.
     pub fn factors(&self) -> Result<Factors> {
         let law = self.law()?;
         let order = |k: usize| {
@@ -34,10 +35,11 @@ impl Rise {
         })
     }
 
-    /// Motion at both ends of the normalised rise, which determines possible neighbours.
+    /// Motion at both ends of the normalised rise. It determines the possible neighbours.
     ///
     /// # Errors
-    /// Parameters out of range.
+    ///
+    /// Parameters are out of range.
     pub fn ends(&self) -> Result<Ends> {
         let law = self.law()?;
         let [start, end] = [(0, 0.0), (law.poly().pieces() - 1, 1.0)].map(|(piece, u)| End {
@@ -60,11 +62,11 @@ impl Rise {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct End {
-    /// Derivatives v, a, j at the end; s is 0 or 1.
+    /// Derivatives v, a and j at the end; s is 0 or 1.
     pub at: Svaj,
 }
 
-/// Both ends of a normalised rise.
+/// Motion at both ends of a normalised rise.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -77,17 +79,17 @@ pub struct End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ends {
-    /// End at x = 0.
+    /// Motion at x = 0.
     pub start: End,
-    /// End at x = 1.
+    /// Motion at x = 1.
     pub end: End,
 }
 
-/// Values at ends below this count as rest, since they are rounding errors.
+/// Value of a derivative at an end below which the end is at rest.
 const REST: f64 = 1e-9;
 
 impl End {
-    /// Highest derivative that is continuous with a dwell at this end: 0 = lift only … 3 = jerk.
+    /// Order of the highest derivative that is continuous with a dwell at this end: 0 = only lift … 3 = jerk.
     pub fn continuity_with_dwell(&self) -> usize {
         [self.at.v, self.at.a, self.at.j]
             .iter()
@@ -95,7 +97,7 @@ impl End {
             .unwrap_or(3)
     }
 
-    /// Kinds of neighbours at an end: at rest without and with acceleration, moving without and with it.
+    /// Kinds of neighbours at an end: at rest without and with acceleration, in motion without and with acceleration.
     pub const JOINS: [&'static str; 4] = [
         "dwell",
         "return of equal acceleration",
@@ -103,20 +105,20 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// Kinds of neighbours at this end without a jump of v or a.
+    /// Kind of neighbour at this end for which v and a are continuous.
     pub fn joins(&self) -> &'static str {
         let moves = usize::from(self.at.v.abs() > REST);
         let accelerates = usize::from(self.at.a.abs() > REST);
         End::JOINS[2 * moves + accelerates]
     }
 
-    /// Names of these kinds in a language.
+    /// Name of [`End::joins`], the neighbours that fit this end, in a language.
     pub fn joins_in(&self, language: Language) -> String {
         wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
     }
 }
 
-/// Peaks of a normalised rise, exact for the continuous law.
+/// Peak values of a normalised rise, exact for the continuous law.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -135,14 +137,14 @@ pub struct Factors {
     pub cv: f64,
     /// Maximum of |a| for lift 1 in time 1.
     pub ca: f64,
-    /// Maximum of |j|; infinite if the acceleration jumps between the ends.
+    /// Maximum of |j| for lift 1 in time 1; infinite if the acceleration jumps between the ends.
     pub cj: f64,
     /// Maximum of |a·v| for lift 1 in time 1.
     pub ct: f64,
-    /// Smallest and largest v.
+    /// Minimum and maximum of v.
     pub v: (f64, f64),
-    /// Smallest and largest a.
+    /// Minimum and maximum of a.
     pub a: (f64, f64),
-    /// Smallest and largest j, if it exists.
+    /// Minimum and maximum of j, if it exists.
     pub j: (f64, f64),
 }

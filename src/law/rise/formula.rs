@@ -3,7 +3,7 @@
 use super::Rise;
 
 impl Rise {
-    /// The law as a formula: s(x), or a(x) of a law with piecewise acceleration.
+    /// Formula of the law: s(x), or a(x) for a law with piecewise acceleration.
     ///
     /// ```
     /// use gaitcam::law::Rise;

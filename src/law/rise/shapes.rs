@@ -1,4 +1,4 @@
-//! The normalised shapes: a rise by 1 over x ∈ [0, 1].
+//! Normalised shapes: rises by 1 over x ∈ [0, 1].
 
 use super::super::pieces::Pieces;
 use super::super::{Law, Wave};
@@ -6,12 +6,12 @@ use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
-/// A polynomial Σ pₖ xᵏ.
+/// Polynomial Σ pₖ xᵏ.
 pub(super) fn power(p: &[f64]) -> Law {
     single(bernstein::from_power(p), Vec::new())
 }
 
-/// constant + slope·x + Σ cos·cos(rate·x) + sin·sin(rate·x), waves as (rate, cos, sin).
+/// constant + slope·x + Σ cos·cos(rate·x) + sin·sin(rate·x), with `waves` as (rate, cos, sin).
 pub(super) fn line_and_waves(constant: f64, slope: f64, waves: &[(f64, f64, f64)]) -> Law {
     let waves = waves
         .iter()
@@ -34,27 +34,27 @@ pub(super) fn parabolic() -> Law {
     pieces.finish(false)
 }
 
-/// x − Σ cₙ sin 2πnx: the harmonic laws of Gutman and Freudenstein.
+/// x − Σ cₙ sin 2πnx, the form of the laws of Gutman and Freudenstein.
 pub(super) fn sine_series(terms: &[(f64, f64)]) -> Law {
     let waves: Vec<_> = terms.iter().map(|&(n, c)| (TAU * n, 0.0, -c)).collect();
     line_and_waves(0.0, 1.0, &waves)
 }
 
-/// Width below which a zone is omitted, to avoid loss of digits.
+/// Width below which a zone is omitted, because short spans lose digits.
 const SLIVER: f64 = 1e-9;
 
 /// Acceleration on one zone of the SCCA family.
 #[derive(Clone, Copy)]
 enum Zone {
-    /// Constant acceleration, with its value.
+    /// Constant acceleration of this value.
     Constant(f64),
-    /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x) about the zone's start.
+    /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x), with x measured from the start of the zone.
     Wave { rate: f64, cos: f64, sin: f64 },
 }
 
-/// Sine, constant, cosine acceleration: b + c + d = 1 (Norton); quarter sines over b/2 at either end,
-/// constant over c/2, half a cosine over d in the middle. b = ¼, c = 0 is modified sine, b = d = ¼
-/// modified trapezoid, b = d = ½ cycloidal, d = 1 simple harmonic, c = 1 parabolic.
+/// Acceleration of sine, constant and cosine with b + c + d = 1 (Norton): quarter sines over b/2 at either end, constants over c/2, half a cosine
+/// over d in the middle. b = ¼, c = 0 is the modified sine, b = d = ¼ the modified trapezoid, b = d = ½ cycloidal, d = 1 simple harmonic, c = 1
+/// parabolic.
 pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     let shares = [b, c, d];
     if shares.iter().any(|x| !x.is_finite() || *x < 0.0) || (b + c + d - 1.0).abs() > 1e-9 {
@@ -104,10 +104,10 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     Ok(whole.finish(false))
 }
 
-/// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity;
-/// infinite for a flat face, which moves in simple harmonic motion.
+/// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity. It is infinite for a flat face, which moves
+/// in simple harmonic motion.
 ///
-/// With a roller the root √(ratio² − sin²) is approximated by a polynomial, exact to rounding.
+/// For a roller, a polynomial approximates the root √(ratio² − sin²) to rounding.
 pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     if ratio.is_infinite() && ratio > 0.0 {
         return Ok(simple_harmonic());

@@ -14,7 +14,7 @@ const TABLE_DEGREE: usize = 5;
 const MOST_ROUNDING: f64 = 1e-3;
 
 impl Rise {
-    /// The file of a motion such as `table lift.csv`; `None` if numbers or nothing follow the word.
+    /// The file of a motion such as `table lift.csv`; `None` if numbers or nothing follow the word `table`.
     pub(crate) fn named_file(text: &str) -> Option<&str> {
         let apart = |c: char| c.is_whitespace() || c == ',';
         let (word, file) = text.trim().split_once(apart)?;
@@ -24,7 +24,7 @@ impl Rise {
         is_named.then_some(file)
     }
 
-    /// The law of the numbers after the word `table`.
+    /// Law of the numbers after the word `table`.
     pub(super) fn of_numbers(numbers: &[f64]) -> Result<Rise> {
         if !numbers.len().is_multiple_of(2) {
             let numbers = numbers.len();
@@ -34,14 +34,15 @@ impl Rise {
         Rise::table("table", &rows, true)
     }
 
-    /// A law through a table of (x, s), at least two rows, x increasing: a spline of degree 5, at rest
-    /// (v = a = 0) at both ends if asked, otherwise as smooth at the ends as inside (not-a-knot).
+    /// Law through a table of (x, s) with at least two rows and increasing x. It is a spline of degree 5. With `rest` it is at rest (v = a = 0) at
+    /// both ends; otherwise it is as smooth at the ends as inside (not-a-knot).
     ///
-    /// The table is normalised: its first row becomes (0, 0), its last (1, 1). A programme may fall below its base circle by half a unit of the last
-    /// decimal.
+    /// The table is normalised: the first row becomes (0, 0), the last one (1, 1). A programme may fall below its base circle by half a unit of the
+    /// last decimal.
     ///
     /// # Errors
-    /// Too few rows, numbers that are not finite, x that does not increase, a table that ends at its first lift.
+    ///
+    /// Too few rows; numbers that are not finite; x values that do not increase; a table whose last lift equals its first.
     pub fn table(name: &str, rows: &[(f64, f64)], rest: bool) -> Result<Rise> {
         let table = name.to_string();
         if rows.len() < 2 {
@@ -82,7 +83,7 @@ impl Rise {
         })
     }
 
-    /// Relative error of the lift by rounding of the rows; 0 without rows.
+    /// Relative error of the lift caused by the rounding of the rows; 0 without rows.
     pub(in crate::law) fn rounding(&self) -> f64 {
         match self {
             Rise::User { rounding, .. } => *rounding,
@@ -90,7 +91,8 @@ impl Rise {
         }
     }
 
-    /// Acceleration that rounded rows can add to a rise of 1 over 1: that of a wave with the amplitude of the rounding; 0 without rows.
+    /// Acceleration that rounded rows can add to a rise of 1 over 1: the acceleration of a wave whose amplitude is the rounding error. 0 without
+    /// rows.
     pub(crate) fn rounded_acceleration(&self) -> f64 {
         let Rise::User { rows, rounding, .. } = self else {
             return 0.0;
@@ -100,7 +102,7 @@ impl Rise {
         rounding * (PI / step).powi(2)
     }
 
-    /// Number, from 1, of the row before x, with the lifts of this and the next row; `None` without rows.
+    /// Number, from 1, of the row before x, with the lifts of this row and the next; `None` without rows.
     pub(in crate::law) fn row_before(&self, x: f64) -> Option<(usize, [f64; 2])> {
         let Rise::User { rows, .. } = self else {
             return None;
@@ -121,7 +123,7 @@ fn half_unit(rows: &[(f64, f64)]) -> f64 {
     0.5 * 0.1_f64.powi(most as i32)
 }
 
-/// A word with its numbers.
+/// Text of a word and its numbers.
 fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
     numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }
@@ -183,10 +185,10 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     Some(space.spline(&c))
 }
 
-/// One equation: its first unknown, the factors from there on, the right side.
+/// One equation: its first unknown, the factors from this unknown on, and the right-hand side.
 type BandRow = (usize, [f64; TABLE_DEGREE + 1], f64);
 
-/// Solves banded equations, one per unknown in ascending order, by elimination without pivoting; `None` if a pivot vanishes.
+/// Solves banded equations, one per unknown in ascending order, by elimination without pivoting; `None` if a pivot is zero.
 fn solve_band(mut rows: Vec<BandRow>) -> Option<Vec<f64>> {
     const WIDTH: usize = TABLE_DEGREE + 1;
     let n = rows.len();
