@@ -1,15 +1,15 @@
-//! Fits of splines to the force alone, shared by rows of a sweep with different limits.
+//! Fits of splines to the force only, shared by rows of a sweep with different limits.
 
 use super::Problem;
 use super::force_cycle::{FitKey, Fits, Objective};
 use crate::error::Result;
 use crate::scene::Minimise;
 
-/// Number of spans above which objectives are not kept, since they take much memory and little time.
+/// Number of spans above which objectives are not cached, since they need much memory and little time.
 const MOST_SPANS: usize = 100;
 
 impl Problem {
-    /// Results for its force, if only the distance from the force is minimised.
+    /// Cached results for the force of the problem, if only the difference from the force is minimised.
     fn fits(&self) -> Option<(FitKey, &Fits)> {
         let is_alone = self.objective() == Minimise::ForceError
             && !self.is_weighed()
@@ -25,9 +25,10 @@ impl Problem {
         Some((key, &cycle.fits))
     }
 
-    /// The objective over a number of spans, computed once for problems with different limits.
+    /// Objective for a number of spans, computed once for problems with different limits.
     ///
     /// # Errors
+    ///
     /// Those of `find`.
     pub(crate) fn objective_over(
         &self,
@@ -40,9 +41,11 @@ impl Problem {
         }
     }
 
-    /// The minimum number of spans from `least` on that reaches an accuracy, N RMS, without limits, computed once for problems with different limits.
+    /// Minimum number of spans, from `least` on, that reaches an accuracy, N RMS, without limits. It is computed once for problems with different
+    /// limits.
     ///
     /// # Errors
+    ///
     /// Those of `find`.
     pub(crate) fn spans_without_limits(
         &self,

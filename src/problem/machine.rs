@@ -1,4 +1,4 @@
-//! Speed and mass of the machine, and its target force.
+//! Speed and mass of the machine, and the target force.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::force::ForceCurve;
 use crate::scene::{CamSpec, DriveSpec, ForceScale, Scene};
 use crate::units::Quantity;
 
-/// Scaling of a force to the target: a multiple plus a constant, N.
+/// Scaling of a force to the target: a factor and a constant, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     pub factor: f64,
@@ -33,7 +33,7 @@ impl Scaling {
         self.factor * force + self.shift
     }
 
-    /// Mean and spread of the target of a force.
+    /// Mean and spread of the target, from the mean and spread of a force.
     pub fn of_mean(self, force: MeanForce) -> MeanForce {
         MeanForce {
             mean_n: self.at(force.mean_n),
@@ -43,7 +43,7 @@ impl Scaling {
         }
     }
 
-    /// The target of a force curve.
+    /// Applies the scaling to a force curve; the result is the target force.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
         for f in &mut target.force_n {
@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// The scaling for a force that is `times` times the given one.
+    /// Scaling for a force that is `times` the given one.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,
@@ -61,9 +61,10 @@ impl Scaling {
     }
 }
 
-/// The drive of a scene with all numbers, and the scaling of a force with known mean to the target.
+/// Drive of a scene with all numbers, and the scaling of a force with known mean to the target.
 ///
 /// # Errors
+///
 /// A required force is not given; the mean force is not positive on a moving axis; the drive does not relate lift and force.
 pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scaling)> {
     let drive = drive(&scene.drive, &scene.cam, force)?;
@@ -78,7 +79,8 @@ pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scali
 /// Scaling of a force with a mean, N, to the target: the moment of an arm, scaled to the mass on request.
 ///
 /// # Errors
-/// A mean force that does not correspond to a mass.
+///
+/// The mean force does not correspond to a mass.
 fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     let (mut factor, mut shift) = (drive.lever, 0.0);
     match how {
@@ -94,10 +96,11 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     Ok(Scaling { factor, shift })
 }
 
-/// The drive with all numbers.
+/// Drive with all numbers.
 ///
 /// # Errors
-/// No speed or no mass without a force that gives one.
+///
+/// Speed or mass are missing, and no force determines them.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
@@ -127,7 +130,7 @@ fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Dr
     })
 }
 
-/// The given mass, otherwise the one whose weight is the mean force.
+/// The given mass; otherwise the mass whose weight is the mean force.
 fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
     if let Some(mass) = spec.mass {
         return Ok(mass);

@@ -2,16 +2,16 @@
 
 use crate::force::ForceCurve;
 
-/// Mean of a cycle of force, with its other properties except the samples.
+/// Mean and other properties of a cycle of force, without its samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanForce {
     /// Mean force, N, over one cycle.
     pub mean_n: f64,
     /// Duration of the cycle, s.
     pub period_s: f64,
-    /// Root mean square of its step-to-step spread, N; 0 if unknown.
+    /// Root mean square of the step-to-step spread of the force, N; 0 if unknown.
     pub spread_n: f64,
-    /// Root mean square of the sensor noise in its samples, N; 0 if unknown.
+    /// Root mean square of the sensor noise in the samples, N; 0 if unknown.
     pub noise_n: f64,
 }
 

@@ -1,8 +1,7 @@
-//! A scene resolved once against its force: every number that solvers, checks and searches work with, and
-//! every fact that follows from them.
+//! A scene with all numbers resolved for its force: the numbers that solvers, checks and searches use, and the properties that follow from them.
 //!
-//! A problem is complete and immutable. After [`Problem::resolve`] the [`Scene`] is not used again. Another limit, size or phase is a new problem:
-//! [`Problem::with`], [`Problem::at_phase`].
+//! A problem is complete and immutable. After [`Problem::resolve`] the [`Scene`] is not used again. A change of a limit, size or phase creates a new
+//! problem: [`Problem::with`], [`Problem::at_phase`].
 
 mod accuracy;
 mod changed;
@@ -46,12 +45,12 @@ use crate::scene::{
 };
 use crate::units::G;
 
-/// Degree of spline laws; two more at the end of a damped polydyne follower, whose cam takes derivatives of the force up
-/// to the third.
+/// Default degree of spline laws. It is two higher for the end of a damped polydyne follower, whose cam depends on derivatives of the force up to the
+/// third.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 
-/// The whole problem with every number resolved.
+/// A design problem with all numbers resolved.
 ///
 /// ```
 /// use gaitcam::{Problem, scene};
@@ -67,43 +66,42 @@ const DAMPED_DEGREE: usize = 7;
 pub struct Problem {
     /// Name of the scene.
     pub name: String,
-    /// The machine that turns lift into force.
+    /// Relation of lift and force in the machine.
     pub drive: Drive,
-    /// Family, size and demands of the law.
+    /// Family, size and conditions of the law.
     pub law: LawSpec,
-    /// Kind of follower and its lengths.
+    /// Kind of follower and dimensions of the cam.
     pub cam: CamSpec,
-    /// Limits that the law and the cam must satisfy, SI.
+    /// Limits that the law and the cam must satisfy, in SI units.
     pub limits: Limits,
-    /// Allowed RMS force error, part of the mean force.
+    /// Permitted RMS force error, relative to the mean force.
     pub accuracy: Option<f64>,
     /// Degree of spline laws.
     pub spline_degree: usize,
-    /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
-    /// programme.
+    /// One turn of the target force, scaled to the mass if the scene requires this; `None` for a classical programme.
     pub target: Option<Target>,
-    /// Lowest and highest force of the band in which the force has to stay.
+    /// Minimum and maximum force of the band in which the force has to stay.
     pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.
     pub phase: f64,
-    /// The phase is a variable of the design.
+    /// Whether the phase is a variable of the design.
     pub phase_is_free: bool,
-    /// [`Problem::length`], once it is known.
+    /// Cached result of [`Problem::length`].
     length: OnceLock<f64>,
-    /// What is known of the machine beyond its drive.
+    /// Data of the machine in addition to its drive.
     pub machine: MachineSpec,
-    /// What is open about the recording and was not accepted.
+    /// Open questions about the recording that the scene does not accept, with the notes that cause them.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
-    /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
+    /// Weight of the walker to whom the target belongs, N, scaled as the target; `None` without a force.
     pub weight_n: Option<f64>,
-    /// Number of steps of the walker in a turn, where the source of the force states it.
+    /// Number of steps of the walker per turn, if the source of the force states it.
     pub steps_per_turn: Option<usize>,
-    /// The walkers of whom the target is the mean; `None` of one cycle.
+    /// Walkers whose mean is the target; `None` for a single cycle.
     pub walkers: Option<Arc<Walkers>>,
-    /// What the varying speed of the shaft makes of it; `None` at constant speed.
+    /// Changes of the problem by the varying speed of the shaft; `None` at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
-    /// The force and its band as they are at phase 0.
+    /// Target and band at phase 0.
     unturned: Option<Arc<Unturned>>,
     /// Mean, duration and spread of the target force; `None` for a classical programme.
     force: Option<MeanForce>,
@@ -111,7 +109,7 @@ pub struct Problem {
     remarks: Vec<Note>,
 }
 
-/// Weight of a force's walker, N; of a written cycle, which no recording of feet is behind, its mean.
+/// Weight of the walker, N. For a written cycle, without a recording of feet, it is the mean force.
 fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     match (&gait.source, gait.period) {
         (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
@@ -128,7 +126,7 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// Number of steps in a cycle of force: a recording has strides of two, a load model of one foot too; `None` for a file that is one cycle.
+/// Number of steps in a cycle of force: two for the strides of a recording or of a single-foot load model; `None` for a file that contains one cycle.
 fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
     match &gait.source {
         Source::Model(name) => {
@@ -143,11 +141,12 @@ fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
 }
 
 impl Problem {
-    /// Resolves speed, mass, target and band. A phase that is free begins its cycle at 0 here.
+    /// Resolves speed, mass, target and band. If the phase is free, the cycle begins at 0 here.
     ///
     /// # Errors
-    /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
-    /// relates no lift to force; the band asks for a spread that the force does not have.
+    ///
+    /// The scene requires a force, but none is given; the mean force is not positive on a moving axis; the drive does not relate lift and force; the
+    /// band requires a spread that the force does not have.
     pub fn resolve(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
         let cycle = force.map(|force| Arc::new(ForceCycle::new(force.clone())));
         let problem = Problem::of_multiple(scene, cycle.as_ref().map(|cycle| (cycle, 1.0)))?;
@@ -157,8 +156,8 @@ impl Problem {
         })
     }
 
-    /// The same for a multiple of a force that other problems share, without notes on scene and recording:
-    /// in a sweep of closed forms they take a third of the time of a row, and no row prints them.
+    /// As [`Problem::resolve`], for a multiple of a force that other problems share, and without notes on scene and recording. In a sweep of closed
+    /// forms the notes need a third of the time of a row, and no row prints them.
     pub(crate) fn of_multiple(
         scene: &Scene,
         force: Option<(&Arc<ForceCycle>, f64)>,
@@ -233,7 +232,7 @@ impl Problem {
         })
     }
 
-    /// The same with the cam's turn beginning at another phase of the force cycle.
+    /// The problem with the start of the cam's turn at another phase of the force cycle.
     #[must_use]
     pub fn at_phase(&self, phase: f64) -> Problem {
         let at = |unturned: &Arc<Unturned>| unturned.at_phase(phase);
@@ -246,19 +245,19 @@ impl Problem {
         out
     }
 
-    /// Typical lift, m: the unit in which solvers work. Laws in closed form need none, and it takes the samples of the force.
+    /// Typical lift, m, used as unit of length in the solvers. Laws in closed form do not need it; its computation requires the samples of the force.
     pub fn length(&self) -> f64 {
         let typical = || typical_lift(&self.drive, self.target.as_ref(), &self.law);
         *self.length.get_or_init(typical)
     }
 
-    /// Whether one force presses on a rigid machine of constant speed and known force.
+    /// Whether the problem has a single known force and a rigid machine with constant speed.
     pub fn is_plain(&self) -> bool {
         let is_one = self.walkers.is_none() && self.on_shaft.is_none();
         is_one && self.machine.is_plain() && !self.law.polydyne
     }
 
-    /// What the law minimises: the force error where there is a target and no band, jerk otherwise.
+    /// Minimised quantity of the law: the force error if there is a target and no band, otherwise the jerk.
     pub fn objective(&self) -> Minimise {
         let default = if self.target.is_some() && self.band.is_none() {
             Minimise::ForceError
@@ -268,7 +267,7 @@ impl Problem {
         self.law.minimise.unwrap_or(default)
     }
 
-    /// Whether the law's zero is fixed by the drive or by a demand.
+    /// Whether the drive or a condition determines the level of the lift.
     pub fn level_is_known(&self) -> bool {
         self.drive.spring_rate != 0.0
             || self.law.points.iter().any(|p| p.lift.is_some())
@@ -276,20 +275,21 @@ impl Problem {
             || self.law.family == Family::Program
     }
 
-    /// Whether points or dwells are asked of the law.
+    /// Whether the scene prescribes points or dwells of the law.
     pub fn has_demands(&self) -> bool {
         !(self.law.points.is_empty() && self.law.dwells.is_empty())
     }
 
-    /// Compliance between cam and mass, where the scene gives it.
+    /// Compliance between cam and mass, if the scene has one.
     ///
     /// # Errors
+    ///
     /// A natural frequency without a mass.
     pub fn train(&self) -> Result<Option<Train>> {
         self.machine.train(&self.drive)
     }
 
-    /// Dwells of the law in order: demanded ones, and those of a programme.
+    /// Dwells of the law in ascending order: prescribed dwells, and those of a programme.
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let mut all: Vec<(f64, f64)> = self.law.dwells.iter().map(|d| (d.from, d.to)).collect();
         let mut at = 0.0;
@@ -303,14 +303,14 @@ impl Problem {
         all
     }
 
-    /// The lift that belongs to a force where lift alone decides (hydraulic drive, light spring).
+    /// Lift for a force if the force depends only on the lift (hydraulic drive, light spring).
     pub fn lift_of_force(&self, force: f64) -> Option<f64> {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
     }
 }
 
-/// The law of a scene with its demands on the force at a lever, N·m on an arm.
+/// Law of a scene with its conditions on the force at a lever; moments, N·m, for an arm.
 fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     let mut law = law.clone();
     for force in law.points.iter_mut().filter_map(|p| p.force.as_mut()) {
@@ -319,8 +319,8 @@ fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     law
 }
 
-/// What is open about a recording and was not accepted by the scene, with what opens it. `has_speed`: the drive has a speed of its own,
-/// as no moving axis has.
+/// Open questions about a recording that the scene does not accept, with the notes that cause them. `has_speed`: whether the scene prescribes the
+/// speed of the drive, which is not possible on a moving axis.
 fn open_questions(
     gait: Option<&Gait>,
     force: Option<&ForceCurve>,

@@ -1,4 +1,4 @@
-//! Notes on problem and design besides the verdict; their messages are in `wording/en/synth.ftl`.
+//! Notes on problem and design in addition to the verdict. The messages are in `wording/en/synth.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -37,9 +37,9 @@ pub enum Note {
     Scene { note: SceneError },
     /// A note on the recording.
     Recording { note: force::Note },
-    /// The force cycle is stretched to the turn.
+    /// The force cycle is stretched to one turn.
     Stretched { turn: Quantity, cycle: Quantity },
-    /// The mean of the target force is not the weight of the moved mass.
+    /// The mean of the target force differs from the weight of the moved mass.
     MeanForce {
         mean: Quantity,
         weight: Quantity,
@@ -51,16 +51,16 @@ pub enum Note {
         duration: Quantity,
         lift: Quantity,
     },
-    /// Minimum stroke implied by the largest acceleration.
+    /// Minimum stroke that the maximum acceleration implies.
     LargestStroke {
         acceleration: Quantity,
         stroke: Quantity,
-        /// The stroke limit is above that minimum.
+        /// Whether the limit of the stroke is above this minimum and has no effect.
         idle: bool,
     },
     /// A default bound of the verdict is switched off.
     NotJudged { key: &'static str },
-    /// The phase of smallest force error was chosen.
+    /// The phase of minimum force error was selected.
     Phase { phase: Quantity },
     /// The automatic size of the law is limited by the noise of the recording.
     Noise { size: &'static str, error: Quantity },
@@ -70,11 +70,11 @@ pub enum Note {
         noise: Quantity,
         error: Quantity,
     },
-    /// The accuracy takes a large number of spans.
+    /// The accuracy requires a large number of spans.
     ManySpans { spans: usize, error: Quantity },
-    /// The band or another limit takes a large number of spans.
+    /// The band or another limit requires a large number of spans.
     ManySpansInBand { spans: usize },
-    /// Rounded rows of a segment's table can cause a large part of its acceleration.
+    /// The rounding of a segment's table can cause a large part of its acceleration.
     RoundedTable { segment: usize, share: Quantity },
     /// The caller stopped the search.
     OutOfTime,
@@ -82,36 +82,36 @@ pub enum Note {
     NoBaseCircle,
     /// The wall between the bore and the base circle is thinner than that of a typical hub.
     ThinWall { wall: Quantity, usual: Quantity },
-    /// A roller larger than its cam.
+    /// The roller is larger than its cam.
     LargeRoller { roller: Quantity, cam: Quantity },
-    /// No shaft that carries the torque fits into the base circle.
+    /// The base circle is too small for a shaft that carries the torque.
     ThinShaft {
         /// Diameter of the base circle.
         circle: Quantity,
-        /// Diameter of the thinnest sufficient shaft.
+        /// Minimum diameter of a shaft that carries the torque.
         shaft: Quantity,
         torque: Quantity,
     },
-    /// A hole much wider than the thinnest sufficient shaft.
+    /// The hole is much wider than the minimum shaft diameter.
     LargeBore {
         bore: Quantity,
         shaft: Quantity,
         torque: Quantity,
     },
-    /// Under its motor the cam misses the accuracy; a larger inertia would suffice.
+    /// With the varying speed of its motor, the cam does not reach the accuracy; a larger inertia is sufficient.
     InertiaForAccuracy {
         error: Quantity,
         allowed: Quantity,
         inertia: Quantity,
     },
-    /// The size is determined by the usual pressure angle.
+    /// The usual limit of the pressure angle determines the size.
     UsualPressureAngle { angle: Quantity },
     /// The cam is designed for a compliant follower.
     Polydyne {
         speed: Quantity,
         stiffness: Quantity,
     },
-    /// Deviation of that follower's end from its law, with and without the correction.
+    /// Deviation of the end of the compliant follower from its law, with and without the polydyne correction.
     PolydyneMiss { own: Quantity, plain: Quantity },
 }
 

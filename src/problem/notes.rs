@@ -10,15 +10,15 @@ use crate::units::{Dimension, Quantity};
 
 /// Relative difference of the mean force from M·g below which there is no note.
 const CLOSURE: f64 = 1e-6;
-/// Fraction of the mean force below which the moving axis needs nearly free fall.
+/// Fraction of the mean force below which the mass on a moving axis is nearly in free fall.
 const FREE_FALL: f64 = 0.02;
-/// Fraction of an acceleration from rounded rows below which there is no note.
+/// Fraction of the acceleration caused by rounded rows below which there is no note.
 const OF_ROUNDING: f64 = 0.1;
-/// Relative difference of a turn and the force cycle that counts as none.
+/// Relative difference between a turn and the force cycle below which both are equal.
 const SAME_PERIOD: f64 = 1e-3;
 
 impl Problem {
-    /// Notes on the scene, the speed, the closure of a moving axis and the optimal phase.
+    /// Notes on the scene, the speed, the force balance of a moving axis and the optimal phase.
     pub fn notes(&self) -> Vec<Note> {
         let mut out = self.remarks.clone();
         let off = self.limits.unjudged.keys().into_iter();
@@ -60,7 +60,7 @@ impl Problem {
         })
     }
 
-    /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the minimum stroke.
+    /// Notes on the force balance of a moving axis (theory §1): mean(F) = M g, free fall, minimum stroke.
     fn closure(&self) -> Vec<Note> {
         // On a shaft whose speed varies the target is what is left for the mean speed.
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {

@@ -1,7 +1,7 @@
-//! A problem on a shaft with varying speed: the target over the cam angle, and the force added by the speed.
+//! A problem for a shaft with varying speed: the target over the cam angle, and the force added by the speed.
 //!
 //! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). With Δ of the previous
-//! iteration, the force remains linear in the law: Δ is subtracted from target, band and limits of the force, and families, proofs and checks remain
+//! iterate, the force is still linear in the law: Δ is subtracted from target, band and limits of the force. Families, certificates and checks remain
 //! those of constant speed (theory §10).
 
 use std::f64::consts::TAU;
@@ -14,39 +14,39 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::scene::Minimise;
 
-/// Difference between period and cam angle, rad, below which the speed is constant.
+/// Difference between period and cam angle, rad, below which the speed counts as constant.
 const EVEN: f64 = 1e-9;
 
-/// Additions of a varying speed, or of a moving floor, over the cam angle.
+/// Terms that a varying speed or a moving floor adds, over the cam angle.
 #[derive(Debug, Clone)]
 pub struct Extra {
     /// Added force Δ, N.
     pub force: PiecewisePoly,
-    /// Additions to velocity, acceleration and jerk in time, m/s, m/s², m/s³ (rad/s …); `None` if zero or not required.
+    /// Terms added to velocity, acceleration and jerk in time, m/s, m/s², m/s³ (rad/s …); `None` if zero or not required.
     pub timed: [Option<PiecewisePoly>; 3],
     /// Speed of the shaft, rad/s; `None` if constant.
     pub speed: Option<PiecewisePoly>,
-    /// Change of the objective by the floor's response to the law; `None` if the floor is rigid or its motion is held fixed.
+    /// Change of the objective by the response of the floor to the law; `None` if the floor is rigid or its motion is fixed.
     pub through_floor: Option<ThroughFloor>,
 }
 
-/// The objective J of a law on a floor that responds to it, for a program with the floor motion of the previous law: the force of the program
-/// is P + Δ with Δ fixed, the true one is T P + const. Gradients agree if the program minimises G∞ J + mean(h P) + constant, where h is the
-/// adjoint response of the floor to the derivative of the Lagrangian by the force (theory §10).
+/// Objective J of a law on a floor that responds to it, for a program with the floor motion of the previous law. The force of the program is P + Δ
+/// with fixed Δ; the true force is T P + const. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h is the adjoint
+/// response of the floor to the derivative of the Lagrangian with respect to the force (theory §10).
 #[derive(Debug, Clone)]
 pub struct ThroughFloor {
-    /// The minimised quantity, of whose program these are.
+    /// Objective of the program to which these terms belong.
     pub minimised: Minimise,
-    /// G∞: the part of a change of force that the floor leaves at once.
+    /// G∞: fraction of a change of force that remains on the floor without delay.
     pub at_once: f64,
-    /// Cosine and sine amplitude of the harmonics of h from 1 on, in units of the objective per N.
+    /// Cosine and sine amplitudes of the harmonics of h, from the first on, in units of the objective per N.
     pub slope: Vec<(f64, f64)>,
-    /// Constant with which the program's objective is that of the previous law at that law.
+    /// Constant that makes the objective of the program, evaluated at the previous law, equal to the objective of that law on the moving floor.
     pub constant: f64,
 }
 
 impl ThroughFloor {
-    /// h at a cam angle, in units of the objective per N.
+    /// Value of h at a cam angle, in units of the objective per N.
     pub fn slope_at(&self, theta: f64) -> f64 {
         let (sine, cosine) = theta.sin_cos();
         let (mut sum, mut at) = (0.0, (1.0, 0.0));
@@ -59,7 +59,7 @@ impl ThroughFloor {
 }
 
 impl Extra {
-    /// An addition of force alone, N.
+    /// Addition of only a force, N.
     pub fn of_force(force: PiecewisePoly) -> Extra {
         Extra {
             force,
@@ -70,21 +70,21 @@ impl Extra {
     }
 }
 
-/// The part of a problem due to a varying speed.
+/// Part of a problem that a varying speed causes.
 #[derive(Debug, Clone)]
 pub struct OnShaft {
-    /// Additions over the cam angle.
+    /// Added terms over the cam angle.
     pub extra: Extra,
     /// Derivative dΔ/dθ of the added force, N/rad.
     pub force_rate: PiecewisePoly,
-    /// The target over the cam angle, N.
+    /// Target over the cam angle, N.
     pub target: ForceCurve,
-    /// The problem at constant speed on a rigid floor.
+    /// The problem at constant speed and on a rigid floor.
     pub even: Arc<Problem>,
 }
 
 impl Problem {
-    /// The problem on a shaft that is at the parts `phases` of its period, rad, at equal cam angles.
+    /// The problem for a shaft whose positions in its period are `phases`, rad, at equal cam angles.
     #[must_use]
     pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
         let step = TAU / phases.len() as f64;
@@ -140,7 +140,7 @@ impl Problem {
         out
     }
 
-    /// The change of its objective by the response of the floor; `None` on a rigid floor and where its motion is held fixed.
+    /// Change of the objective by the response of the floor; `None` on a rigid floor or if the motion of the floor is fixed.
     pub fn through_floor(&self) -> Option<&ThroughFloor> {
         let through = self.on_shaft.as_ref()?.extra.through_floor.as_ref()?;
         (through.minimised == self.objective()).then_some(through)
@@ -157,29 +157,29 @@ impl Problem {
         self.drive.lever * self.machine.learned_at(theta)
     }
 
-    /// The target over the cam angle, without the added force.
+    /// Target over the cam angle, without the added force.
     pub fn target_at_cam(&self) -> Option<&ForceCurve> {
         let shaft = self.on_shaft.as_ref().map(|shaft| &shaft.target);
         shaft.or(self.target.as_ref().map(|target| &**target.curve()))
     }
 
-    /// The target over the period.
+    /// Target over the period.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         let target = self.at_constant_speed().target.as_ref();
         target.map(|target| &**target.curve())
     }
 
-    /// The band over the period.
+    /// Band over the period.
     pub fn band_in_time(&self) -> Option<&[ForceCurve; 2]> {
         self.at_constant_speed().band.as_ref()
     }
 
-    /// The problem before the machine's motion is known: at constant speed on a rigid floor.
+    /// The problem before the motion of the machine is computed: at constant speed and on a rigid floor.
     pub fn at_constant_speed(&self) -> &Problem {
         self.on_shaft.as_ref().map_or(self, |shaft| &shaft.even)
     }
 
-    /// The problem on another drive, against another target over the period, with the same additions of speed and floor.
+    /// The problem with another drive and another target over the period, with the same terms of speed and floor.
     #[must_use]
     pub fn against(&self, drive: Drive, target: Option<ForceCurve>) -> Problem {
         let mut out = self.with_drive(drive);
@@ -199,7 +199,7 @@ impl Problem {
         out
     }
 
-    /// The force of a law over the turn, N, as a piecewise polynomial with exact extremes.
+    /// Force of a law over the turn, N, as a piecewise polynomial with exact extremes.
     pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
         let own = self.drive.force_curve(law);
         match &self.on_shaft {
@@ -208,7 +208,7 @@ impl Problem {
         }
     }
 
-    /// Smallest and largest force of a law, N.
+    /// Minimum and maximum force of a law, N.
     pub fn force_extremes(&self, law: &Law) -> (Extreme, Extreme) {
         match &self.on_shaft {
             None => self.drive.force_extremes(law),
@@ -230,7 +230,7 @@ pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
     PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
 }
 
-/// The cam angle at a part of the period, rad, both from 0, by linear interpolation.
+/// Cam angle at a position in the period, rad, both from 0, by linear interpolation.
 fn angle_at(phases: &[f64], phase: f64) -> f64 {
     let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
     let (n, first) = (phases.len(), phases[0]);

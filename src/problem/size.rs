@@ -1,4 +1,4 @@
-//! The size of the cam in a problem.
+//! Size of the cam in a problem.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,11 +6,11 @@ use super::Problem;
 use crate::cam::Bore;
 use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
-/// Fraction of the range of prime radii, at either end, that is not used for arms.
+/// Fraction of the range of prime radii, at either end, that is not used for followers on arms.
 const STRETCHED: f64 = 1e-4;
 
 impl Problem {
-    /// How the size of the cam is determined.
+    /// Method that determines the size of the cam.
     pub fn size(&self) -> Size {
         match self.cam.given_radii() {
             Some([base, prime]) => Size::Given { base, prime },
@@ -35,7 +35,7 @@ impl Problem {
         }
     }
 
-    /// Whether the objective or a limit contains the size.
+    /// Whether the objective or a limit depends on the size.
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
@@ -49,8 +49,8 @@ impl Problem {
             && self.reach_of_arm().is_none_or(has_room)
     }
 
-    /// Minimum and maximum radius of the prime circle of an oscillating follower, m: the pivot is outside the circle, and the follower reaches it.
-    /// `None` for other followers.
+    /// Minimum and maximum radius of the prime circle of an oscillating follower, m. In this range the pivot is outside the circle and the follower
+    /// reaches the circle. `None` for other followers.
     pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings)?;
@@ -67,7 +67,7 @@ impl Problem {
         Some([least + room, most - room])
     }
 
-    /// Offset of a follower's line, m; `None` if it is free. The default of a mushroom is 0.
+    /// Offset of the follower's line of motion, m; `None` if it is free. The default of a mushroom is 0.
     pub fn offset(&self) -> Option<f64> {
         let usual = self.cam.follower.is_mushroom().then_some(0.0);
         self.cam.offset.or(usual)
@@ -80,18 +80,18 @@ impl Problem {
         pivot.map_or(1.0, f64::abs)
     }
 
-    /// Minimum base radius given by the bore, m.
+    /// Minimum base radius that the bore permits, m.
     pub fn outside_bore(&self) -> f64 {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Minimum automatic base radius, m.
+    /// Minimum automatic base radius with the wall of a hub, m.
     pub fn hub_radius(&self) -> f64 {
         hub_radius(&self.cam, &self.limits)
     }
 
-    /// Pressure angles on rise and fall that determine the size of a cam, rad: the limited ones, otherwise the usual one. For a flat face, and for
-    /// "none" on the other side, any value is allowed.
+    /// Pressure angles on rise and fall that determine the size of a cam, rad: the limited ones, otherwise the usual one. For a flat face, and for a
+    /// side with "none", any value is permitted.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
         let sides = self.limits.pressure_angles();
         let one_alone = sides[0].is_some() != sides[1].is_some();
@@ -108,7 +108,7 @@ impl Problem {
 /// Default pressure angle for the size of a cam: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
-/// How the size of the cam is determined. For a flat face, base and prime circle coincide.
+/// Method that determines the size of the cam. For a flat face, base and prime circle coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Size {
     /// The size is fixed, and the law must fit it.
@@ -118,13 +118,13 @@ pub enum Size {
         /// Radius of the fixed prime circle, m.
         prime: f64,
     },
-    /// Size and law are variables of one program: the size is minimised or limited.
+    /// Size and law are variables of the same program, and the size is minimised or limited.
     Sought,
-    /// The minimum size for the finished law.
+    /// The size is the minimum for the finished law.
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m: it leaves the wall of a hub around the hole for the shaft, as far as the limit on the prime radius allows.
+/// Minimum automatic base radius, m. It leaves the wall of a hub around the hole for the shaft, within the limit on the prime radius.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits) -> f64 {
     let most = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let hub = |hole: Bore| hole.hub_radius().min(most).max(hole.least_base_radius());

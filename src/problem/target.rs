@@ -1,4 +1,4 @@
-//! The target force in phase with the cam.
+//! Target force in phase with the cam.
 
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -12,7 +12,7 @@ use crate::law::{Law, weighted};
 use crate::poly::{Cells, Distance, PiecewisePoly};
 use crate::scene::{Band, LawSpec, PhaseWeight};
 
-/// One turn of the target force with its cubics.
+/// One turn of the target force, with cubics between its samples.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -26,26 +26,26 @@ use crate::scene::{Band, LawSpec, PhaseWeight};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// The force of which the target is a multiple plus a constant, starting at cam angle 0.
+    /// Force from which a factor and a constant give the target; it starts at cam angle 0.
     cycle: Arc<ForceCycle>,
     scaling: Scaling,
-    /// Samples and cubics of the target, if they differ from those of the cycle.
+    /// Samples and cubics of the target, if they differ from those of `cycle`.
     scaled: OnceLock<(Arc<ForceCurve>, Arc<Cells>)>,
 }
 
 impl Target {
-    /// The cycle with its cubics.
+    /// Creates a target from a curve; the cubics are computed.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
         Target::of(Arc::new(ForceCycle::new(curve)), Scaling::NONE)
     }
 
-    /// The target with the slopes of its cubics, N per sample, one more than samples.
+    /// Creates a target with given slopes of its cubics, N per sample, one more than samples.
     pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
         let cycle = ForceCycle::with_slopes(curve, slopes);
         Target::of(Arc::new(cycle), Scaling::NONE)
     }
 
-    /// A scaled force cycle.
+    /// Creates a target from a force cycle and its scaling.
     pub(super) fn of(cycle: Arc<ForceCycle>, scaling: Scaling) -> Self {
         Target {
             cycle,
@@ -54,18 +54,18 @@ impl Target {
         }
     }
 
-    /// The cycle, if the target is `factor` times it; `None` if a constant is added.
+    /// Factor and cycle, if the target is a multiple of the cycle; `None` if a constant is added.
     pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
         let Scaling { factor, shift } = self.scaling;
         (shift == 0.0).then_some((factor, &*self.cycle))
     }
 
-    /// The cycle of which it is a multiple plus a constant.
+    /// Scaling of the target, and the cycle to which it applies.
     pub(super) fn scaled_cycle(&self) -> (Scaling, &ForceCycle) {
         (self.scaling, &self.cycle)
     }
 
-    /// The cycle, starting at cam angle 0.
+    /// Target force over one cycle, starting at cam angle 0.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         if self.scaling.is_none() {
             return self.cycle.curve();
@@ -73,7 +73,7 @@ impl Target {
         &self.scaled().0
     }
 
-    /// The force as cubics between its samples, N.
+    /// Target force as cubics between its samples, N.
     pub fn cells(&self) -> &Cells {
         if self.scaling.is_none() {
             return self.cycle.cells();
@@ -89,7 +89,7 @@ impl Target {
         })
     }
 
-    /// Interpretation of the recording behind it.
+    /// Interpretation of the recording from which the target was computed.
     pub fn recording(&self) -> Option<&Interpretation> {
         self.cycle.given()?.recording.as_deref()
     }
@@ -104,31 +104,31 @@ impl Target {
         self.scaling.at(self.cycle.mean.mean_n)
     }
 
-    /// Smallest and largest sample of the force, N.
+    /// Minimum and maximum sample of the force, N.
     pub fn range_n(&self) -> [f64; 2] {
         self.cycle.range_n().map(|force| self.scaling.at(force))
     }
 
-    /// Maximum distance of a sample from a force, N.
+    /// Maximum difference between a sample and a constant force, N.
     pub fn farthest_from(&self, force: f64) -> f64 {
         let [least, most] = self.range_n();
         (most - force).max(force - least).max(0.0)
     }
 
-    /// Mean over the turn of the squared distance from a force, N².
+    /// Mean over the turn of the squared difference from a constant force, N².
     pub fn mean_square_from(&self, force: f64) -> f64 {
         let Scaling { factor, shift } = self.scaling;
         factor * factor * self.cycle.mean_square_from((force - shift) / factor)
     }
 
-    /// The nearest polynomials of a degree between breaks, by their values at the nodes of [`Cells::nearest`], N.
+    /// Least-squares approximation of the target by polynomials of one degree between the breaks: values at the nodes of [`Cells::nearest`], N.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         let projection = self.cycle.projection(breaks, degree);
         let values = projection.values.iter();
         values.map(|force| self.scaling.at(*force)).collect()
     }
 
-    /// Distance of the target from a force over the turn, N.
+    /// Difference between the target and a force over the turn, N.
     fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {
@@ -144,7 +144,7 @@ impl Target {
         }
     }
 
-    /// Root mean square and maximum difference over the turn from the force of a law on a drive, N.
+    /// Root mean square and maximum difference over the turn between the target and the force of a law with a drive, N.
     pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
         let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
         if let Some(own) = law.harmonics()
@@ -162,7 +162,7 @@ impl Target {
         [(apart.square / length).max(0.0).sqrt(), apart.largest]
     }
 
-    /// Number of harmonics determined by its samples.
+    /// Number of harmonics that the samples determine.
     pub(crate) fn most_harmonics(&self) -> usize {
         most(self.samples())
     }
@@ -176,31 +176,32 @@ impl Target {
         waves.chain(std::iter::repeat((0.0, 0.0))).take(count)
     }
 
-    /// RMS force above its first harmonics, N.
+    /// RMS force above the first `count` harmonics, N.
     pub(crate) fn left_over(&self, count: usize) -> f64 {
         self.scaling.factor.abs() * self.cycle.series().left_over(count)
     }
 
-    /// Minimum number of harmonics that leaves at most `wanted` newtons RMS.
+    /// Minimum number of harmonics for which the RMS of the others is at most `wanted`, N.
     pub(crate) fn fewest_harmonics(&self, wanted: f64) -> usize {
         let series = self.cycle.series();
         series.fewest(wanted / self.scaling.factor.abs())
     }
 }
 
-/// Target and band if the cam's turn starts with the cycle.
+/// Target and band if the cam's turn starts at the start of the cycle.
 #[derive(Debug)]
 pub struct Unturned {
     target: Target,
-    /// Lowest and highest force allowed.
+    /// Minimum and maximum permitted force.
     band: Option<[ForceCurve; 2]>,
 }
 
 impl Unturned {
-    /// The target with a band about it.
+    /// Creates the target with a band about it.
     ///
     /// # Errors
-    /// A band of one spread about a force without a spread.
+    ///
+    /// The band is given in spreads, but the force has no spread.
     pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
         let band = band.map(|band| band_about(target.curve(), band));
         Ok(Unturned {
@@ -220,7 +221,7 @@ impl Unturned {
     }
 }
 
-/// Lowest and highest force of a band about a force, as cycles like it.
+/// Minimum and maximum force of a band about a force, as cycles with the same samples.
 fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     let half: Vec<f64> = match (band, &target.spread_n) {
         (Band::Width(width), _) => vec![width; target.force_n.len()],
@@ -236,7 +237,7 @@ fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     Ok([edge(-1.0), edge(1.0)])
 }
 
-/// The lift required by force and conditions, m, used as unit of the solvers.
+/// Lift that force and conditions require, m, used as unit of length in the solvers.
 pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
     let [k, c, m, _] = drive.weights();
     let from_force = target.map_or(0.0, |target| {
@@ -272,7 +273,7 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     PiecewisePoly::new(breaks, 3, coef)
 }
 
-/// Weight of the force error at a phase of the cycle; the last of overlapping ranges applies.
+/// Weight of the force error at a phase of the cycle. If ranges overlap, the last one applies.
 pub fn weight_at(weights: &[PhaseWeight], phase: f64) -> f64 {
     let at = phase.rem_euclid(TAU);
     let inside = |w: &&PhaseWeight| {

@@ -1,4 +1,4 @@
-//! Variants of a problem against what their names say.
+//! Tests that the variants of a problem agree with their names.
 
 use std::f64::consts::TAU;
 
@@ -111,7 +111,7 @@ fn a_size_is_given_sought_or_follows_the_law() {
     assert_eq!(size(&[("limits.prime_radius", "50 mm")]), Size::Sought);
 }
 
-/// The rows of a motion of 12 mm over 90°, rounded.
+/// Rows of a motion of 12 mm over 90°, rounded to `decimals`.
 fn rounded(motion: &crate::law::Rise, step: u32, decimals: i32) -> crate::law::Rise {
     let law = motion.law().unwrap();
     let unit = 10.0_f64.powi(decimals);

@@ -1,7 +1,7 @@
-//! The walkers of a population, each with the machine adjusted for him.
+//! Walkers of a population, with the machine adjusted for each of them.
 //!
-//! The force of walker w is F_w = R_w + β_w (F − R) with F and R those of the reference machine: mass and speed enter through the force at rest R_w
-//! and one factor β_w, M_w ω_w²/(M ω²) on a moving axis. So every walker is linear in the same law.
+//! The force of walker w is F_w = R_w + β_w (F − R), where F and R belong to the reference machine. Mass and speed change the force at rest R_w and a
+//! factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The force of every walker is therefore linear in the same law.
 
 use std::f64::consts::TAU;
 
@@ -13,10 +13,10 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
-/// Relative difference of the weights of drives that count as multiples of each other.
+/// Relative difference of the weights of two drives below which one is a multiple of the other.
 const SAME: f64 = 1e-12;
 
-/// One walker of a cam.
+/// A walker, or one cycle of a walker, for whom a cam is designed.
 ///
 /// ```
 /// use gaitcam::{Problem, scene};
@@ -32,21 +32,21 @@ const SAME: f64 = 1e-12;
 pub struct Served {
     /// Name of the walker.
     pub name: String,
-    /// Weight in a mean; the sum over all is 1.
+    /// Weight of the walker in a mean; the sum over all is 1.
     pub share: f64,
-    /// The machine adjusted for the walker.
+    /// Machine adjusted for the walker.
     pub drive: Drive,
     /// Factor β of the walker.
     pub factor: f64,
-    /// Reference force of the error, N: the mean of the target, or one force for all if errors count in newtons.
+    /// Reference force of the relative error, N: the mean of the target, or the same force for all walkers if errors are in newtons.
     pub unit: f64,
-    /// The target, scaled as in the scene, N, at the phase of the cam.
+    /// Target, scaled as in the scene, N, at the phase of the cam.
     pub target: ForceCurve,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
 }
 
-/// All walkers of one cam.
+/// All walkers for whom a cam is designed.
 ///
 /// ```
 /// use gaitcam::scene::Robust;
@@ -60,20 +60,20 @@ pub struct Served {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Walkers {
-    /// Every cycle of every walker.
+    /// All cycles of all walkers.
     pub each: Vec<Served>,
-    /// Number of walkers; some may have several cycles.
+    /// Number of walkers; a walker may have several cycles.
     pub count: usize,
-    /// Objective over their errors.
+    /// Objective over the errors of the walkers.
     pub robust: Robust,
-    /// Measure of these errors.
+    /// Measure of the errors: relative or in newtons.
     pub error: ErrorMeasure,
-    /// Adjustment of the machine for each.
+    /// Adjustment of the machine for each walker.
     pub adjust: Adjust,
 }
 
 impl Walkers {
-    /// The population of a force, on a machine with this reference and the mean of its target; `None` for one cycle.
+    /// Population of a force, for a machine with the given reference and the mean of the target; `None` for a single cycle.
     pub(super) fn of(
         scene: &Scene,
         force: Option<&ForceCurve>,
@@ -97,7 +97,7 @@ impl Walkers {
         with(adjust).or_else(|_| with(fixed)).map(Some)
     }
 
-    /// The population on machines that are adjusted for its walkers.
+    /// Population with machines that are adjusted for the walkers.
     fn adjusted(
         scene: &Scene,
         population: &Population,
@@ -198,7 +198,7 @@ fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     Ok(factor)
 }
 
-/// A cycle resampled to a number of samples.
+/// A cycle resampled to `samples` samples.
 fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
     if curve.force_n.len() == samples {
         return curve.clone();
@@ -208,7 +208,7 @@ fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
 }
 
 impl super::Problem {
-    /// The population for another target, given with the slopes of its cubics; without walkers, and at its phase.
+    /// The problem for another target, given with the slopes of its cubics; without walkers, at the phase of the target.
     #[must_use]
     pub(crate) fn for_target(&self, curve: ForceCurve, slopes: Vec<f64>) -> super::Problem {
         let mut out = self.clone();

@@ -1,4 +1,4 @@
-//! Splines fitted to the force alone.
+//! Splines fitted to the force only.
 
 use std::sync::Arc;
 
@@ -20,21 +20,22 @@ pub struct FitKey {
     pub degree: usize,
 }
 
-/// Basis functions, objective, and the force distance alone.
+/// Basis functions, objective, and the force difference only.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
-/// Fits of one cycle of force.
+/// Cached fits to one cycle of force.
 #[derive(Debug, Default)]
 pub struct Fits {
     objectives: Kept<Arc<(FitKey, usize, Objective)>>,
-    /// Numbers of spans by required accuracy, N RMS, and first trial number.
+    /// Number of spans, by required accuracy, N RMS, and first trial number.
     spans: Kept<(FitKey, [f64; 2], usize)>,
 }
 
 impl Fits {
-    /// The objective over a number of spans.
+    /// Objective for a number of spans.
     ///
     /// # Errors
+    ///
     /// Those of `find`.
     pub fn objective(
         &self,
@@ -48,9 +49,10 @@ impl Fits {
         found.map(|found| found.2.clone())
     }
 
-    /// The minimum number of spans that reaches an accuracy, tried from `least` on.
+    /// Minimum number of spans, from `least` on, that reaches an accuracy.
     ///
     /// # Errors
+    ///
     /// Those of `find`.
     pub fn spans(
         &self,

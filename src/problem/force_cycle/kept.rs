@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-/// Maximum number of cached results; with more all are dropped.
+/// Maximum number of cached results. When it is exceeded, all are dropped.
 const MOST: usize = 64;
 
 /// Results, each with its parameters.
@@ -16,9 +16,10 @@ impl<V> Default for Kept<V> {
 }
 
 impl<V: Clone> Kept<V> {
-    /// The result for which `is_same` holds, or a new one.
+    /// The cached result for which `is_same` holds, or a new result of `find`.
     ///
     /// # Errors
+    ///
     /// Those of `find`.
     pub fn get<E>(
         &self,

@@ -1,4 +1,4 @@
-//! One cycle of a force, with derived results computed once for all its problems.
+//! One cycle of a force. Results derived from it are computed once for all problems that share it.
 
 mod fits;
 mod kept;
@@ -22,14 +22,14 @@ use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
 use kept::Kept;
 use samples::Samples;
 
-/// Maximum degree of projections; powers lose too many digits above.
+/// Maximum degree of projections. Higher powers lose too many digits.
 pub const HIGHEST_PROJECTED: usize = 9;
 
 /// One cycle of a force, which problems scale, shift and share.
 #[derive(Debug)]
 pub struct ForceCycle {
     samples: Samples,
-    /// Mean, period and spread.
+    /// Mean, period and spread of the force.
     pub mean: MeanForce,
     cells: OnceLock<Arc<Cells>>,
     mean_square: OnceLock<f64>,
@@ -39,19 +39,19 @@ pub struct ForceCycle {
     pub fits: Fits,
 }
 
-/// The nearest polynomials of a degree to a force between breaks.
+/// Least-squares approximation of a force by polynomials of one degree between breaks.
 #[derive(Debug)]
 pub struct Projection {
     breaks: Vec<f64>,
     degree: usize,
     /// Values at the nodes of [`Cells::nearest`], N.
     pub values: Vec<f64>,
-    /// Integral of the squared distance of the force from them, N².
+    /// Integral of the squared difference between force and approximation, N².
     rest: OnceLock<f64>,
 }
 
 impl Projection {
-    /// The polynomials as a piecewise function.
+    /// The approximation as a piecewise polynomial.
     fn pieces(&self) -> PiecewisePoly {
         let count = self.degree + 1;
         let rule = gauss_legendre(count);
@@ -67,14 +67,14 @@ impl Projection {
 }
 
 impl ForceCycle {
-    /// A cycle from its samples alone.
+    /// Creates a cycle from its samples.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> ForceCycle {
         let curve = curve.into();
         let mean = MeanForce::of(&curve);
         ForceCycle::of(Samples::given(curve), mean)
     }
 
-    /// The cycle of a load model, sampled only if its series does not suffice.
+    /// Creates the cycle of a load model. It is sampled only if the series is not sufficient.
     pub fn of_series(force: FourierForce) -> ForceCycle {
         let mean = MeanForce {
             mean_n: force.mean_n(),
@@ -97,7 +97,7 @@ impl ForceCycle {
         }
     }
 
-    /// The cycle with given slopes of its cubics, N per sample, one more than samples.
+    /// Creates a cycle with given slopes of its cubics, N per sample, one more than samples.
     pub fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> ForceCycle {
         let out = ForceCycle::new(curve);
         let cells = Arc::new(cells(out.curve(), slopes));
@@ -112,7 +112,7 @@ impl ForceCycle {
         self.samples.curve()
     }
 
-    /// The samples if they were given: a recording, a file or a caller's own curve, with its metadata.
+    /// The samples if they were given with their metadata: a recording, a file or a curve of the caller.
     pub fn given(&self) -> Option<&Arc<ForceCurve>> {
         self.samples.as_given()
     }
@@ -122,18 +122,18 @@ impl ForceCycle {
         self.samples.count()
     }
 
-    /// Smallest and largest sample, N.
+    /// Minimum and maximum sample, N.
     pub fn range_n(&self) -> [f64; 2] {
         self.samples.range_n()
     }
 
-    /// The cubics between the samples, N.
+    /// Cubics between the samples, N.
     pub fn cells(&self) -> &Arc<Cells> {
         let cells = || Arc::new(cells(self.curve(), self.curve().slopes()));
         self.cells.get_or_init(cells)
     }
 
-    /// Mean over the cycle of the squared distance of the cubics from a force, N².
+    /// Mean over the cycle of the squared difference between the cubics and a constant force, N².
     pub fn mean_square_from(&self, force: f64) -> f64 {
         // The mean of Hermite's cubics over a period is that of the samples.
         let mean = self.mean.mean_n;
@@ -141,7 +141,7 @@ impl ForceCycle {
         self.mean_square.get_or_init(about_mean) + (force - mean).powi(2)
     }
 
-    /// Its Fourier series, and the residuals of laws of its first harmonics.
+    /// Fourier series of the cycle, with the force residuals of the laws that follow from its first harmonics.
     pub fn series(&self) -> &Series {
         self.series.get_or_init(|| match self.samples.series() {
             Some(force) => Series::finite(force.mean_n(), force.waves()),
@@ -149,8 +149,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and maximum of the force beyond its first harmonics, N, computed once: for a finite series from the remaining harmonics,
-    /// otherwise from the cubics.
+    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once: for a finite series from the remaining
+    /// harmonics, otherwise from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {
@@ -163,7 +163,7 @@ impl ForceCycle {
         })
     }
 
-    /// The nearest polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, computed once.
+    /// Least-squares approximation by polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, computed once.
     pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
         let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
         let found = self.projections.get(is_same, || {
@@ -177,7 +177,8 @@ impl ForceCycle {
         found.unwrap_or_else(|never| match never {})
     }
 
-    /// Integral of the squared distance from pieces, N²: for polynomials, the distance from the nearest ones plus that of the latter from the force.
+    /// Integral of the squared difference from a piecewise polynomial, N²: its difference from the least-squares approximation plus the residual of
+    /// the approximation.
     pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
         if own.degree() > HIGHEST_PROJECTED {
             return self.cells().square_distance(own);
@@ -200,7 +201,7 @@ impl ForceCycle {
     }
 }
 
-/// The cubics between the samples of a force, N.
+/// Cubics between the samples of a force, N.
 pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     let f = &force.force_n;
     let mut ends = Vec::with_capacity(f.len() + 1);
@@ -209,7 +210,7 @@ pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     Cells::new(ends, slopes, TAU)
 }
 
-/// A cycle that starts at a phase; resampling preserves the mean force.
+/// The cycle shifted so that it starts at a phase. Resampling preserves the mean force.
 pub fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
     let begun = curve.begun_at(phase);
     let shift = curve.mean_n() - begun.mean_n();

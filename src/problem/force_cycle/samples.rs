@@ -1,4 +1,4 @@
-//! The samples of a cycle of force: given, or those of a load model, computed on request.
+//! Samples of a cycle of force: given, or computed from a load model on request.
 
 use std::sync::{Arc, OnceLock};
 
@@ -14,7 +14,7 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// Samples of a curve.
+    /// Samples of a given curve.
     pub fn given(curve: Arc<ForceCurve>) -> Samples {
         Samples {
             series: None,
@@ -32,12 +32,12 @@ impl Samples {
         }
     }
 
-    /// The load model; `None` if the samples are given.
+    /// Load model; `None` if the samples are given.
     pub fn series(&self) -> Option<&FourierForce> {
         self.series.as_ref()
     }
 
-    /// The curve as given; `None` if a model computes it.
+    /// The given curve; `None` if a model computes the samples.
     pub fn as_given(&self) -> Option<&Arc<ForceCurve>> {
         self.curve.get().filter(|_| self.series.is_none())
     }
@@ -55,7 +55,7 @@ impl Samples {
         self.as_given().map_or(SAMPLES, |curve| curve.force_n.len())
     }
 
-    /// Smallest and largest sample, N.
+    /// Minimum and maximum sample, N.
     pub fn range_n(&self) -> [f64; 2] {
         let range = || self.curve().range_n().into();
         *self.range_n.get_or_init(range)

@@ -1,4 +1,4 @@
-//! The Fourier series of a force, and the residuals of laws of its first harmonics.
+//! Fourier series of a force, and the force residuals of the laws that follow from its first harmonics.
 
 use std::sync::OnceLock;
 
@@ -10,17 +10,17 @@ use crate::poly::{amplitudes, harmonic_extremes};
 
 /// Maximum automatic number of harmonics.
 const MOST_AUTO: usize = 60;
-/// Amplitudes below this fraction of the largest sample are rounding errors.
+/// Fraction of the maximum sample below which amplitudes are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
-/// Harmonics of one cycle of force.
+/// Fourier series of one cycle of force.
 #[derive(Debug)]
 pub struct Series {
     /// Mean of the force, N.
     pub mean_n: f64,
     /// (cosine, sine) of harmonics 1, 2, …, N: those determined by the samples, or all of a finite series.
     pub waves: Vec<(f64, f64)>,
-    /// Mean square of the harmonics above each number of them, N².
+    /// Mean square of the harmonics above the n-th, N², by n.
     rest: Vec<f64>,
     /// Whether the force is a finite sum of these harmonics.
     is_finite: bool,
@@ -32,7 +32,7 @@ pub struct Series {
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// The harmonics of samples. If the upper half of them is rounding, the samples are those of a finite series, such as that of a load model.
+    /// Harmonics of samples. If the upper half of the harmonics is rounding errors, the samples belong to a finite series, such as a load model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
@@ -46,7 +46,7 @@ impl Series {
         Series::new(mean_n, waves.to_vec(), false)
     }
 
-    /// The force as a sum of harmonics about a mean.
+    /// Creates the force as a sum of harmonics about a mean.
     pub fn finite(mean_n: f64, waves: Vec<(f64, f64)>) -> Series {
         Series::new(mean_n, waves, true)
     }
@@ -71,7 +71,7 @@ impl Series {
         self.is_finite
     }
 
-    /// Root mean square and maximum distance from the force, N, of a sum of harmonics about the same mean plus `gap`, by Parseval's theorem.
+    /// Root mean square and maximum difference, N, between the force and a sum of harmonics about the same mean plus `gap`, by Parseval's theorem.
     /// Harmonics that agree to rounding count as equal.
     pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
         let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
@@ -90,7 +90,7 @@ impl Series {
         ]
     }
 
-    /// The harmonics of a law with a given number of them; a finite series may have fewer.
+    /// Harmonics of a law with a given number of harmonics; a finite series may have fewer.
     pub fn first(&self, count: usize) -> &[(f64, f64)] {
         &self.waves[..count.min(self.waves.len())]
     }
@@ -99,33 +99,33 @@ impl Series {
         &self.fits[count.min(self.waves.len())]
     }
 
-    /// RMS force in the harmonics above the first `count`, N.
+    /// RMS force of the harmonics above the first `count`, N.
     pub fn left_over(&self, count: usize) -> f64 {
         self.rest[count.min(self.waves.len())].sqrt()
     }
 
-    /// Minimum number of harmonics, at least one, that leaves at most `wanted` newtons RMS.
+    /// Minimum number of harmonics, at least one, for which the RMS of the others is at most `wanted`, N.
     pub fn fewest(&self, wanted: f64) -> usize {
         let enough = self.rest.partition_point(|rest| *rest > wanted * wanted);
         enough.clamp(1, MOST_AUTO)
     }
 
-    /// The force of the first harmonics, as a law.
+    /// Force of the first `count` harmonics, as a law.
     pub fn law(&self, count: usize) -> Law {
         Law::harmonic(self.mean_n, self.first(count))
     }
 
-    /// Root mean square and maximum distance of [`Series::law`] from the force, N, if computed already.
+    /// Root mean square and maximum difference between [`Series::law`] and the force, N, if already computed.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
         &self.fit(count).0
     }
 
-    /// The law of a drive from a number of harmonics; `None` at resonance.
+    /// Law of a drive for a number of harmonics of the force; `None` at resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
         Shape::of(self.mean_n, self.first(count), drive)
     }
 
-    /// The law for m ω² = 1 without spring and damping, computed once, which makes such designs 15 times as fast.
+    /// Law for m ω² = 1 without spring and damping, computed once. This makes such designs 15 times as fast.
     pub fn inertia(&self, count: usize) -> Option<&Shape> {
         let unit = Drive::moving_axis(1.0, self.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);

@@ -1,4 +1,4 @@
-//! A law of harmonics without its mean, with its torque and pressure as sums and quotients of harmonics.
+//! A harmonic law without its mean, with its torque and pressure as sums and quotients of harmonics.
 
 use std::f64::consts::TAU;
 
@@ -6,40 +6,40 @@ use crate::drive::Drive;
 use crate::law::{Law, weighted};
 use crate::poly::{amplitudes, harmonic_extremes, harmonic_sums, harmonic_values};
 
-/// Maximum number of steps of Newton's method to a maximum; three or four are usual.
+/// Maximum number of Newton steps to a maximum; three or four are usual.
 const STEPS: usize = 12;
-/// Angle, rad, within which one more parabola gives the value of a maximum.
+/// Step of the angle, rad, below which a final parabola gives the value of a maximum.
 const FLAT: f64 = 1e-5;
-/// Relative distance from the highest grid maximum within which maxima are refined.
+/// Relative difference from the highest grid maximum within which maxima are refined.
 const NEAR: f64 = 0.1;
 
-/// Pair of smallest and largest value.
+/// Pair of minimum and maximum.
 type Range = [f64; 2];
 
-/// A law with all quantities that scale with it.
+/// A law with all quantities that are proportional to it.
 #[derive(Debug)]
 pub struct Shape {
     /// The law, with zero mean.
     pub law: Law,
     /// Ranges of s, v, a, j.
     pub svaj: [Range; 4],
-    /// Range of the force without its mean.
+    /// Range of the alternating force.
     pub force_range: Range,
     /// Minimum of s + a.
     pub least_bent: f64,
-    /// Range of the torque F·v under the whole force.
+    /// Range of the torque F·v with the whole force F.
     pub torque_range: Range,
     pub torque_mean_and_rms: [f64; 2],
     /// Harmonics of the force.
     force: Vec<(f64, f64)>,
     /// Harmonics of s + a of the law.
     bent: Vec<(f64, f64)>,
-    /// Both at even steps, at least 16 per period of the fastest harmonic.
+    /// Force and s + a at equal steps, at least 16 per period of the highest harmonic.
     grid: Vec<(f64, f64)>,
 }
 
 impl Shape {
-    /// The law of a drive whose force has these harmonics about a mean; `None` at resonance.
+    /// Law of a drive whose force has the given harmonics about a mean; `None` at resonance.
     pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
         let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;
@@ -70,7 +70,7 @@ impl Shape {
         })
     }
 
-    /// Maximum quotient of `mean` + `scale` times the force and `radius` + `factor` times s + a.
+    /// Maximum of (`mean` + `scale` · force) / (`radius` + `factor` · (s + a)).
     pub fn highest_quotient(&self, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let quotient =
             |(force, bent): &(f64, f64)| (mean + scale * force) / (radius + factor * bent);
@@ -99,7 +99,7 @@ impl Shape {
         most
     }
 
-    /// The quotient at the maximum near an angle, by Newton's method.
+    /// Value of the quotient at the maximum near an angle, by Newton's method.
     fn crest(&self, near: f64, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let mut at = near;
         let mut most = f64::NEG_INFINITY;
