@@ -1,4 +1,4 @@
-//! Scenes that come with the library.
+//! Built-in scenes of the library.
 
 use std::path::Path;
 
@@ -27,7 +27,8 @@ impl BuiltIn {
     /// The parsed scene.
     ///
     /// # Errors
-    /// None: the files are tested.
+    ///
+    /// No errors occur: the built-in files are tested.
     pub fn scene(&self) -> Result<Scene> {
         parse(self.toml)
     }
@@ -42,7 +43,7 @@ macro_rules! scenes {
     };
 }
 
-/// Every built-in scene, by name.
+/// All built-in scenes, by name.
 pub const SCENES: [BuiltIn; 25] = scenes![
     "footbridge",
     "footbridge_double_harmonic",
@@ -71,10 +72,10 @@ pub const SCENES: [BuiltIn; 25] = scenes![
     "camdas_12_oscillating_flat",
 ];
 
-/// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.
+/// Default scene: a walker of 700 N on a footbridge, with 1.85 steps per second.
 pub const DEFAULT: &str = SCENES[0].toml;
 
-/// The input files of the built-in scenes, under their paths in the scenes.
+/// Input files of the built-in scenes, by their paths in the scenes.
 const FILES: [(&str, &[u8]); 2] = [
     (
         "../data/gait_curves/heel_tester_critical_points.csv",
@@ -86,10 +87,10 @@ const FILES: [(&str, &[u8]); 2] = [
     ),
 ];
 
-/// The path of a recording that comes with the library, for `measured_walk`, the scene that names none.
+/// Path of a built-in recording, for the scene `measured_walk`, which does not name one.
 pub const EXAMPLE_RECORDING: &str = "../data/recordings/made_walk.csv";
 
-/// The content of a file of a built-in scene, by its path in the scene.
+/// Content of a file of a built-in scene, by its path in the scene.
 pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
     let found = FILES.iter().find(|f| Path::new(f.0) == path);
     found.map(|f| f.1)
@@ -98,7 +99,8 @@ pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
 /// The built-in scene with a name.
 ///
 /// # Errors
-/// Unknown names, with the nearest one.
+///
+/// The name is unknown; the error contains the nearest known name.
 pub fn built_in(name: &str) -> Result<&'static BuiltIn> {
     let found = SCENES.iter().find(|s| s.name == name);
     found.ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! The force of a scene, from the content of its files.
+//! Force of a scene, from the content of its files.
 
 use std::iter::once;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use super::{Gait, Source};
 use crate::error::{ForceError, Placed, ReadError, Result};
 use crate::force::{self, ForceCurve, ReadOptions};
 
-/// Separator of the files of the plates of one trial in the name of a recording.
+/// Separator between the plate files of one trial in the name of a recording.
 pub const BETWEEN_PLATES: &str = " + ";
 
 /// Files by their names in a scene: on the disk, in memory or in a browser.
@@ -43,21 +43,23 @@ pub trait Files {
     /// Whether a file of this name exists.
     fn has(&self, name: &Path) -> bool;
 
-    /// The content of a file.
+    /// Content of a file.
     ///
     /// # Errors
-    /// A missing or unreadable file.
+    ///
+    /// The file is missing or unreadable.
     fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>>;
 
-    /// The names of all files, if they are in memory.
+    /// Names of all files, if they are in memory.
     fn names(&self) -> Vec<PathBuf> {
         Vec::new()
     }
 
-    /// The names of the recordings in a folder, in order; `None` for a name that is not a folder.
+    /// Names of the recordings in a folder, in ascending order; `None` if the name is not a folder.
     ///
     /// # Errors
-    /// A folder that cannot be read.
+    ///
+    /// The folder cannot be read.
     fn folder(&self, name: &Path) -> Result<Option<Vec<PathBuf>>> {
         if self.has(name) {
             return Ok(None);
@@ -68,20 +70,21 @@ pub trait Files {
         Ok((!inside.is_empty()).then_some(inside))
     }
 
-    /// The path of a name for messages.
+    /// Path of a file for messages.
     fn shown(&self, name: &Path) -> PathBuf {
         name.to_path_buf()
     }
 }
 
-/// The path of a recording, its content and the reader's options.
+/// Path of a recording, its content and the options for reading it.
 type Recording = (PathBuf, Arc<Vec<u8>>, ReadOptions);
 
 impl Gait {
-    /// The force of the scene; `None` if the caller gives it.
+    /// Force of the scene; `None` if the caller provides it.
     ///
     /// # Errors
-    /// Faults of the load model, of a file or of a recording; every walker of a population with a fault.
+    ///
+    /// Errors of the load model, of a file or of a recording; every walker of a population that has an error.
     pub fn force(&self, files: &dyn Files) -> Result<Option<ForceCurve>> {
         let Source::File(first) = &self.source else {
             return self.model_force();
@@ -106,10 +109,11 @@ impl Gait {
         reader.mean(&files.shown(first)).map(Some)
     }
 
-    /// The path, the content and the reader's options of the only recording of the scene; `None` for a load model and for several walkers.
+    /// Path, content and reading options of the only recording of the scene; `None` for a load model and for several walkers.
     ///
     /// # Errors
-    /// A file that cannot be read; an unknown unit.
+    ///
+    /// A file cannot be read; a unit is unknown.
     pub fn recording(&self, files: &dyn Files) -> Result<Option<Recording>> {
         let Source::File(name) = &self.source else {
             return Ok(None);
@@ -126,10 +130,11 @@ impl Gait {
         Ok(Some((files.shown(name), bytes, options)))
     }
 
-    /// The names of all files of the force: recordings, each plate of a trial separately, and their tables of subjects.
+    /// Names of all files of the force: recordings, each plate of a trial separately, and tables of subjects.
     ///
     /// # Errors
-    /// A folder that cannot be read or contains no recording.
+    ///
+    /// A folder cannot be read or contains no recording.
     pub fn files(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let mut out = Vec::new();
         for name in self.recordings(files)? {
@@ -143,7 +148,7 @@ impl Gait {
         Ok(out)
     }
 
-    /// The names of the recordings, including those in folders.
+    /// Names of the recordings, including those in folders.
     fn recordings(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let Source::File(first) = &self.source else {
             return Ok(Vec::new());
@@ -169,10 +174,11 @@ fn is_about_subjects(file: &Path) -> bool {
     stem.to_lowercase().ends_with("metadata")
 }
 
-/// The content of a recording; the plates of one trial are joined.
+/// Content of a recording; the plates of one trial are joined.
 ///
 /// # Errors
-/// An unreadable file, files of several trials or without the name of a plate.
+///
+/// A file cannot be read; files belong to several trials; the name of a plate is missing.
 pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     let plates = plates(files, name);
     if let [file] = &plates[..] {
@@ -189,7 +195,7 @@ pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     })
 }
 
-/// The files of a recording: the plates of a trial, else the file itself.
+/// Files of a recording: the plates of a trial, otherwise the file itself.
 pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     match name.to_str() {
         Some(text) if text.contains(BETWEEN_PLATES) && !files.has(name) => text
@@ -200,7 +206,7 @@ pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     }
 }
 
-/// The table of subjects in the folder of a table of stances, if there is one.
+/// Table of subjects in the folder of a table of stances, if it exists.
 fn subjects(files: &dyn Files, name: &Path) -> Option<Vec<u8>> {
     let bytes = files.read(&force::metadata_name(name)?).ok()?;
     Some(bytes.to_vec())

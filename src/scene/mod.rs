@@ -1,7 +1,6 @@
 //! A scene: the typed input of the user, which describes the whole problem.
 //!
-//! Every key of a scene file is one row of the table in [`keys`]; reading, writing, changing, sweeping and
-//! relaxing a scene all go through that table.
+//! Every key of a scene file is one row of the table in [`keys`]. Reading, writing, changing, sweeping and relaxing a scene all use this table.
 
 mod builtin;
 mod files;
@@ -31,7 +30,7 @@ pub use set::{set, set_value, unset};
 use crate::error::Result;
 use crate::force::ForceCurve;
 
-/// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
+/// Description of the whole problem. `None` means `"auto"` or absent, depending on the field.
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, Gait, LawSpec};
@@ -65,14 +64,14 @@ pub struct Scene {
     pub cam: CamSpec,
     /// Limits of the design.
     pub limits: Limits,
-    /// Properties of the machine besides its drive.
+    /// Properties of the machine in addition to its drive.
     pub machine: MachineSpec,
-    /// Largest RMS force error, relative to the mean force.
+    /// Maximum RMS force error, relative to the mean force.
     pub rms: Option<f64>,
 }
 
 impl Default for Scene {
-    /// A flat-faced disc cam that carries its own shaft, without target and limits.
+    /// Scene of a flat-faced disc cam on a moving axis, without target and limits.
     fn default() -> Scene {
         Scene {
             name: "cam".to_string(),
@@ -88,9 +87,10 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// The force of the scene's load model; `None` without one.
+    /// Force of the scene's load model; `None` without a load model.
     ///
     /// # Errors
+    ///
     /// As [`Gait::model_force`].
     pub fn model_force(&self) -> Result<Option<ForceCurve>> {
         let force = self.gait.as_ref().map(Gait::model_force);

@@ -1,7 +1,7 @@
 //! Motions with numbers from a file: `motion = "table lift.csv"`.
 //!
-//! The library reads no files. The caller replaces the file name by its rows before the scene is read, so that a
-//! motion from a file and one written in the scene are the same.
+//! The library does not read files. The caller replaces the file name by the rows of the file before the scene is read. A motion from a file and one
+//! written in the scene are therefore treated alike.
 
 use std::path::{Path, PathBuf};
 
@@ -13,22 +13,22 @@ use crate::law::Rise;
 use crate::scene::keys::short;
 use crate::units::{Dimension, parse};
 
-/// A file's path for messages, and its bytes.
+/// Path of a file for messages, and its content.
 type Content = (PathBuf, Vec<u8>);
 
 /// Maximum size of a motion file, bytes.
 pub const LARGEST_MOTION: u64 = 64 << 20;
 /// Maximum number of rows of a motion.
 const MOST_ROWS: usize = 10_000;
-/// Relative tolerance between the angle and lift stated by a segment and those of its file.
+/// Relative tolerance between the angle and lift of a segment and those of its file.
 const AGREEMENT: f64 = 1e-6;
 
-/// Accepted names of columns.
+/// Accepted names of the angle column.
 const ANGLE: [&str; 4] = ["angle", "theta", "ángulo", "angulo"];
 const TRAVEL: [&str; 3] = ["length", "travel", "recorrido"];
 const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento"];
 
-/// The files of motions in a scene, as written.
+/// Names of the motion files in a scene, as written.
 ///
 /// ```
 /// let scene: toml::Table = "[[law.segment]]\nmotion = \"table lift.csv\"".parse()?;
@@ -45,14 +45,14 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
     motions.chain(curve).collect()
 }
 
-/// The file of the motor's curve; a list of numbers instead starts with one.
+/// File of the motor's curve; `None` if the text is a list of numbers, which starts with a number.
 fn curve_file(scene: &Table) -> Option<&str> {
     let curve = scene.get("machine")?.get("motor")?.get("curve")?.as_str()?;
     let first = curve.split_whitespace().next()?;
     first.parse::<f64>().is_err().then_some(curve)
 }
 
-/// The table of a file; the error without one describes such a file.
+/// Table of a file. If the file has no table, the error describes it.
 fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberTable<'a>> {
     NumberTable::find(path, bytes).map_err(|error| match error.fault() {
         Some(ReadError::NoTable { start }) => {
@@ -63,7 +63,7 @@ fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberT
     })
 }
 
-/// Replaces the file of the motor's curve by its rows.
+/// Replaces the file name of the motor's curve by the rows of the file.
 fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
     let Some(file) = curve_file(scene).map(str::to_string) else {
         return Ok(());
@@ -109,14 +109,13 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
     Ok(())
 }
 
-/// The scene with every file name of a motion replaced by the rows of the file; a segment without angle or lift takes it from the file.
+/// Replaces every file name of a motion in the scene by the rows of the file. If a segment has no angle or lift, the value of the file is used.
 ///
 /// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with its unit (`angle_deg`, `lift
 /// [mm]`). `read` returns the path for messages and the content of a file.
 ///
 /// # Errors
-/// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of the segment that
-/// differs from the file.
+/// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of a segment that differs from its file.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -169,7 +168,7 @@ fn segments(scene: &Table) -> &[Value] {
     list.and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
-/// A column with its conversion to SI.
+/// A column with its conversion factor to SI.
 struct Column {
     place: usize,
     /// Name of the column in the header.
@@ -179,7 +178,7 @@ struct Column {
 }
 
 impl Column {
-    /// The column with one of these names; its unit belongs to the first matching dimension.
+    /// The column with one of these names. Its unit must belong to one of the dimensions; the first match is used.
     fn find(
         path: &Path,
         table: &NumberTable,
@@ -210,7 +209,7 @@ impl Column {
         }))
     }
 
-    /// The number of a row, as written.
+    /// Number in a row, as written.
     fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
         let cell = row.get(self.place);
         let fault = || {
@@ -222,7 +221,7 @@ impl Column {
     }
 }
 
-/// The numbers of a motion, as written: a motion has no unit, and the last decimal is the accuracy of a row.
+/// Numbers of a motion, as written. They have no unit, and the last decimal is the accuracy of a row.
 struct Rows {
     angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),
@@ -270,7 +269,7 @@ impl Rows {
         })
     }
 
-    /// The text of the motion in a scene.
+    /// Text of the motion in a scene.
     fn written(&self) -> String {
         let rows = self.angle.1.iter().zip(&self.lift.1);
         rows.fold("table".to_string(), |text, (x, s)| {
@@ -278,7 +277,7 @@ impl Rows {
         })
     }
 
-    /// Sets the angle and the lift of the segment from the file, or checks the stated ones.
+    /// Sets the angle and the lift of a segment from the file, or checks given values.
     fn put(&self, segment: &mut Table, key: &str, path: &Path) -> Result<()> {
         for ((column, values), name) in [(&self.angle, None), (&self.lift, Some("lift"))] {
             let name = name.unwrap_or(match column.dimension {
@@ -300,7 +299,7 @@ impl Rows {
     }
 }
 
-/// Sets a value of a segment, or checks that the stated one agrees.
+/// Sets a value of a segment, or checks that a given value agrees.
 fn agree(
     segment: &mut Table,
     key: &str,

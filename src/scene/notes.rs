@@ -1,11 +1,11 @@
-//! Given keys without effect in this scene. They are reported but not rejected, so that a sweep over families or followers can keep them.
+//! Given keys without effect in a scene. They are reported but not rejected, so that a sweep over families or followers can keep them.
 
 use super::Scene;
 use super::keys::{KEYS, Key, find};
 use crate::error::{Error, Placed, SceneError};
 
 impl Scene {
-    /// One [`SceneError::NoEffect`] for each given key without effect; a list without the number of an entry.
+    /// [`SceneError::NoEffect`] for each given key without effect. Keys of a list are given without the number of an entry.
     ///
     /// ```
     /// use gaitcam::error::SceneError;
@@ -21,7 +21,7 @@ impl Scene {
         KEYS.iter().filter_map(|key| self.note_on(key)).collect()
     }
 
-    /// The error of a change of one key alone, if it has no effect.
+    /// Error for a change of one key, if the key has no effect.
     pub fn no_effect_of(&self, path: &str) -> Option<Error> {
         let key = find(path)?;
         let name = key.list().unwrap_or(key.path);
@@ -40,7 +40,7 @@ impl Scene {
         })
     }
 
-    /// Whether a key has an explicit value.
+    /// Whether a key has an explicit value in the scene.
     fn gives(&self, key: &Key) -> bool {
         let value = key.get(self, 0);
         key.exists(self) && value.is_some_and(|v| !self.is_default(key, &v))

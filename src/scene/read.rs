@@ -16,15 +16,16 @@ use crate::error::{Placed, Result, SceneError, nearest};
 /// ```
 ///
 /// # Errors
-/// Text that is not TOML, and as [`read`].
+/// The text is not TOML; errors of [`read`].
 pub fn parse(text: &str) -> Result<Scene> {
     read(&table(text)?)
 }
 
-/// The table of a scene file's text, to change single values before [`read`].
+/// Parses the text of a scene file to a table, in which single values can be changed before [`read`].
 ///
 /// # Errors
-/// Text that is not TOML, with the line.
+///
+/// The text is not TOML; the error contains the line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));
@@ -37,7 +38,8 @@ pub fn table(text: &str) -> Result<Table> {
 /// Reads a scene from its table.
 ///
 /// # Errors
-/// Unknown keys, invalid values and inconsistent keys, each with the dotted key and a valid value.
+///
+/// Unknown keys, invalid values and inconsistent keys. Each error contains the dotted key and a valid value.
 pub fn read(table: &Table) -> Result<Scene> {
     let scene = read_keys(table)?;
     rules::check_typed(&scene, Typed(Some(table)))?;
@@ -76,11 +78,11 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
 
 /// A value of a scene file with its key.
 struct Leaf<'a> {
-    /// Path with `N` in place of an entry's number.
+    /// Path with `N` in place of the number of an entry.
     pattern: String,
-    /// Path in the notation of users.
+    /// Path as users write it.
     path: String,
-    /// Number of the entry, from 0.
+    /// Index of the entry, from 0.
     index: usize,
     value: &'a Toml,
 }

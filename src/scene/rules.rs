@@ -11,7 +11,7 @@ use crate::error::{Placed, Result, SceneError};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
-/// Minimum degree of a spline whose polydyne cam has a continuous acceleration.
+/// Minimum degree of a spline for which a polydyne cam has a continuous acceleration.
 const POLYDYNE_DEGREE: usize = 5;
 /// Range of degrees of a spline.
 const SPLINE_DEGREES: std::ops::RangeInclusive<usize> = 3..=9;
@@ -21,7 +21,8 @@ const ANGLE: f64 = 1e-9;
 /// Checks that the keys of a scene are consistent.
 ///
 /// # Errors
-/// Names the key to change.
+///
+/// The keys are inconsistent. The error names the key to change.
 pub fn check(scene: &Scene) -> Result<()> {
     check_typed(scene, Typed(None))
 }
@@ -41,7 +42,7 @@ impl<'a> Typed<'a> {
         self.value(path).is_some()
     }
 
-    /// The value of a key as written, or the number in a common unit.
+    /// Value of a key as written; otherwise the number in a common unit.
     fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
         match self.value(path) {
             Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
@@ -55,7 +56,7 @@ impl<'a> Typed<'a> {
 
 type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
 
-/// All rules, in the order of their reports.
+/// All rules, in the order in which they are checked.
 const RULES: [Rule; 13] = [
     name,
     force,
@@ -81,7 +82,7 @@ pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     Ok(())
 }
 
-/// Each weight must cover a part of the cycle.
+/// Rejects a weight that covers no part of the cycle, and weights that are all zero.
 fn weighed_phases(scene: &Scene) -> Result<()> {
     let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
     let weights = scene.gait.iter().flat_map(|gait| &gait.weights);
@@ -201,7 +202,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
     machine.check_motor()
 }
 
-/// At most one key may fix the size of the cam.
+/// Checks that at most one key fixes the size of the cam.
 fn size(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.base_radius.is_some() && cam.prime_radius.is_some() {
@@ -294,7 +295,7 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// A target force needs one turn of a disc cam; other motions require a programme. An arm needs a fixed pivot.
+/// Checks that a target force is combined with one turn of a disc cam, that other motions are programmes, and that an arm has a fixed pivot.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {
@@ -329,7 +330,7 @@ fn pair(scene: &Scene, _: Typed) -> Verdict {
     }
 }
 
-/// Keys that require a spline.
+/// Checks that keys for splines are combined with a spline.
 fn splines(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let Some(gait) = &scene.gait else {
@@ -352,7 +353,7 @@ fn splines(scene: &Scene, _: Typed) -> Verdict {
     Err((key, SceneError::OnlySplines { family }))
 }
 
-/// Requirements of a polydyne cam.
+/// Checks the requirements of a polydyne cam.
 fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     let (law, machine) = (&scene.law, &scene.machine);
     if !law.polydyne {
@@ -377,7 +378,7 @@ fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// A design requires a target force, points, dwells or segments.
+/// Checks that the scene has a target force, points, dwells or segments.
 fn completeness(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let no_force = scene.gait.is_none();

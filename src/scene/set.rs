@@ -1,14 +1,15 @@
-//! Changes one value of a scene's table by its dotted key.
+//! Change of one value in the table of a scene, by dotted key.
 
 use toml::{Table, Value};
 
 use crate::error::{Placed, Result, SceneError};
 
-/// Changes one value: `set(table, "limits.stroke=40 mm")`; list entries are numbered from 1: `law.segment.2.lift`. The value is taken as TOML where
-/// it is a number, truth value, array or quoted text, and as plain text otherwise. A recording replaces a model and vice versa.
+/// Changes one value: `set(table, "limits.stroke=40 mm")`. List entries are numbered from 1: `law.segment.2.lift`. The value is parsed as TOML if it
+/// is a number, truth value, array or quoted text; otherwise it is plain text. A recording replaces a model and vice versa.
 ///
 /// # Errors
-/// A text without `=`, and a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
+///
+/// A text without `=`; a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')
@@ -28,6 +29,7 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
 /// Changes one value that is already parsed.
 ///
 /// # Errors
+///
 /// A path through a value or to a missing entry.
 pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let parts: Vec<&str> = key.split('.').collect();
@@ -57,7 +59,7 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     Ok(())
 }
 
-/// Removes a key such as `limits.stroke` or `law.segment.2.angle`, and tables that become empty; returns whether it existed.
+/// Removes a key such as `limits.stroke` or `law.segment.2.angle`, and tables that become empty. Returns whether the key existed.
 ///
 /// ```
 /// use gaitcam::scene::unset;
@@ -90,7 +92,7 @@ pub fn unset(table: &mut Table, key: &str) -> bool {
     removed
 }
 
-/// The table at a path, created if missing.
+/// Table at a path, created if missing.
 fn inside<'t>(
     table: &'t mut Table,
     path: &[&str],

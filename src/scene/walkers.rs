@@ -1,4 +1,4 @@
-//! The walkers of a scene, from the content of their files.
+//! Walkers of a scene, from the content of their files.
 
 use std::path::Path;
 
@@ -10,11 +10,11 @@ use crate::wording::InLanguages;
 /// File endings of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
-/// Reader of a population, file by file; faulty files are reported at the end.
+/// Reader of a population, file by file. Invalid files are reported at the end.
 pub(super) struct PopulationReader<'a> {
     gait: &'a Gait,
     walkers: Vec<Walker>,
-    /// Faults of files without a cycle.
+    /// Errors of the files that contain no cycle.
     unreadable: Vec<Error>,
 }
 
@@ -41,7 +41,7 @@ impl<'a> PopulationReader<'a> {
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Adds the cycle of a recording, or every row of a table; `metadata` returns its table of subjects. Faulty files and rows are collected for the
+    /// Adds the cycle of a recording, or every row of a table; `metadata` returns the table of subjects. Invalid files and rows are collected for the
     /// report.
     pub fn take(&mut self, path: &Path, bytes: &[u8], metadata: impl FnOnce() -> Option<Vec<u8>>) {
         if self.leaves_out(path) {
@@ -77,10 +77,11 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// The mean of the walkers.
+    /// Mean of the walkers.
     ///
     /// # Errors
-    /// The faulty ones, by reason; located at `first` if no other file is at fault.
+    ///
+    /// Invalid walkers, by reason. The location is `first` if no other file is invalid.
     pub fn mean(self, first: &Path) -> Result<ForceCurve> {
         let walkers = self.gait.walkers(self.walkers, &self.unreadable);
         let mean = walkers.and_then(ForceCurve::of_walkers);
@@ -88,13 +89,13 @@ impl<'a> PopulationReader<'a> {
     }
 }
 
-/// Whether a file is a table of walkers, by its ending and its header.
+/// Whether a file is a table of walkers, determined by its ending and its header.
 pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
-/// The walker of a single recording.
+/// Walker of a single recording.
 fn cycle(
     gait: &Gait,
     path: &Path,
@@ -108,10 +109,11 @@ fn cycle(
 }
 
 impl Gait {
-    /// The included walkers of a population, if all are valid; `unreadable` contains the faults of files without a cycle.
+    /// Included walkers of a population, if all are valid. `unreadable` contains the errors of files without a cycle.
     ///
     /// # Errors
-    /// The faulty ones, by reason.
+    ///
+    /// Invalid walkers, by reason.
     pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
         all.retain(|w| !self.leave_out.contains(&w.name));
         let mut names: [Vec<String>; 5] = Default::default();

@@ -1,4 +1,4 @@
-//! Writing a [`Scene`] as TOML or any format of serde; [`read`](super::read()) restores it exactly.
+//! Writing a [`Scene`] as TOML or in any format of serde. [`read`](super::read()) restores it exactly.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::{Table, Value as Toml};
@@ -8,7 +8,7 @@ use super::{Scene, read, set};
 use crate::error::Result;
 
 impl Scene {
-    /// The scene as a table for a scene file: every key that differs from its default.
+    /// Converts the scene to the table of a scene file, with every key that differs from its default.
     pub fn to_table(&self) -> Table {
         let mut table = Table::new();
         if self.gait.is_some() {
@@ -32,9 +32,10 @@ impl Scene {
         table
     }
 
-    /// The scene with one key changed, in the notation of a scene file: `scene.with("limits.stroke", "40 mm")`.
+    /// The scene with one key changed; the value is written as in a scene file: `scene.with("limits.stroke", "40 mm")`.
     ///
     /// # Errors
+    ///
     /// As [`read`](super::read()).
     pub fn with(&self, key: &str, value: &str) -> Result<Scene> {
         let mut table = self.to_table();
@@ -63,7 +64,7 @@ impl Scene {
     }
 }
 
-/// Number of entries in the list of a key: those with a value of a required key.
+/// Number of entries in the list of a key, counted by the values of a required key.
 fn entries(scene: &Scene, key: &Key) -> usize {
     let list = key.list();
     let sibling = |k: &&Key| k.list() == list && k.is_required(scene);

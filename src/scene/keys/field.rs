@@ -1,4 +1,4 @@
-//! Access of a key to its field: one way for each type of field.
+//! Access of a key to its field, one implementation for each type of field.
 
 use super::value::Value;
 use crate::cam::{FollowerKind, Hardness};
@@ -12,14 +12,14 @@ use crate::scene::{
 };
 use crate::wording::nearest_in_languages;
 
-/// Getter and setter of a key; the number is the index of a list entry from 0.
+/// Getter and setter of a key. The number is the index of a list entry, from 0.
 #[derive(Clone, Copy)]
 pub struct Access {
     pub get: fn(&Scene, usize) -> Option<Value>,
     pub set: fn(&mut Scene, usize, Value) -> Result<()>,
 }
 
-/// Access to a field of the scene. `part?` is an optional part, `list[N]` an entry of a list; both are created when a value is set in them.
+/// Access to a field of the scene. `part?` is an optional part, `list[N]` an entry of a list. Both are created when a value is set in them.
 macro_rules! field {
     ($($field:ident).+) => {
         Access {
@@ -54,7 +54,7 @@ macro_rules! field {
 }
 pub(super) use field;
 
-/// List entry with this index, created if missing.
+/// List entry with the given index, created if missing.
 pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
     if list.len() <= index {
         list.resize(index + 1, T::default());
@@ -70,7 +70,8 @@ pub(super) trait Field {
     /// Sets the field to the value of a scene file.
     ///
     /// # Errors
-    /// An unknown word.
+    ///
+    /// A word is unknown.
     fn assign(&mut self, value: Value) -> Result<()>;
 }
 
@@ -135,7 +136,7 @@ fn hardness(typed: String) -> Result<Hardness> {
     Hardness::parse(&typed).ok_or_else(|| SceneError::NotHardness { typed }.into())
 }
 
-/// A closed set of values that users write as words.
+/// A closed set of values that are written as words in a scene.
 pub(super) trait Words: Copy + PartialEq + 'static {
     fn words() -> Vec<(&'static str, Self)>;
 }
@@ -197,7 +198,7 @@ fn named<T: Words>(word: &str) -> Result<T> {
     }
 }
 
-/// The error for a word outside a closed set.
+/// Error for a word outside a closed set.
 pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> SceneError {
     SceneError::UnknownWord {
         word: word.to_string(),

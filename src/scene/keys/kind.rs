@@ -28,12 +28,12 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// One dimension for every follower.
+    /// The same dimension for every follower.
     pub const fn same(dimension: Dimension) -> Measure {
         Measure::by_arm(dimension, dimension)
     }
 
-    /// One dimension for followers on an arm, another for all others.
+    /// One dimension for followers on an arm, another one for all others.
     pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
         Measure {
             translating: other,
@@ -42,7 +42,7 @@ impl Measure {
         }
     }
 
-    /// The dimension for a follower.
+    /// Dimension for a kind of follower.
     pub fn of(self, measures: Measures) -> Dimension {
         match measures {
             Measures::Translating => self.translating,
@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// The distinct dimensions of all followers.
+    /// Distinct dimensions over all followers.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {
@@ -77,7 +77,7 @@ impl Measure {
 pub enum Kind {
     /// A number with its unit.
     Number(Measure),
-    /// A number with its unit, or this word.
+    /// A number with its unit, or the given word.
     #[strum(serialize = "number-or-word")]
     NumberOr(Measure, &'static str),
     /// A number with its unit, or several numbers: `1.4 Hz:2.4 Hz:11`, `normal 1.87 Hz 0.19 Hz`.
@@ -95,7 +95,7 @@ pub enum Kind {
     Texts,
 }
 
-/// Range of the numbers of a key, in SI.
+/// Permitted range of a numeric key, in SI units.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Range};
@@ -120,7 +120,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a number is in the range.
+    /// Whether a number is inside the range.
     pub fn contains(self, x: f64) -> bool {
         x.is_finite()
             && match self {
@@ -133,7 +133,7 @@ impl Range {
     }
 }
 
-/// Direction in which a number relaxes the limit.
+/// Direction in which a change of the number relaxes the limit.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Relax};
@@ -151,7 +151,7 @@ pub enum Relax {
     Down,
 }
 
-/// Reason why a given key has no effect.
+/// Reason for which a given key has no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -163,7 +163,7 @@ pub enum Idle {
     Follower,
     /// The drive does not use the key.
     Drive,
-    /// There is no target force.
+    /// The scene has no target force.
     NoForce,
     /// The force comes from a recording.
     Recording,
@@ -180,7 +180,7 @@ pub enum Idle {
 }
 
 impl Idle {
-    /// Name in data of the idle.
+    /// Name of the reason in data.
     pub fn name(self) -> &'static str {
         self.into()
     }

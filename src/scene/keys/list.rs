@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::{KEYS, Key, Kind, Range};
 use crate::wording::{Language, catalogue, key_doc, range};
 
-/// Every key as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
+/// All keys as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
 pub fn json() -> Value {
     KEYS.iter().map(row).collect()
 }
@@ -40,7 +40,7 @@ fn row(key: &Key) -> Value {
     })
 }
 
-/// Type of a key in short: `length > 0`, `3 … 9`, `true | false`.
+/// Short text for the type of a key: `length > 0`, `3 … 9`, `true | false`.
 pub fn takes(key: &Key, language: Language) -> String {
     let name = |typed: &str| catalogue(language).name(typed);
     let or = format!(" {} ", name("or"));
@@ -78,7 +78,7 @@ pub fn takes(key: &Key, language: Language) -> String {
     }
 }
 
-/// The reference page of all keys.
+/// Reference page of all keys, in Markdown.
 pub fn markdown() -> String {
     let mut out = String::from(
         "# Keys of a scene file\n\n\

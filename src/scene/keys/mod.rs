@@ -24,17 +24,17 @@ pub use table::KEYS;
 pub use value::Value;
 pub(super) use value::short;
 
-/// The row of a key; list entries have a number or the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
+/// Row of a key. List entries have a number or the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.index_in(path).is_some())
 }
 
-/// The row of a limit.
+/// Row of a limit in the key table.
 pub fn of_limit(kind: LimitKind) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.limit == Some(kind))
 }
 
-/// The keys that may be relaxed in an infeasible scene: limits first, then accuracy and given sizes.
+/// Keys that may be relaxed in an infeasible scene: first limits, then accuracy and given sizes.
 pub fn relaxable() -> impl Iterator<Item = &'static Key> {
     let of = |section: &'static str| {
         KEYS.iter()

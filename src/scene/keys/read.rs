@@ -1,4 +1,4 @@
-//! Values of keys from TOML.
+//! Conversion of TOML to values of keys.
 
 use toml::Value as Toml;
 
@@ -14,7 +14,8 @@ use crate::wording::called_in_spanish;
 /// Parses the value of a key in a scene file; `None` for `"auto"`.
 ///
 /// # Errors
-/// A value of another type or unit, or outside the range of the key.
+///
+/// The value has another type or unit, or is outside the range of the key.
 pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option<Value>> {
     match key.kind {
         Kind::NumberOr(_, word) if typed.as_str() == Some(word) => {
@@ -31,7 +32,7 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
     }
 }
 
-/// A value without a unit.
+/// Parses a value without a unit.
 fn plain(key: &Key, typed: &Toml) -> std::result::Result<Value, SceneError> {
     let written = || typed.to_string();
     match key.kind {

@@ -1,4 +1,4 @@
-//! One row of the key table.
+//! Row of the key table.
 
 use super::field::Access;
 use super::kind::{Idle, Kind, Measure, Range, Relax};
@@ -29,11 +29,11 @@ pub struct Key {
     pub kind: Kind,
     /// Range of a numeric value.
     pub range: Range,
-    /// Default, as written in a scene file; empty without a default.
+    /// Default value, as written in a scene file; empty without a default.
     pub default: &'static str,
-    /// The limit set by the key.
+    /// Limit that the key sets.
     pub limit: Option<LimitKind>,
-    /// Whether the key may be relaxed, and in which direction.
+    /// Direction in which the key may be relaxed; `None` if it may not.
     pub relax: Option<Relax>,
     exists: fn(&Scene) -> bool,
     required: fn(&Scene) -> bool,
@@ -55,27 +55,27 @@ impl PartialEq for Key {
 }
 
 impl Key {
-    /// The section of the scene file: `limits`.
+    /// Section of the key in the scene file, such as `limits`.
     pub fn section(&self) -> &'static str {
         self.path.split_once('.').map_or("", |p| p.0)
     }
 
-    /// The last word of the path.
+    /// Last word of the path.
     pub fn name(&self) -> &'static str {
         self.path.rsplit_once('.').map_or(self.path, |p| p.1)
     }
 
-    /// The list whose entries have this key: `law.segment`.
+    /// List whose entries have this key, such as `law.segment`.
     pub fn list(&self) -> Option<&'static str> {
         self.path.split_once(".N.").map(|p| p.0)
     }
 
-    /// The path with the number of an entry, counted from 0, in the notation of users.
+    /// Path with the number of an entry as users write it; `index` is counted from 0.
     pub fn path_at(&self, index: usize) -> String {
         self.path.replacen(".N.", &format!(".{}.", index + 1), 1)
     }
 
-    /// The number of the entry (0 outside lists) if `path` refers to this key.
+    /// Index of the entry (0 outside lists) if `path` refers to this key.
     pub fn index_in(&self, path: &str) -> Option<usize> {
         let Some((list, last)) = self.path.split_once(".N.") else {
             return (path == self.path).then_some(0);
@@ -89,17 +89,17 @@ impl Key {
         }
     }
 
-    /// Whether the key is allowed in a scene; a follower on an arm has no offset.
+    /// Whether a scene may contain the key. Example: a follower on an arm has no offset.
     pub fn exists(&self, scene: &Scene) -> bool {
         (self.exists)(scene)
     }
 
-    /// Whether the key is required.
+    /// Whether a scene must contain the key.
     pub fn is_required(&self, scene: &Scene) -> bool {
         self.exists(scene) && (self.required)(scene)
     }
 
-    /// Reason why the key has no effect in this scene; `None` if it has one.
+    /// Reason for which the key has no effect in a scene; `None` if it has an effect.
     pub fn idle(&self, scene: &Scene) -> Option<Idle> {
         (self.idle)(scene)
     }
@@ -109,21 +109,21 @@ impl Key {
         (self.access.get)(scene, index)
     }
 
-    /// Sets the value; the checks of the scene test it against the rest of the scene.
+    /// Sets the value. The checks of the scene then test whether it is consistent with the other keys.
     ///
     /// # Errors
-    /// An unknown word.
+    ///
+    /// A word is unknown.
     pub fn set(&self, scene: &mut Scene, index: usize, value: Value) -> Result<()> {
         (self.access.set)(scene, index, value)
     }
 
-    /// The numeric value in a scene.
+    /// Numeric value of the key in a scene.
     pub fn number(&self, scene: &Scene) -> Option<f64> {
         self.get(scene, 0).and_then(Value::number)
     }
 
-    /// Sets a number without reading the scene again, for sweeps. Returns `false` if the scene has to be read again
-    /// with the changed table.
+    /// Sets a number without reading the scene again, for sweeps. Returns `false` if the scene has to be read again with the changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
         let there = self.get(scene, index).is_some() || self.list().is_none();
         self.direct
@@ -133,7 +133,7 @@ impl Key {
             && self.set(scene, index, Value::Number(value)).is_ok()
     }
 
-    /// Dimension of its number; `None` for words and counts.
+    /// Dimension of a numeric key; `None` for words and counts.
     pub fn measure(&self) -> Option<Measure> {
         match self.kind {
             Kind::Number(measure) | Kind::NumberOrSeveral(measure) | Kind::NumberOr(measure, _) => {
@@ -143,12 +143,12 @@ impl Key {
         }
     }
 
-    /// Dimension of its number in a scene.
+    /// Dimension of a numeric key in a scene.
     pub fn dimension(&self, scene: &Scene) -> Option<Dimension> {
         self.measure().map(|m| m.of(scene.cam.measures()))
     }
 
-    /// The accepted words of the key.
+    /// Words that the key accepts.
     pub fn choices(&self) -> Vec<&'static str> {
         match self.kind {
             Kind::Choice(words) => words(),
@@ -157,7 +157,7 @@ impl Key {
         }
     }
 
-    /// A valid value, for messages.
+    /// Valid value of the key, for messages.
     pub fn example(&self, scene: &Scene) -> String {
         match (self.dimension(scene), self.name()) {
             (_, "roller_radius") => "\"10 mm\"".to_string(),
@@ -171,7 +171,7 @@ impl Key {
         }
     }
 
-    /// A row without conditions.
+    /// Creates a row without conditions.
     pub(super) const fn new(
         path: &'static str,
         kind: Kind,
@@ -208,13 +208,13 @@ impl Key {
         self
     }
 
-    /// Restricts the key to some scenes; in others it is an error.
+    /// Restricts the key to some scenes. In other scenes the key is an error.
     pub(super) const fn only(mut self, exists: fn(&Scene) -> bool) -> Key {
         self.exists = exists;
         self
     }
 
-    /// The key has no default.
+    /// Marks a key that has no default.
     pub(super) const fn required(mut self) -> Key {
         self.required = |_| true;
         self
@@ -226,7 +226,7 @@ impl Key {
         self
     }
 
-    /// Marks a key whose meaning depends on others, so that a new number requires reading the scene again.
+    /// Marks a key whose meaning depends on other keys. After a change of its number, the scene must be read again.
     pub(super) const fn read_again(mut self) -> Key {
         self.direct = false;
         self

@@ -1,4 +1,4 @@
-//! A JSON Schema of the scene file, for completion and checks in editors.
+//! JSON Schema of the scene file, for completion and checks in editors.
 
 use serde_json::{Map, Value, json};
 
@@ -6,7 +6,7 @@ use super::{KEYS, Key, Kind, Range};
 use crate::units::Dimension;
 use crate::wording::{Language, key_doc};
 
-/// The JSON Schema (draft 2020-12) of a scene file, described in a language.
+/// JSON Schema (draft 2020-12) of a scene file, with descriptions in a language.
 pub fn schema(language: Language) -> Value {
     let mut root = object();
     for key in KEYS.iter() {

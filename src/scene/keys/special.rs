@@ -1,4 +1,4 @@
-//! Access of keys that do not correspond to exactly one field.
+//! Access to keys that do not correspond to exactly one field.
 
 use std::path::PathBuf;
 
@@ -7,10 +7,10 @@ use super::value::{Value, written};
 use crate::scene::{Harmonic, LimitKind, Limits, Source};
 use crate::units::Dimension;
 
-/// The word that switches a default bound off.
+/// Word that switches a default bound off.
 pub(super) const NONE: &str = "none";
 
-/// `gait.file`: a recording, instead of a model.
+/// Access to `gait.file`: a recording instead of a model.
 pub(super) const FILE: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -35,7 +35,7 @@ pub(super) const FILE: Access = Access {
     },
 };
 
-/// `gait.step_frequency`: one frequency, or those of several walkers.
+/// Access to `gait.step_frequency`: one frequency, or the frequencies of several walkers.
 pub(super) const STEP_FREQUENCY: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -54,7 +54,7 @@ pub(super) const STEP_FREQUENCY: Access = Access {
     },
 };
 
-/// `gait.model`: a model, instead of a recording.
+/// Access to `gait.model`: a model instead of a recording.
 pub(super) const MODEL: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Model(name) => Some(Value::Text(name.clone())),
@@ -66,7 +66,7 @@ pub(super) const MODEL: Access = Access {
     },
 };
 
-/// `gait.harmonics`: own load factors, instead of a recording or a model.
+/// Access to `gait.harmonics`: load factors given in the scene instead of a recording or a model.
 pub(super) const HARMONICS: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Harmonics(list) => Some(Value::Texts(list.iter().map(written_harmonic).collect())),
@@ -79,7 +79,7 @@ pub(super) const HARMONICS: Access = Access {
     },
 };
 
-/// `machine.learned_force`: mean and harmonics, N.
+/// Access to `machine.learned_force`: mean and harmonics, N.
 pub(super) const LEARNED_FORCE: Access = Access {
     get: |s, _| {
         let list = &s.machine.learned_force;
@@ -106,7 +106,7 @@ fn written_harmonic(harmonic: &Harmonic) -> String {
     }
 }
 
-/// `cam.offset`: "auto" makes it free; the default is 0.
+/// Access to `cam.offset`. With "auto" the offset is free; the default is 0.
 pub(super) const OFFSET: Access = Access {
     get: |s, _| {
         let offset = s.cam.offset.map(Value::Number);
@@ -118,7 +118,7 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// `cam.material`: an empty text is not a material.
+/// Access to `cam.material`. An empty text is not a material.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {
@@ -127,7 +127,7 @@ pub(super) const MATERIAL: Access = Access {
     },
 };
 
-/// `limits.force_min`, which "none" switches off together with its default.
+/// Access to `limits.force_min`. The word "none" also switches the default off.
 pub(super) const FORCE_MIN: Access = Access {
     get: |s, _| {
         bound(
@@ -142,7 +142,7 @@ pub(super) const FORCE_MIN: Access = Access {
     },
 };
 
-/// `accuracy.rms`, which "none" switches off together with its default.
+/// Access to `accuracy.rms`. The word "none" also switches the default off.
 pub(super) const ACCURACY: Access = Access {
     get: |s, _| bound(s.limits.unjudged.accuracy, s.rms),
     set: |s, _, v| {
@@ -152,7 +152,7 @@ pub(super) const ACCURACY: Access = Access {
     },
 };
 
-/// `limits.pressure_angle`: one value for both sides.
+/// Access to `limits.pressure_angle`: one value for both sides.
 pub(super) const PRESSURE_ANGLE: Access = Access {
     get: |s, _| bound(s.limits.unjudged.pressure_angle, both_sides(&s.limits)),
     set: |s, _, v| {
@@ -190,7 +190,7 @@ macro_rules! one_side {
     };
 }
 
-/// The row of a limit: path, limit, alternative to "none".
+/// Row of a limit: path, limit, alternative to "none".
 macro_rules! limit {
     ($path:literal, $kind:ident, $takes:expr) => {
         row(

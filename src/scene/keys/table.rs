@@ -20,20 +20,20 @@ use crate::scene::{
 };
 use crate::units::Dimension::{self, *};
 
-/// Maximum number of spans of a spline; above it a certified optimum in reasonable time is not assured.
+/// Maximum number of spans of a spline. Above it, a certified optimum in reasonable time is not guaranteed.
 const MOST_SPANS: usize = 400;
 /// Maximum degree of a polynomial.
 const HIGHEST_DEGREE: usize = 30;
 /// Maximum number of harmonics.
 const MOST_HARMONICS: usize = 400;
-/// Maximum weight of a phase; above it the mean square loses the digits of other phases.
+/// Maximum weight of a phase. Above it, the mean square loses the digits of the other phases.
 const LARGEST_WEIGHT: f64 = 1e6;
 /// Maximum number of walkers on a structure.
 const MOST_WALKERS: usize = 1000;
 /// Maximum number of turns of a barrel's groove.
 const MOST_TURNS: usize = 100;
 
-/// Every key, in the order of a scene file: a row follows those that its conditions depend on.
+/// All keys, in the order of a scene file. A row follows the rows on which its conditions depend.
 ///
 /// Columns: path, kind and range of the value, default, field, conditions.
 #[rustfmt::skip]
@@ -183,7 +183,7 @@ pub static KEYS: &[Key] = &[
 struct Takes(Kind, Range);
 
 impl Takes {
-    /// Accepts a word instead of the number.
+    /// Permits a word instead of the number.
     const fn or(self, word: &'static str) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),
@@ -191,7 +191,7 @@ impl Takes {
         }
     }
 
-    /// Accepts a range or a distribution instead of the number.
+    /// Permits a range or a distribution instead of the number.
     const fn or_several(self) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOrSeveral(measure), range),
@@ -227,7 +227,7 @@ const fn by_arm(other: Dimension, arm: Dimension, range: Range) -> Takes {
     Takes(Kind::Number(Measure::by_arm(other, arm)), range)
 }
 
-/// The derivative of the lift of an order with respect to the cam angle.
+/// Derivative of the lift of the given order with respect to the cam angle.
 const fn lift(order: u8) -> Takes {
     match order {
         0 => by_arm(Length, Angle, Any),
@@ -235,7 +235,7 @@ const fn lift(order: u8) -> Takes {
     }
 }
 
-/// A whole number from 1 on.
+/// A whole number from 1 to `most`.
 const fn count(most: usize) -> Takes {
     Takes(Kind::Count(1, most), Any)
 }
@@ -310,18 +310,18 @@ fn no_force(scene: &Scene) -> Option<Idle> {
     scene.gait.is_none().then_some(Idle::NoForce)
 }
 
-/// Condition: the offset of a flat face has no effect.
+/// No effect: the offset of a translating flat face.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
 }
 
-/// Condition: only a flat face has a width; a roller and a knife edge have none.
+/// No effect: the length of a face without a flat face.
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
 }
 
-/// Condition: without damping the mean power is 0, except with a learned force.
+/// No effect: a limit on the mean power without damping, since the mean power is then 0; it has an effect with a learned force.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -335,29 +335,29 @@ fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
 }
 
-/// Condition: a roller has no sliding friction.
+/// No effect: sliding friction of a roller.
 fn rolls(scene: &Scene) -> Option<Idle> {
     has_roller(scene).then_some(Idle::Follower)
 }
 
-/// Condition: a rigid follower does not vibrate.
+/// No effect: vibration data of a rigid follower.
 fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// Condition: without a motor the shaft speed is constant.
+/// No effect: shaft data without a motor, since the speed is then constant.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
-/// Condition: a rigid floor does not move.
+/// No effect: data of walkers on a rigid floor.
 fn no_floor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
-/// Condition: vibration is limited in dwells only.
+/// No effect: a limit on vibration without a dwell.
 fn no_dwell(scene: &Scene) -> Option<Idle> {
     let law = &scene.law;
     let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);

@@ -29,7 +29,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// The number, if it is one.
+    /// The number, if the value is a number.
     pub fn number(self) -> Option<f64> {
         match self {
             Value::Number(x) => Some(x),
@@ -37,7 +37,7 @@ impl Value {
         }
     }
 
-    /// The whole number, if it is one.
+    /// The whole number, if the value is a count.
     pub fn count(self) -> Option<usize> {
         match self {
             Value::Count(n) => Some(n),
@@ -45,7 +45,7 @@ impl Value {
         }
     }
 
-    /// The text; empty for other values.
+    /// The text of the value; empty for other kinds.
     pub fn text(self) -> String {
         match self {
             Value::Text(text) => text,
@@ -53,7 +53,7 @@ impl Value {
         }
     }
 
-    /// The texts; empty for other values.
+    /// The texts of the value; empty for other kinds.
     pub fn texts(self) -> Vec<String> {
         match self {
             Value::Texts(list) => list,
@@ -61,7 +61,7 @@ impl Value {
         }
     }
 
-    /// Notation in a scene file; numbers in `dimension` with a unit, so that they read back exactly.
+    /// Notation of the value in a scene file. Numbers have a unit of `dimension` and are exact when read back.
     pub fn to_toml(&self, dimension: Option<Dimension>) -> Toml {
         match (self, dimension) {
             (Value::Number(x), None | Some(Dimension::Ratio)) => Toml::Float(*x),
@@ -77,7 +77,7 @@ impl Value {
     }
 }
 
-/// Notation of a number in a scene file: it reads back exactly, in a common unit if that is exact.
+/// Notation of a number in a scene file. It is exact when read back, and in a common unit if the number is exact in this unit.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let si = format!("{value} {}", dimension.si());
     let common: &[(&str, f64)] = match dimension {
@@ -95,7 +95,7 @@ pub(super) fn written(value: f64, dimension: Dimension) -> String {
         .unwrap_or(si)
 }
 
-/// A number to twelve digits, without the rounding of a quotient.
+/// Rounds a number to twelve digits, to remove the rounding error of a quotient.
 pub fn short(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }

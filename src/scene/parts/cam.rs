@@ -5,7 +5,7 @@ use crate::cam::{Bore, Closure, FollowerKind, Keyway, Making, Measures};
 /// Default plate thickness, m.
 const THICKNESS: f64 = 0.01;
 
-/// The cam and its follower; lengths in m.
+/// Cam and follower of a scene; lengths in m.
 ///
 /// ```
 /// use gaitcam::cam::FollowerKind;
@@ -19,43 +19,43 @@ const THICKNESS: f64 = 0.01;
 pub struct CamSpec {
     /// Kind of the follower.
     pub follower: FollowerKind,
-    /// Base radius; `None` = smallest that meets the limits.
+    /// Base radius; `None`: the minimum that satisfies the limits.
     pub base_radius: Option<f64>,
-    /// Prime radius; `None` = smallest that meets the limits.
+    /// Prime radius; `None`: the minimum that satisfies the limits.
     pub prime_radius: Option<f64>,
-    /// Offset of the follower; `None` = the one that gives the smallest cam.
+    /// Offset of the follower; `None`: the offset of the smallest cam.
     pub offset: Option<f64>,
     /// Radius of the roller, or of a mushroom's arc.
     pub roller_radius: f64,
-    /// Oscillating: distance from cam centre to pivot.
+    /// For oscillating followers: distance from the cam centre to the pivot.
     pub pivot_distance: Option<f64>,
-    /// Oscillating: length of the arm.
+    /// For oscillating followers: length of the arm.
     pub arm: Option<f64>,
-    /// Oscillating: whether the arm runs in another plane, so that its pivot may lie within the cam's outline.
+    /// For oscillating followers: whether the arm is in another plane, so that its pivot may lie within the outline of the cam.
     pub pivot_beside: bool,
-    /// Oscillating flat face: distance of the face from the pivot.
+    /// For an oscillating flat face: distance of the face from the pivot.
     pub face_offset: f64,
-    /// Diameter of the bore; the base circle stays outside it.
+    /// Diameter of the bore, which lies inside the base circle.
     pub bore: Option<f64>,
     /// Keyway of the bore.
     pub keyway: Option<KeywaySpec>,
-    /// Whether θ = 0 is engraved on the solid.
+    /// Whether the position θ = 0 is engraved on the solid.
     pub mark: bool,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
     /// Material, hardness and tolerances.
     pub making: Making,
-    /// Constant breadth: distance of both faces, or of both roller centres. The law then needs only its first half turn.
+    /// For a cam of constant breadth: distance of both faces, or of both roller centres. The law is then given only for the first half turn.
     pub breadth: Option<f64>,
-    /// Translating cam: length of the travel; `None` = the length of the segments.
+    /// For a translating cam: length of the travel; `None`: the total length of the segments.
     pub travel: Option<f64>,
-    /// Barrel: turns until the law repeats.
+    /// For a barrel: number of turns of the law.
     pub turns: usize,
-    /// Barrel: depth of the groove; `None` = the roller's diameter.
+    /// For a barrel: depth of the groove; `None`: the diameter of the roller.
     pub depth: Option<f64>,
-    /// Barrel: offset of each of two rollers from their stud; `None` = one roller.
+    /// For a barrel: offset between the axis of each of two rollers and the axis of the stud; `None`: one roller.
     pub eccentricity: Option<f64>,
-    /// The second cam of a conjugate pair.
+    /// Second cam of a conjugate pair.
     pub conjugate: Option<ConjugateSpec>,
 }
 
@@ -104,7 +104,7 @@ pub enum KeywaySpec {
 }
 
 impl CamSpec {
-    /// A cam for a kind of follower, its size determined by the synthesis.
+    /// Cam for a kind of follower, with a size that the synthesis determines.
     #[must_use]
     pub fn new(follower: FollowerKind) -> CamSpec {
         CamSpec {
@@ -113,7 +113,7 @@ impl CamSpec {
         }
     }
 
-    /// Radii of base and prime circle, m, if the scene fixes the size.
+    /// Base radius and prime radius, m, if the scene fixes the size.
     pub fn given_radii(&self) -> Option<[f64; 2]> {
         let roller = self.roller_radius;
         match (self.base_radius, self.prime_radius) {
@@ -122,7 +122,7 @@ impl CamSpec {
         }
     }
 
-    /// Default distance from an arm's pivot at which forces act, m: the arm's length or, under a flat face, the distance of the pivot. `None` for a
+    /// Default distance from the pivot of an arm at which forces act, m: the length of the arm, or the pivot distance for a flat face. `None` for a
     /// translating follower.
     pub fn lever(&self) -> Option<f64> {
         let arm = if self.follower.is_flat() {
@@ -133,7 +133,7 @@ impl CamSpec {
         arm.filter(|_| self.is_oscillating())
     }
 
-    /// The hole for the shaft; without a keyway if the standard has none.
+    /// Hole for the shaft; without a keyway if the standard has no keyway for the bore.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;
         let keyway = self.keyway.and_then(|spec| match spec {
@@ -144,21 +144,21 @@ impl CamSpec {
     }
 }
 
-/// The second cam of a conjugate pair; one of the first three dimensions closes it.
+/// Second cam of a conjugate pair. Exactly one of the first three dimensions must be given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
-    /// Translating followers: distance of both faces or roller centres, m.
+    /// For translating followers: distance of both faces or roller centres, m.
     pub distance: Option<f64>,
-    /// Oscillating followers: angle between both arms, rad.
+    /// For oscillating followers: angle between both arms, rad.
     pub angle: Option<f64>,
     /// Base radius of the second cam, m.
     pub base_radius: Option<f64>,
-    /// Radius of the second roller; `None` = as the first.
+    /// Radius of the second roller, m; `None`: the radius of the first roller.
     pub roller_radius: Option<f64>,
 }
 
 impl ConjugateSpec {
-    /// Dimension that closes the pair; `None` without exactly one.
+    /// Dimension that determines the pair; `None` unless exactly one is given.
     pub fn closure(&self) -> Option<Closure> {
         match (self.distance, self.angle, self.base_radius) {
             (Some(distance), None, None) => Some(Closure::Distance(distance)),
@@ -170,17 +170,17 @@ impl ConjugateSpec {
 }
 
 impl CamSpec {
-    /// Whether the follower oscillates, so that the law is in rad.
+    /// Whether the follower oscillates. Its law is then in rad.
     pub fn is_oscillating(&self) -> bool {
         self.follower.is_oscillating()
     }
 
-    /// Units of the law.
+    /// Units of the follower's law.
     pub fn measures(&self) -> Measures {
         self.follower.measures()
     }
 
-    /// Whether the cam translates, so that the law runs over metres of travel.
+    /// Whether the cam translates. The law is then a function of the travel in m.
     pub fn is_straight(&self) -> bool {
         self.follower == FollowerKind::TranslatingCam
     }

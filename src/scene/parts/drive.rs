@@ -15,26 +15,26 @@ use crate::units::G;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveSpec {
-    /// Kind of the machine.
+    /// Kind of drive.
     pub kind: DriveKind,
-    /// Moved mass, kg (an arm's moment of inertia, kg·m²); `None` = mean force / g.
+    /// Moved mass, kg (for an arm the moment of inertia, kg·m²); `None`: mean force / g.
     pub mass: Option<f64>,
-    /// Cam speed, rad/s; `None` = one turn per cycle.
+    /// Cam speed, rad/s; `None`: one turn per cycle.
     pub speed: Option<f64>,
     /// Gravitational acceleration g, m/s².
     pub gravity: f64,
-    /// Hydraulic: pressure per displaced volume, Pa/m³.
+    /// For a hydraulic drive: pressure per displaced volume, Pa/m³.
     pub pressure_per_volume: f64,
-    /// Hydraulic: radius of the piston, m.
+    /// For a hydraulic drive: radius of the piston, m.
     pub piston_radius: f64,
-    /// Fixed axis: spring rate, N/m (an arm: N·m/rad).
+    /// For a fixed axis: spring rate, N/m (for an arm N·m/rad).
     pub spring_rate: f64,
-    /// Fixed axis: preload on the base circle, N (an arm: N·m).
+    /// For a fixed axis: preload on the base circle, N (for an arm N·m).
     pub preload: f64,
-    /// Fixed axis: damping, N·s/m.
+    /// For a fixed axis: damping, N·s/m.
     pub damping: f64,
-    /// Oscillating: distance from the pivot at which the target force and the piston act, m; `None` = the arm's length,
-    /// under a flat face the distance of the pivot.
+    /// For oscillating followers: distance from the pivot at which the target force and the piston act, m; `None`: the length of the arm, or the
+    /// pivot distance for a flat face.
     pub lever: Option<f64>,
 }
 
@@ -56,7 +56,7 @@ impl Default for DriveSpec {
 }
 
 impl DriveSpec {
-    /// A shaft block with a mass, kg, that follows the cam.
+    /// Drive with a moving axis: the shaft block of mass `mass`, kg, moves with the cam.
     #[must_use]
     pub fn moving_axis(mass: f64) -> DriveSpec {
         DriveSpec {
@@ -65,7 +65,7 @@ impl DriveSpec {
         }
     }
 
-    /// A cam in a fixed bearing that lifts a mass, kg, against a spring, N/m.
+    /// Drive with a fixed axis: the cam lifts `mass`, kg, against a spring of `spring_rate`, N/m.
     #[must_use]
     pub fn fixed_axis(mass: f64, spring_rate: f64) -> DriveSpec {
         DriveSpec {
@@ -76,7 +76,7 @@ impl DriveSpec {
         }
     }
 
-    /// A piston of a radius, m, in a circuit of a pressure per displaced volume, Pa/m³.
+    /// Hydraulic drive with the given pressure per displaced volume, Pa/m³, and piston radius, m.
     #[must_use]
     pub fn hydraulic(pressure_per_volume: f64, piston_radius: f64) -> DriveSpec {
         DriveSpec {
@@ -87,7 +87,7 @@ impl DriveSpec {
         }
     }
 
-    /// Default drive: only a disc cam with a translating follower can carry its own shaft.
+    /// Default drive for a cam. A moving axis is only possible for a disc cam with a translating follower.
     pub fn usual_kind(cam: &CamSpec) -> DriveKind {
         if cam.follower.is_translating() {
             DriveKind::MovingAxis

@@ -1,11 +1,11 @@
-//! `[machine.floor]` and `[machine.walkers]`: the structure under the feet and its walkers.
+//! `[machine.floor]` and `[machine.walkers]`: the structure and the walkers on it.
 
 use std::f64::consts::TAU;
 
 use crate::dynamics::FloorMode;
 use crate::units::{Dimension, parse};
 
-/// A mode of the structure under the feet.
+/// Mode of the structure under the feet.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -67,9 +67,9 @@ impl FloorSpec {
 pub struct WalkersSpec {
     /// Number of walkers, including the shaker.
     pub count: usize,
-    /// Phase of each, the shaker first; random if not given.
+    /// Phase of each walker, the shaker first; random if not given.
     pub phases: Vec<String>,
-    /// Weight of each, the shaker first; only ratios count. Equal if not given.
+    /// Weight of each walker, the shaker first; only the ratios have an effect. Equal if not given.
     pub weights: Vec<String>,
 }
 
@@ -84,7 +84,7 @@ impl Default for WalkersSpec {
 }
 
 impl WalkersSpec {
-    /// The phases, rad; random ones are the same in every run.
+    /// Phases of the walkers, rad. Random phases are equal in every run.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         if self.phases.is_empty() {
             let mut state = 0_u64;
@@ -101,7 +101,7 @@ impl WalkersSpec {
         self.listed(&self.phases, Dimension::Angle)
     }
 
-    /// Weight of each relative to the shaker's.
+    /// Weight of each walker, relative to the shaker.
     pub(super) fn parts(&self) -> Option<Vec<f64>> {
         if self.weights.is_empty() {
             return Some(vec![1.0; self.count]);
@@ -111,7 +111,7 @@ impl WalkersSpec {
         sound.then(|| weights.iter().map(|w| w / weights[0]).collect())
     }
 
-    /// One number for each walker.
+    /// Parses one number for each walker.
     fn listed(&self, texts: &[String], dimension: Dimension) -> Option<Vec<f64>> {
         let mut numbers = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {

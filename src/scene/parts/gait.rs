@@ -20,22 +20,22 @@ const MODEL_WEIGHT: f64 = 700.0;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
-    /// A recording or a written cycle; relative to the scene's folder first, then to the working directory.
+    /// A recording or a written cycle. A relative path is searched first in the folder of the scene, then in the working directory.
     File(PathBuf),
-    /// A published load model, by its name in the catalogue.
+    /// A published load model, by name.
     Model(String),
-    /// Own load factors of the harmonics 1, 2, … of the step frequency.
+    /// Load factors in the scene, for the harmonics 1, 2, … of the step frequency.
     Harmonics(Vec<Harmonic>),
 }
 
 impl Default for Source {
-    /// A recording without a name: the force given by the caller with the scene.
+    /// A recording without a name: the caller provides the force with the scene.
     fn default() -> Source {
         Source::File(PathBuf::new())
     }
 }
 
-/// The target force of a scene.
+/// Target force of a scene.
 ///
 /// ```
 /// use gaitcam::scene::Gait;
@@ -50,62 +50,62 @@ impl Default for Source {
 pub struct Gait {
     /// Source of the force.
     pub source: Source,
-    /// Models: steps per second; `None` = the model's own.
+    /// For load models: steps per second; `None`: the usual frequency of the model.
     pub step_frequency: Option<f64>,
-    /// Models: step frequencies of several walkers, instead of one.
+    /// For load models: step frequencies of several walkers, instead of a single one.
     pub step_frequencies: Option<StepFrequencies>,
     /// Files or folders of further walkers.
     pub more_files: Vec<PathBuf>,
-    /// Excluded walkers, by file or name.
+    /// Excluded walkers, by file or by name.
     pub leave_out: Vec<String>,
-    /// Adjustment of the machine for each of several walkers; `None` = mass and speed, if the scene does not fix them.
+    /// Adjustment of the machine for each of several walkers; `None`: mass and speed, if the scene does not fix them.
     pub adjust: Option<Adjust>,
-    /// Models: weight of the walker, N; `None` = 700 N.
+    /// For load models: weight of the walker, N; `None`: 700 N.
     pub body_weight: Option<f64>,
-    /// Recordings: name of the time column.
+    /// For recordings: name of the time column.
     pub time: Option<String>,
-    /// Recordings: names of the force columns.
+    /// For recordings: names of the force columns.
     pub force: Vec<String>,
-    /// Recordings: unit of the force columns, as written.
+    /// For recordings: unit of the force columns, as written.
     pub unit: Option<String>,
-    /// Recordings: samples per second.
+    /// For recordings: samples per second.
     pub rate: Option<f64>,
-    /// Recordings: mass of the walker, kg.
+    /// For recordings: mass of the walker, kg.
     pub mass: Option<f64>,
-    /// Recordings: kind of movement; `None` = recognised by the reader.
+    /// For recordings: kind of movement; `None`: recognised from the recording.
     pub kind: Option<Kind>,
-    /// Recordings: open questions that the user has answered.
+    /// For recordings: open questions that the user has accepted.
     pub accept: Vec<OpenQuestion>,
-    /// Feet whose force counts.
+    /// Feet whose force is used.
     pub feet: Feet,
-    /// Duration of the cycle, s, if the file is exactly one cycle; no stances are detected.
+    /// Duration of the cycle, s, if the file contains exactly one cycle; no stances are then detected.
     pub period: Option<f64>,
-    /// Fraction of the turn covered by the file, rad; the force is zero in the rest.
+    /// Angle of the turn that the file covers, rad; the force is zero in the rest of the turn.
     pub span: Option<f64>,
-    /// Recordings: root mean square of the noise of the readings, N; `None` = estimated from unloaded samples.
+    /// For recordings: root mean square noise of the readings, N; `None`: estimated from unloaded samples.
     pub noise: Option<f64>,
     /// Scaling of the target force to the moved mass of a moving axis.
     pub scale: ForceScale,
-    /// Whether to keep the force inside a band about the target instead of minimising the error.
+    /// Band about the target in which the force must stay; `None`: the force error is minimised.
     pub band: Option<Band>,
-    /// Weights of the force error over ranges of the cycle.
+    /// Weights of the force error in ranges of the cycle.
     pub weights: Vec<PhaseWeight>,
     /// Phase of the cycle at cam angle 0.
     pub phase: Phase,
 }
 
 impl Gait {
-    /// The force of a recording with default options.
+    /// Force of a recording with default options.
     pub fn file(path: impl Into<PathBuf>) -> Gait {
         Gait::of(Source::File(path.into()))
     }
 
-    /// The force of a published load model at its usual step frequency.
+    /// Force of a published load model at its usual step frequency.
     pub fn model(name: &str) -> Gait {
         Gait::of(Source::Model(name.to_string()))
     }
 
-    /// The force given by the caller with the scene.
+    /// A force that the caller provides with the scene.
     #[must_use]
     pub fn given() -> Gait {
         Gait::default()
@@ -118,15 +118,16 @@ impl Gait {
         }
     }
 
-    /// Weight of a model's walker, N.
+    /// Weight of the walker of a load model, N.
     pub fn model_weight(&self) -> f64 {
         self.body_weight.unwrap_or(MODEL_WEIGHT)
     }
 
-    /// Options of the reader; `metadata` is the table of subjects that accompanies a table of stances.
+    /// Options for reading the recording. `metadata` is the table of subjects that accompanies a table of stances.
     ///
     /// # Errors
-    /// An unknown unit.
+    ///
+    /// A unit is unknown.
     pub fn read_options(&self, metadata: Option<Vec<u8>>) -> Result<ReadOptions> {
         let at = |e: Error| e.at_key("gait.unit");
         let unit = self.unit.as_deref().map(|u| u.parse().map_err(at));
@@ -144,15 +145,16 @@ impl Gait {
         })
     }
 
-    /// The force of its load model or of its own load factors; `None` for a recording, which the caller reads.
+    /// Force of the load model or of the load factors in the scene; `None` for a recording, which the caller reads.
     ///
     /// # Errors
-    /// An unknown model, or a frequency or weight outside its range.
+    ///
+    /// An unknown model; a frequency or weight outside its range.
     pub fn model_force(&self) -> Result<Option<ForceCurve>> {
         self.force_of_weight(self.model_weight())
     }
 
-    /// The force for a walker of another weight, N; with several step frequencies one walker for each.
+    /// Force for a walker of another weight, N. With several step frequencies there is one walker for each.
     pub(crate) fn force_of_weight(&self, weight: f64) -> Result<Option<ForceCurve>> {
         let Some(several) = self.step_frequencies else {
             return self.of_step(self.step_frequency, weight);
@@ -170,7 +172,7 @@ impl Gait {
         walkers?.map(ForceCurve::of_walkers).transpose()
     }
 
-    /// The force of one walker at a step frequency, Hz; `None` = the model's own.
+    /// Force of one walker at a step frequency, Hz; `None`: the usual frequency of the model.
     fn of_step(&self, frequency: Option<f64>, weight: f64) -> Result<Option<ForceCurve>> {
         if let Some(series) = self.series(frequency, weight)? {
             return Ok(Some(series.curve()));
@@ -182,9 +184,10 @@ impl Gait {
         force.map(Some).map_err(|e| e.at_key("gait.model"))
     }
 
-    /// The Fourier series of the force of one walker at a step frequency, Hz; `None` if the force has only samples.
+    /// Fourier series of the force of one walker at a step frequency, Hz; `None` if the force exists only as samples.
     ///
     /// # Errors
+    ///
     /// Those of [`Gait::model_force`].
     pub(crate) fn series(
         &self,
@@ -210,7 +213,7 @@ impl Gait {
     }
 }
 
-/// Factor and added phase, rad, of each harmonic.
+/// Factor and phase, rad, of each harmonic.
 fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
     list.iter().map(|h| (h.factor, h.phase)).collect()
 }
@@ -219,36 +222,36 @@ fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
-    /// The force is used as it is.
+    /// The force is not scaled.
     #[default]
     None,
-    /// Multiplication to the mean M·g.
+    /// The force is multiplied so that its mean is M·g.
     ToMass,
-    /// Shift to the mean M·g, so that only the alternating part is compared.
+    /// The force is shifted so that its mean is M·g. Only the alternating part is then compared.
     Alternating,
 }
 
 impl ForceScale {
-    /// Every choice of scaling.
+    /// All methods of scaling.
     pub const ALL: &'static [ForceScale] = <ForceScale as strum::VariantArray>::VARIANTS;
 
-    /// The name used in scenes.
+    /// Name of the method in scenes.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Half the width of a band about the target.
+/// Half width of a band about the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Band {
-    /// One standard deviation from step to step.
+    /// Standard deviation of the force from step to step.
     Spread,
     /// Constant half width, N.
     Width(f64),
 }
 
 impl Band {
-    /// The band of the corresponding moment at a lever, m.
+    /// The band of the corresponding moment, for a lever in m.
     pub(crate) fn at_lever(self, lever: f64) -> Band {
         match self {
             Band::Spread => Band::Spread,
@@ -262,16 +265,16 @@ impl Band {
 pub struct PhaseWeight {
     /// First phase of the cycle, rad.
     pub from: f64,
-    /// Last phase, rad; below `from` the range wraps around.
+    /// Last phase, rad. If it is below `from`, the range continues at the start of the cycle.
     pub to: f64,
-    /// Weight of the range; elsewhere it is 1.
+    /// Weight of the range. The weight of all other phases is 1.
     pub weight: f64,
 }
 
 /// Phase of the force cycle at cam angle 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
-    /// A phase that the scene gives, rad.
+    /// A phase given in the scene, rad.
     At(f64),
     /// The phase with the minimum force error.
     Free,

@@ -1,4 +1,4 @@
-//! `gait.harmonics`, `machine.learned_force`: a harmonic of a force with its phase.
+//! Harmonics of a force with their phases, for `gait.harmonics` and `machine.learned_force`.
 
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
@@ -15,20 +15,21 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
-    /// Dynamic load factor, as a fraction of the weight; for `machine.learned_force` a force, N.
+    /// Load factor, as a fraction of the weight; for `machine.learned_force` a force, N.
     pub factor: f64,
     /// Phase added to the sine, rad.
     pub phase: f64,
 }
 
 impl Harmonic {
-    /// Maximum number of harmonics; a cycle is sampled far more finely.
+    /// Maximum number of harmonics; the samples of a cycle are much finer.
     pub const MOST: usize = 50;
 
-    /// The harmonics 1, 2, … from texts such as "0.1 at -90 deg"; one text may hold several, separated by commas.
+    /// Harmonics 1, 2, … from texts such as "0.1 at -90 deg". A text may contain several harmonics, separated by commas.
     ///
     /// # Errors
-    /// A text that is not a factor with its phase, too many factors, and factors that are all zero.
+    ///
+    /// A text is not a factor with its phase; there are too many factors; all factors are zero.
     pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let mut list = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {
@@ -42,10 +43,11 @@ impl Harmonic {
         Ok(list)
     }
 
-    /// The mean and the harmonics 1, 2, … of a force over the cam angle from texts such as "3.2 N at -90 deg": factors are in N.
+    /// Mean and harmonics 1, 2, … of a force over the cam angle, N, from texts such as "3.2 N at -90 deg".
     ///
     /// # Errors
-    /// A text that is not a force with its phase, and too many forces.
+    ///
+    /// A text is not a force with its phase; there are too many forces.
     pub fn forces(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let (given, most) = (texts.len(), Harmonic::MOST);
         if given > most {

@@ -3,7 +3,7 @@
 use super::{ErrorMeasure, Gait, Robust};
 use crate::law::Rise;
 
-/// Families of laws.
+/// Family of the law.
 ///
 /// ```
 /// use gaitcam::scene::Family;
@@ -30,26 +30,27 @@ use crate::law::Rise;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise; the default for scenes without keys of a single family.
+    /// Harmonics in closed form if they satisfy accuracy and limits, otherwise a spline. It is the default if the scene contains no key of a
+    /// particular family.
     Auto,
     /// Polynomials joined with continuous derivatives.
     #[default]
     Spline,
-    /// One polynomial through given points, dwell elsewhere.
+    /// One polynomial through given points, with a dwell elsewhere.
     Polynomial,
     /// A sum of harmonics.
     Harmonic,
-    /// Rise–fall–dwell of double harmonics with optimised angles and lifts.
+    /// Rise–fall–dwell with double harmonics, whose angles and lifts are optimised.
     DoubleHarmonic,
     /// Segments of catalogue laws.
     Program,
 }
 
 impl Family {
-    /// Every family of laws.
+    /// All families of laws.
     pub const ALL: &'static [Family] = <Family as strum::VariantArray>::VARIANTS;
 
-    /// The name in a scene file.
+    /// Name of the family in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -66,7 +67,7 @@ impl Family {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShaftSpeed {
-    /// The varying speed under the motor, if there is one.
+    /// The law is designed for the varying speed of the motor, if the scene has a motor.
     #[default]
     Motor,
     /// The shaft turns at constant speed.
@@ -74,16 +75,16 @@ pub enum ShaftSpeed {
 }
 
 impl ShaftSpeed {
-    /// Every choice, for keys and help.
+    /// All values, for keys and help.
     pub const ALL: &'static [ShaftSpeed] = <ShaftSpeed as strum::VariantArray>::VARIANTS;
 
-    /// The name in a scene file.
+    /// Name of the value in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Objectives of the law.
+/// Objective of the law.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
@@ -111,12 +112,12 @@ pub enum Minimise {
     Peak(usize),
     /// Maximum absolute error of the force.
     PeakForceError,
-    /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
+    /// Base circle of a flat-faced cam, or prime circle of a roller cam; law and size are variables of one program.
     Size,
 }
 
 impl Minimise {
-    /// Every objective with its name in a scene file.
+    /// All objectives with their names in a scene file.
     pub const NAMES: [(&'static str, Minimise); 9] = [
         ("force-error", Minimise::ForceError),
         ("peak-force-error", Minimise::PeakForceError),
@@ -145,7 +146,7 @@ pub struct LawPoint {
     pub angle: f64,
     /// Lift, m (or rad).
     pub lift: Option<f64>,
-    /// Force, N, instead of a lift, if the drive relates both.
+    /// Force, N, instead of a lift, if the drive relates lift and force.
     pub force: Option<f64>,
     /// Prescribed velocity ds/dθ, m/rad.
     pub velocity: Option<f64>,
@@ -156,7 +157,7 @@ pub struct LawPoint {
 }
 
 impl LawPoint {
-    /// A lift at a cam angle.
+    /// Condition of a lift at a cam angle.
     #[must_use]
     pub fn at(angle: f64, lift: f64) -> LawPoint {
         LawPoint {
@@ -167,7 +168,7 @@ impl LawPoint {
     }
 }
 
-/// A dwell: a range of cam angles at rest.
+/// Dwell: a range of cam angles with constant lift.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, Dwell, LawPoint, LawSpec, Minimise};
@@ -193,11 +194,11 @@ pub struct Dwell {
     pub from: f64,
     /// Last angle of the dwell, rad.
     pub to: f64,
-    /// Lift of the dwell, m; `None` = free.
+    /// Lift of the dwell, m; `None`: free.
     pub lift: Option<f64>,
 }
 
-/// One segment of a programme.
+/// Segment of a programme.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -209,7 +210,7 @@ pub struct Dwell {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SegmentSpec {
-    /// The motion; [`Rise::Dwell`] for rest.
+    /// Motion of the segment; [`Rise::Dwell`] for a dwell.
     pub motion: Rise,
     /// Change of lift, m (or rad), negative for a fall.
     pub lift: f64,
@@ -218,7 +219,7 @@ pub struct SegmentSpec {
 }
 
 impl SegmentSpec {
-    /// A motion over a lift and an angle; a fall has a negative lift.
+    /// Segment with a motion, a lift (negative for a fall) and an angle.
     #[must_use]
     pub fn new(motion: Rise, lift: f64, angle: f64) -> SegmentSpec {
         SegmentSpec {
@@ -228,14 +229,14 @@ impl SegmentSpec {
         }
     }
 
-    /// A dwell over an angle.
+    /// Dwell over an angle.
     #[must_use]
     pub fn dwell(angle: f64) -> SegmentSpec {
         SegmentSpec::new(Rise::Dwell, 0.0, angle)
     }
 }
 
-/// Family, resolution and exact conditions of the law.
+/// Specification of the law: family, resolution and exact conditions.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -252,21 +253,21 @@ impl SegmentSpec {
 pub struct LawSpec {
     /// Family of the law.
     pub family: Family,
-    /// Degree of spline pieces (`None` = 5) or of the polynomial (`None` = given by the points).
+    /// Degree of the spline (`None`: 5) or of the polynomial (`None`: given by the points).
     pub degree: Option<usize>,
-    /// Number of spline spans; `None` = the minimum that reaches the accuracy.
+    /// Number of spans of the spline; `None`: the minimum that reaches the accuracy.
     pub spans: Option<usize>,
-    /// Number of harmonics; `None` = the minimum that reaches the accuracy.
+    /// Number of harmonics; `None`: the minimum that reaches the accuracy.
     pub harmonics: Option<usize>,
-    /// Objective; `None` = force error if there is a target force, jerk otherwise.
+    /// Objective; `None`: force error if there is a target force, otherwise jerk.
     pub minimise: Option<Minimise>,
     /// Objective over the force errors of several walkers.
     pub robust: Robust,
-    /// Measure of these errors.
+    /// Measure of the force errors of several walkers.
     pub error: ErrorMeasure,
-    /// Whether the law is monotone between neighbouring points.
+    /// Whether the law is monotone between adjacent points.
     pub monotone: bool,
-    /// Whether the law describes the output of a compliant follower (polydyne cam).
+    /// Whether the law describes the end of a compliant follower (polydyne cam).
     pub polydyne: bool,
     /// Shaft speed for which the law is designed.
     pub shaft: ShaftSpeed,
@@ -279,7 +280,7 @@ pub struct LawSpec {
 }
 
 impl LawSpec {
-    /// Laws of one family.
+    /// Law of a family, with default values.
     #[must_use]
     pub fn of(family: Family) -> LawSpec {
         LawSpec {
@@ -288,7 +289,7 @@ impl LawSpec {
         }
     }
 
-    /// A programme of motions.
+    /// Programme of motions.
     #[must_use]
     pub fn program(segments: Vec<SegmentSpec>) -> LawSpec {
         LawSpec {
@@ -297,7 +298,7 @@ impl LawSpec {
         }
     }
 
-    /// The default family: automatic, or a spline if a key requires one.
+    /// Default family: automatic, or a spline if a key requires a spline.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
         let of_splines = self.degree.is_some()

@@ -4,7 +4,7 @@ use std::ops::{Index, IndexMut};
 
 use crate::cam::LimitKind;
 
-/// Bounds of the design, by [`LimitKind`], in SI; `None` = no limit.
+/// Bounds of the design, by [`LimitKind`], in SI units; `None`: no limit.
 ///
 /// [`LimitKind::PressureAngle`] is one bound for rise and fall: [`Limits::set`] and [`Limits::with`] set both.
 ///
@@ -27,7 +27,7 @@ pub struct Limits {
 impl Index<LimitKind> for Limits {
     type Output = Option<f64>;
 
-    /// The bound of a limit; for [`LimitKind::PressureAngle`] that of the rise.
+    /// Bound of a limit. For [`LimitKind::PressureAngle`] it is the bound on the rise.
     fn index(&self, kind: LimitKind) -> &Option<f64> {
         &self.bounds[place(kind)]
     }
@@ -47,7 +47,7 @@ fn place(kind: LimitKind) -> usize {
 }
 
 impl Limits {
-    /// Sets or removes a limit, SI.
+    /// Sets or removes a limit; value in SI units.
     pub fn set(&mut self, kind: LimitKind, bound: Option<f64>) {
         self[kind] = bound;
         if kind == LimitKind::PressureAngle {
@@ -55,7 +55,7 @@ impl Limits {
         }
     }
 
-    /// The limits with one of them set, SI.
+    /// The limits with one of them set; value in SI units.
     #[must_use]
     pub fn with(mut self, kind: LimitKind, bound: f64) -> Limits {
         self.set(kind, Some(bound));

@@ -1,4 +1,4 @@
-//! `[machine]`: properties of the machine besides its drive.
+//! `[machine]`: properties of the machine in addition to its drive.
 
 use super::floor::{FloorSpec, WalkersSpec};
 use super::harmonic::Harmonic;
@@ -6,10 +6,10 @@ use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
 
-/// Default damping ratio of a follower train, for lubricated steel parts.
+/// Default damping ratio of a follower train, typical of lubricated steel parts.
 const DAMPING_RATIO: f64 = 0.05;
 
-/// Properties of the machine besides its drive, for `gaitcam simulate`.
+/// Properties of the machine in addition to its drive, for `gaitcam simulate`.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -26,7 +26,7 @@ const DAMPING_RATIO: f64 = 0.05;
 pub struct MachineSpec {
     /// First natural frequency of the follower train, Hz.
     pub natural_frequency: Option<f64>,
-    /// Stiffness of the follower train, N/m (an arm: N·m/rad), instead of the frequency.
+    /// Stiffness of the follower train, N/m (for an arm N·m/rad), instead of the frequency.
     pub stiffness: Option<f64>,
     /// Damping ratio of the follower train.
     pub damping_ratio: f64,
@@ -36,7 +36,7 @@ pub struct MachineSpec {
     pub restitution: f64,
     /// Phase of a second, equal cam on the same shaft, rad.
     pub second_cam: Option<f64>,
-    /// The motor; without torque data the shaft speed is constant.
+    /// Motor of the shaft; without torque data the shaft speed is constant.
     pub motor: MotorSpec,
     /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m².
     pub inertia: Option<f64>,
@@ -44,9 +44,9 @@ pub struct MachineSpec {
     pub friction_torque: f64,
     /// Force of the machine in addition to its drive, learned from a log: mean and harmonics 1, 2, … over the cam angle, N.
     pub learned_force: Vec<Harmonic>,
-    /// The single mode of the structure under the feet.
+    /// Single mode of the structure under the feet.
     pub floor: FloorSpec,
-    /// Modes of the floor, where there are several.
+    /// Modes of the floor, if there are several.
     pub modes: Vec<FloorSpec>,
     /// Walkers on the structure.
     pub walkers: WalkersSpec,
@@ -70,7 +70,7 @@ pub struct MotorSpec {
     pub slope: Option<f64>,
     /// Torque of the motor at standstill, N·m.
     pub stall_torque: Option<f64>,
-    /// No-load speed of the motor, rad/s; `None`: the one that gives the mean speed.
+    /// No-load speed of the motor, rad/s; `None`: the one for which the shaft has the mean speed.
     pub no_load_speed: Option<f64>,
     /// Speeds, rad/s, and torques, N·m, of the motor, alternating, from a file.
     pub curve: Option<String>,
@@ -99,7 +99,7 @@ impl MotorSpec {
         self.slope.is_some() || self.stall_torque.is_some() || self.curve.is_some()
     }
 
-    /// Speeds and torques of the curve; `None` unless they form a decreasing curve of at least two rows that reaches zero.
+    /// Speeds and torques of the curve; `None` unless they form a decreasing curve with at least two rows that reaches zero torque.
     pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
@@ -130,7 +130,11 @@ impl MotorSpec {
 }
 
 impl MachineSpec {
-    /// Checks that a motor has one decreasing torque curve and the inertia of its shaft; otherwise the key at fault.
+    /// Checks that a motor has exactly one decreasing torque line and the inertia of its shaft.
+    ///
+    /// # Errors
+    ///
+    /// The invalid key and its error.
     pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
         let motor = &self.motor;
         let lines = [
@@ -170,12 +174,12 @@ impl MachineSpec {
         })
     }
 
-    /// Whether the shaft speed is constant, the floor is rigid, and no learned force exists.
+    /// Whether the shaft speed is constant, the floor is rigid, and there is no learned force.
     pub fn is_plain(&self) -> bool {
         !self.motor.is_given() && !self.has_floor() && self.learned_force.is_empty()
     }
 
-    /// The learned force at a cam angle, N.
+    /// Learned force at a cam angle, N.
     pub fn learned_at(&self, theta: f64) -> f64 {
         let each = (0..).zip(&self.learned_force);
         each.map(|(n, h)| match n {

@@ -1,11 +1,11 @@
-//! The floor of a machine: its modes and the walkers on it.
+//! Floor of a machine: its modes and the walkers on it.
 
 use super::machine::MachineSpec;
 use crate::dynamics::{Floor, FloorMode};
 use crate::error::SceneError;
 
 impl MachineSpec {
-    /// The structure with its walkers; `None` for a rigid floor.
+    /// Structure with its walkers; `None` for a rigid floor.
     pub fn floor(&self) -> Option<Floor> {
         let single = self.floor.mode("machine.floor.damping");
         let listed = self.modes.iter();
@@ -26,7 +26,11 @@ impl MachineSpec {
         self.floor.is_given() || !self.modes.is_empty()
     }
 
-    /// Checks that each mode is complete, and that there is no flexible follower.
+    /// Checks that each mode is complete, and that the follower is not flexible.
+    ///
+    /// # Errors
+    ///
+    /// The invalid key and its error.
     pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
         let floor = &self.floor;
         if !self.has_floor() {

@@ -1,4 +1,4 @@
-//! The sections of a scene file, one type for each.
+//! Sections of a scene file, one type for each.
 
 mod cam;
 mod drive;

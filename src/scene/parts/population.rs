@@ -1,4 +1,4 @@
-//! Keys for a population of walkers: objective over the errors, and adjustment of the machine for each.
+//! Keys for a population of walkers: objective over the errors, and adjustment of the machine for each walker.
 
 use std::str::FromStr;
 
@@ -22,7 +22,7 @@ pub enum Robust {
     Mean,
     /// The maximum error over the walkers.
     Worst,
-    /// The mean square of the largest, all above this part of the walkers (conditional value at risk).
+    /// Mean square of the largest errors: those above this fraction of the walkers (conditional value at risk).
     Tail(f64),
 }
 
@@ -70,23 +70,23 @@ impl FromStr for Robust {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ErrorMeasure {
-    /// In percent of each walker's mean force.
+    /// Errors in percent of each walker's mean force.
     #[default]
     Relative,
-    /// In newtons, so that heavy walkers count more.
+    /// Errors in newtons, so that heavy walkers have more influence.
     Absolute,
 }
 
 impl ErrorMeasure {
-    /// Every measure, for keys and help.
+    /// All measures, for keys and help.
     pub const ALL: [ErrorMeasure; 2] = [ErrorMeasure::Relative, ErrorMeasure::Absolute];
 
-    /// The name used in scenes.
+    /// Name of the measure in scenes.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// Endings of the names of its columns.
+    /// Suffix of the names of columns in this measure.
     pub fn suffix(self) -> &'static str {
         match self {
             ErrorMeasure::Relative => "percent",
@@ -95,7 +95,7 @@ impl ErrorMeasure {
     }
 }
 
-/// Adjustments of the machine for each walker.
+/// Adjustment of the machine for each walker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Adjust {
     /// Whether the moved mass is adjusted.
@@ -106,14 +106,15 @@ pub struct Adjust {
     pub phase: bool,
 }
 
-/// Words for the adjustable quantities.
+/// Words for the quantities that can be adjusted.
 const ADJUSTED: [&str; 4] = ["mass", "speed", "phase", "none"];
 
 impl Adjust {
-    /// Parses the words; `"none"` for no adjustment.
+    /// Parses the words; `"none"` means no adjustment.
     ///
     /// # Errors
-    /// An unknown word.
+    ///
+    /// A word is unknown.
     pub fn of(words: &[String]) -> Result<Adjust, Error> {
         let mut out = Adjust::default();
         for word in words.iter().flat_map(|w| w.split(',')).map(str::trim) {
@@ -135,7 +136,7 @@ impl Adjust {
         Ok(out)
     }
 
-    /// Words for the adjusted quantity in a scene.
+    /// Words in a scene for the adjusted quantities.
     pub fn words(self) -> Vec<String> {
         let all = [
             (self.mass, "mass"),
@@ -152,16 +153,16 @@ impl Adjust {
     }
 }
 
-/// Step frequencies of walkers of one load model.
+/// Step frequencies of the walkers of one load model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepFrequencies {
-    /// Equal steps from the first to the last, Hz.
+    /// First and last frequency, Hz, and number of equally spaced frequencies.
     Range(f64, f64, usize),
     /// A normal distribution: mean and standard deviation, Hz.
     Normal(f64, f64),
 }
 
-/// Number of points of a normal distribution, and their range in standard deviations.
+/// Number of points of a normal distribution.
 const POINTS: usize = 21;
 const REACH: f64 = 2.5;
 /// Maximum number of points of a range.
@@ -186,7 +187,7 @@ impl StepFrequencies {
         }
     }
 
-    /// Whether a value of the key is meant as several frequencies.
+    /// Whether the text of the key denotes several frequencies.
     pub fn is_meant(typed: &str) -> bool {
         typed.contains(':') || typed.trim_start().starts_with("normal")
     }
