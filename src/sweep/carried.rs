@@ -1,4 +1,4 @@
-//! The recordings of a sweep, stored by content.
+//! Recordings of a sweep, stored by content.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use crate::error::{Placed, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::scene::{self, Scene};
 
-/// A file of a row: index of the base scene, and the path in the scene.
+/// Identification of a file: index of the base scene, and path in the scene.
 pub type Named = (usize, String);
 
 /// Files of the rows, with their content.
@@ -22,10 +22,11 @@ pub type Named = (usize, String);
 /// ```
 pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 
-/// The force curve of a scene with a recording, by the index of its base scene.
+/// Force curve of a scene with a recording, by the index of its base scene.
 ///
 /// # Errors
-/// A recording that is missing or has no force curve.
+///
+/// The recording is missing or has no force curve.
 pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
     let carried = Carried { files, scene };
     let gait = of.gait.as_ref();

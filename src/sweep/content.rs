@@ -1,6 +1,6 @@
 //! A sweep with the content of its recordings, so that any machine can compute any of its rows.
 //!
-//! Row i depends only on the sweep and on i: recordings are stored by content, not by path.
+//! Row i depends only on the sweep and on i. Recordings are therefore stored by content, not by path.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -22,7 +22,7 @@ use crate::halt::Halt;
 use crate::scene::{self, Gait, Scene, Source};
 use crate::synth::Design;
 
-/// Contents of the rows.
+/// Subject of a sweep: what its rows contain.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling, Subject, Sweep};
@@ -63,20 +63,22 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// The grid of a scene whose force is a load model: every combination of the values of keys, each written
-    /// `KEY=START:STOP:COUNT` or `KEY=A,B`. The last key runs fastest.
+    /// Creates the grid of a scene whose force is a load model: all combinations of the values of keys. Each element of `vary` is
+    /// `KEY=START:STOP:COUNT` or `KEY=A,B`. The last key varies fastest.
     ///
     /// # Errors
-    /// A key or values that cannot be varied, as [`Plan::of`] and [`Plan::validate`].
+    ///
+    /// A key or value that cannot be varied, as [`Plan::of`] and [`Plan::validate`].
     pub fn over(scene: &Scene, vary: &[&str]) -> Result<Sweep> {
         let plan = Plan::of(scene.to_table(), vary, Sampling::Grid)?;
         Sweep::with_files(Subject::Designs(plan), Files::new())
     }
 
-    /// A sweep; `files` gives the files of a base scene by its index.
+    /// Creates a sweep. `files` returns the files of a base scene by its index.
     ///
     /// # Errors
-    /// A missing recording, a folder without one, and as [`Plan::validate`].
+    ///
+    /// A missing recording; a folder without recordings; errors of [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -100,9 +102,10 @@ impl Sweep {
         Ok(Sweep { subject, files })
     }
 
-    /// A sweep from files that were read before.
+    /// Creates a sweep from files that are already read.
     ///
     /// # Errors
+    ///
     /// As [`Plan::validate`].
     pub fn with_files(subject: Subject, files: Files) -> Result<Sweep> {
         subject.validate()?;
@@ -117,7 +120,8 @@ impl Sweep {
     /// Number of rows.
     ///
     /// # Errors
-    /// More rows than row numbers can represent.
+    ///
+    /// The number of rows exceeds the range of row numbers.
     pub fn rows(&self) -> Result<u64> {
         self.subject.rows()
     }
@@ -130,7 +134,7 @@ impl Sweep {
         }
     }
 
-    /// The sweep as data: equal sweeps have equal descriptions.
+    /// The sweep as data. Equal sweeps have equal descriptions.
     pub fn description(&self) -> Value {
         let mut out = match &self.subject {
             Subject::Designs(plan) => plan.description(),
@@ -148,7 +152,7 @@ impl Sweep {
         out
     }
 
-    /// A checksum of the whole sweep, hexadecimal.
+    /// Hexadecimal checksum of the whole sweep.
     pub fn fingerprint(&self) -> String {
         format!(
             "{:016x}",
@@ -156,7 +160,7 @@ impl Sweep {
         )
     }
 
-    /// Metadata of a table of its rows: fingerprint and version.
+    /// Metadata of a table of the rows: fingerprint and version.
     pub fn metadata(&self) -> Vec<(String, String)> {
         let entry = |key: &str, value: String| (format!("gaitcam.{key}"), value);
         vec![
@@ -165,11 +169,12 @@ impl Sweep {
         ]
     }
 
-    /// The rows of a range over `jobs` threads; `None` if `stop` ended the work early. `halts` returns the time limit of a row that starts now. The
-    /// rows contain no times, which do not follow from the plan.
+    /// Computes a range of rows with `jobs` threads; `None` if `stop` ended the computation early. `halts` returns the time limit of a row that
+    /// starts now. The rows contain no computing times, because these do not follow from the plan.
     ///
     /// # Errors
-    /// Manufacturing samples of a scene without a feasible cam.
+    ///
+    /// Manufacturing samples are requested for a scene without a feasible cam.
     pub fn run(
         &self,
         rows: Range<u64>,
@@ -182,9 +187,10 @@ impl Sweep {
         Ok((records.len() as u64 == count).then_some(records))
     }
 
-    /// All rows, computed on all cores.
+    /// Computes all rows on all cores.
     ///
     /// # Errors
+    ///
     /// As [`Sweep::run`].
     pub fn table(&self) -> Result<Records> {
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
@@ -192,9 +198,10 @@ impl Sweep {
         Ok(records.unwrap_or_default())
     }
 
-    /// Worker for the rows of several ranges with a shared cache; with a `clock` (s) rows contain their computing times.
+    /// Runner for several ranges of rows, with a shared cache. With a `clock` (s), rows contain their computing times.
     ///
     /// # Errors
+    ///
     /// As [`Sweep::run`].
     pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
         Ok(match &self.subject {
@@ -215,7 +222,8 @@ impl Subject {
     /// Number of rows.
     ///
     /// # Errors
-    /// More rows than row numbers can represent.
+    ///
+    /// The number of rows exceeds the range of row numbers.
     pub fn rows(&self) -> Result<u64> {
         row_count(match self {
             Subject::Designs(plan) => plan.rows(),
@@ -223,10 +231,11 @@ impl Subject {
         })
     }
 
-    /// The recordings of the rows, each with the index of its base scene.
+    /// Recordings of the rows, each with the index of its base scene.
     ///
     /// # Errors
-    /// A value of `gait.file` that is not a name.
+    ///
+    /// A value of `gait.file` is not a name.
     fn recordings(&self) -> Result<Vec<(usize, Gait)>> {
         let plan = match self {
             Subject::Designs(plan) => plan,
@@ -257,16 +266,17 @@ impl Subject {
 }
 
 impl Scattered {
-    /// Worker for the samples of a design of the scene.
+    /// Runner for the manufacturing samples of a design.
     ///
     /// # Errors
-    /// A wrong tolerance; a design whose errors cannot be sampled.
+    ///
+    /// An invalid tolerance; a design whose manufacturing errors cannot be sampled.
     pub fn runner(&self, design: &Design) -> Result<Runner<'static>> {
         self.samples_of(design).map(Runner::of_samples)
     }
 }
 
-/// The recordings of a scene.
+/// Recording of a scene, if its force is a recording.
 fn gait_of(table: &toml::Table) -> Option<Gait> {
     let names = match table.get("gait")?.get("file")? {
         toml::Value::Array(all) => all.iter().collect(),

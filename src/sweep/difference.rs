@@ -1,4 +1,4 @@
-//! Differences between two sweeps; a sweep can only be resumed with equal parameters.
+//! Differences between two sweeps. A sweep can only be resumed with equal parameters.
 
 use std::path::Path;
 
@@ -9,12 +9,12 @@ use strum::VariantNames;
 use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
-/// A difference between two descriptions of sweeps; `path` is the key path to it, such as `vary limits.stroke`.
+/// Difference between two descriptions of sweeps. `path` is the key path of the difference, such as `vary limits.stroke`.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Difference {
-    /// A value, `None` if a description has none.
+    /// A value differs; it is `None` if a description does not contain it.
     Value {
         /// Key path of the changed value.
         path: String,
@@ -23,9 +23,9 @@ pub enum Difference {
         /// Value in the second description.
         new: Option<String>,
     },
-    /// A value too long to quote.
+    /// A value differs and is too long to quote.
     Long {
-        /// Key path of the long text.
+        /// Key path of the changed value.
         path: String,
     },
     /// A line that exists only in the first scene.
@@ -54,7 +54,8 @@ impl Difference {
 /// Rejects resuming a sweep that differs from the one started at `place`.
 ///
 /// # Errors
-/// Every difference by name, in `language`.
+///
+/// All differences, in `language`.
 pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Result<()> {
     let all = differences(begun, now);
     if all.is_empty() {

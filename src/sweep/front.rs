@@ -1,4 +1,4 @@
-//! The Pareto set: non-dominated designs.
+//! Pareto set: non-dominated designs.
 
 use std::cmp::Ordering::Equal;
 
@@ -27,7 +27,7 @@ pub struct Point {
     pub cells: Vec<String>,
 }
 
-/// The front of the designs added so far.
+/// Front of the designs added so far.
 ///
 /// ```
 /// use gaitcam::sweep::Front;
@@ -46,18 +46,18 @@ pub struct Front {
     points: Vec<Point>,
 }
 
-/// Relative difference below which values differ only by rounding.
+/// Relative difference below which two values are equal up to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether `a` is not worse than `b` by more than rounding in any objective.
+/// Whether `a` is not worse than `b`, up to rounding, in every objective.
 fn covers(a: &[f64], b: &[f64]) -> bool {
     let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
     a.iter().zip(b).all(no_worse)
 }
 
 impl Front {
-    /// Adds a design unless one on the front dominates or equals it; designs that it dominates are removed. Of equal designs the first is kept. A
-    /// design with a non-finite cost is ignored. `cells` is called only if the design is added.
+    /// Adds a design unless a design on the front dominates or equals it. Designs that the new one dominates are removed. Of equal designs the first
+    /// is kept. A design with a non-finite cost is ignored. `cells` is called only if the design is added.
     pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
         if values.iter().any(|v| !v.is_finite()) {
             return;
@@ -75,7 +75,7 @@ impl Front {
         });
     }
 
-    /// The front, sorted by the first objective.
+    /// Designs on the front, sorted by the first objective.
     pub fn sorted(&self) -> Vec<&Point> {
         let mut out: Vec<&Point> = self.points.iter().collect();
         let order = |p: &&Point, q: &&Point| p.values.partial_cmp(&q.values);
@@ -83,8 +83,8 @@ impl Front {
         out
     }
 
-    /// The best compromise: the design nearest to the ideal point, with each objective scaled to 0 at its best and 1 at
-    /// its worst on the front. With one objective, its minimum.
+    /// Best compromise: the design nearest to the ideal point, with each objective scaled to 0 at its best and 1 at its worst value on the front.
+    /// With one objective, the design with its minimum cost.
     pub fn best(&self) -> Option<&Point> {
         let range = |k: usize| {
             let values = self.points.iter().map(|p| p.values[k]);
@@ -121,20 +121,21 @@ impl Front {
 pub struct Objective {
     /// Index of the column.
     pub column: usize,
-    /// Name of the objective.
+    /// Name of the column.
     pub name: String,
-    /// Whether larger is better.
+    /// Whether the column is maximised.
     pub maximised: bool,
 }
 
-/// Objectives if none is given; both are minimised.
+/// Default objectives; both are minimised.
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {
-    /// A column of a table by an objective's name.
+    /// Finds the column of an objective by name.
     ///
     /// # Errors
-    /// No such column, with the nearest name.
+    ///
+    /// No column has this name; the error contains the nearest name.
     pub fn of(name: &str, maximised: bool, columns: &[String]) -> Result<Objective> {
         let column = objective(name, columns)?;
         Ok(Objective {
@@ -144,7 +145,7 @@ impl Objective {
         })
     }
 
-    /// The default objectives: force error and prime radius, minimised.
+    /// Names of the default objectives: force error and prime radius, minimised.
     pub fn usual() -> Vec<String> {
         USUAL.map(str::to_string).to_vec()
     }
@@ -153,18 +154,18 @@ impl Objective {
         if self.maximised { -1.0 } else { 1.0 }
     }
 
-    /// Cost of a value: smaller is better.
+    /// Cost of a value; a smaller cost is better.
     pub fn cost(&self, value: f64) -> f64 {
         self.sign() * value
     }
 
-    /// The value, SI, of a cost.
+    /// Value in SI units for a cost.
     pub fn value(&self, cost: f64) -> f64 {
         self.sign() * cost
     }
 }
 
-/// Selection of the candidates for a front.
+/// Selection of the designs that are candidates for a front.
 ///
 /// ```
 /// use gaitcam::sweep::Admission;
@@ -182,7 +183,7 @@ pub struct Admission {
 }
 
 impl Admission {
-    /// Whether a row with this outcome and verdict is a candidate.
+    /// Whether a row with the given outcome and verdict is a candidate.
     pub fn takes(self, outcome: &str, verdict: &str) -> bool {
         outcome == Outcome::Built.name()
             && (self.all
@@ -200,11 +201,12 @@ impl Admission {
     }
 }
 
-/// The column of an objective, by its whole name or its beginning (`jerk` for
-/// `jerk_max_m_per_s3`); `force_error` is the RMS error in percent.
+/// Index of the column of an objective, by the whole name or its beginning (`jerk` for `jerk_max_m_per_s3`). `force_error` denotes the RMS error in
+/// percent.
 ///
 /// # Errors
-/// No such column, with the nearest name.
+///
+/// No column has this name; the error contains the nearest name.
 pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     let name = match name.trim() {
         "force_error" => "force_rms_error_percent",

@@ -13,14 +13,14 @@ use super::made::scatter::Samples;
 use super::plan::Plan;
 use super::table::records::Records;
 
-/// Maximum number of rows of one part of the work, which bounds the memory.
+/// Maximum number of rows in one part of the work. It limits the memory.
 const LARGEST_PART: u64 = 4096;
 /// Number of parts per thread, large enough to balance the load.
 const PARTS_PER_THREAD: u64 = 16;
 /// Time between two calls of `stop` while the threads work.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Worker for rows in any order and number: row i depends only on the plan and on i.
+/// Computes rows in any order and number: row i depends only on the plan and on i.
 ///
 /// ```
 /// use gaitcam::halt::Halt;
@@ -40,7 +40,7 @@ pub struct Runner<'a> {
 enum Work<'a> {
     Designs {
         plan: &'a Plan,
-        /// Names of the base scenes, for several.
+        /// Names of the base scenes, if there are several.
         scenes: Option<Vec<String>>,
         kernel: Kernel<'a>,
     },
@@ -68,13 +68,13 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// The rows of a range over `jobs` threads; only the first ones, up to the end of a part, if `stop` ended the work. `stop` is called from this
-    /// thread only.
+    /// Computes a range of rows with `jobs` threads. If `stop` ends the computation, the result contains the first rows, up to the end of a part.
+    /// `stop` is called only from this thread.
     pub fn run(&self, rows: Range<u64>, jobs: usize, stop: &dyn Fn() -> bool) -> Records {
         Records::joined(self.map(rows, jobs, stop, &|part| part))
     }
 
-    /// The rows of a range, with `each` applied to the parts by the thread that computed them.
+    /// Computes a range of rows and applies `each` to the parts, on the thread that computed them.
     pub fn map<T: Send>(
         &self,
         rows: Range<u64>,
@@ -127,7 +127,7 @@ impl<'a> Runner<'a> {
         done.into_iter().map_while(|part| part).collect()
     }
 
-    /// Rows computed on this thread; `None` if `stop` ended the work early.
+    /// Computes rows on this thread; `None` if `stop` ended the computation early.
     fn part(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
         match &self.work {
             Work::Designs {
@@ -150,7 +150,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// The parts of a range of rows; an empty range is one part, which has the columns.
+/// Parts of a range of rows. An empty range is one part, which contains the columns.
 struct Parts {
     all: Range<u64>,
     size: u64,

@@ -1,7 +1,7 @@
 //! Computation of rows from a batch of parameters, without side effects and independent of the number of threads. Words determine the structure of a
-//! scene. Each combination of words is read once per batch; its rows then set their numbers directly. A harmonic law within its limits has a closed
-//! form; other rows are designed like a single scene. Forces are cached with derived results, so a grid of a few step frequencies is faster than a
-//! sample.
+//! scene. Each combination of words is read once per batch; the numbers of the rows are then set directly. A harmonic law that satisfies its limits
+//! has a closed form. Other rows are designed like a single scene. Forces are cached with the results derived from them, so a grid of few step
+//! frequencies is faster than a sample.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, RwLock};
@@ -20,39 +20,39 @@ use crate::sweep::plan::{NamedScene, Plan};
 use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::{Search, closed_form, design};
 
-/// Clock with arbitrary origin, s.
+/// Clock with arbitrary origin; returns the time in s.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 /// Returns the time limit of a row that starts now.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
-/// Maximum number of cached forces; with more all are dropped.
+/// Maximum number of cached forces. When it is exceeded, all are dropped.
 const KEPT_FORCES: usize = 1024;
-/// Turns batches into results.
+/// Computes the results of batches.
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
     files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether numbers of the force vary, so that a recording gives several forces.
+    /// Whether numbers of the force vary, so that a recording results in several forces.
     varies_gait: bool,
     cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }
 
-/// The source of a force, and the bits of its step frequency, as cache key.
+/// Cache key of a force: its source, and the bits of its step frequency.
 type CycleName = (Arc<str>, u64);
 
-/// A combination of words, parsed.
+/// A parsed combination of words.
 #[derive(Default)]
 struct Base {
-    /// `None` if it must be read row by row, because the numbers of its first row are invalid.
+    /// Scene of the combination; `None` if it must be read row by row, because the numbers of its first row are invalid.
     scene: Option<Scene>,
-    /// The source of its force; `None` if it depends on the numbers of a row.
+    /// Source of the force; `None` if it depends on the numbers of a row.
     source: Option<Arc<str>>,
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for the scenes and keys of a plan; `files` are the recordings of its scenes.
+    /// Creates a kernel for the scenes and keys of a plan. `files` contains the recordings of the scenes.
     pub fn new(
         plan: &'a Plan,
         files: &'a Files,
@@ -72,7 +72,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The varied keys, in the order of a batch's columns.
+    /// Varied keys, in the order of the columns of a batch.
     pub fn keys(&self) -> &[Key] {
         &self.keys
     }
@@ -86,7 +86,7 @@ impl<'a> Kernel<'a> {
         self.clock.map_or(0.0, |clock| clock())
     }
 
-    /// Computes every row; a scene at fault gives a row with its error. `None` if `stop` ended the work between two rows.
+    /// Computes all rows of a batch. An invalid scene gives a row with its error. `None` if `stop` ended the computation between two rows.
     pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Vec<Row>> {
         let mut results = Vec::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
@@ -134,15 +134,16 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The scene of a row as a user would write it.
+    /// Reads the scene of a row as a user would write it.
     fn read(&self, batch: &Batch, row: usize) -> Result<Scene> {
         scene::read(&self.table(batch, row)?)
     }
 
-    /// The table of a row: the base scene with its values written in, in SI.
+    /// Table of a row: the base scene with the values of the row, in SI units.
     ///
     /// # Errors
-    /// A value that its key rejects.
+    ///
+    /// A key rejects its value.
     pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
         let scene = batch.scene[row] as usize;
         let named = self
@@ -180,7 +181,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Sets the row's numbers; false if one of them requires the scene's reader.
+    /// Sets the numbers of a row; `false` if the scene must be read again for one of them.
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Numbers(x) = column
@@ -192,7 +193,7 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The row of a scene, in closed form if possible.
+    /// Row of a scene, in closed form if possible.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
         let problem = match self.problem(index, scene, source) {
             Ok(problem) => problem,
@@ -211,7 +212,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The problem of a scene, with its force from the cache.
+    /// Problem of a scene, with its force from the cache.
     fn problem(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Problem> {
         let Some(gait) = &scene.gait else {
             return Problem::of_multiple(scene, None);
@@ -225,7 +226,7 @@ impl<'a> Kernel<'a> {
         Problem::of_multiple(scene, Some((&cycle, times)))
     }
 
-    /// The force of a scene, cached; for a load model with a body weight of 1 N.
+    /// Force of a scene, cached; for a load model with a body weight of 1 N.
     fn cycle(
         &self,
         index: usize,
@@ -255,7 +256,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// The row of a scene without a design: an infeasible one, or one at fault.
+/// Row of a scene without a design: the scene is infeasible or invalid.
 fn refused(why: &Error) -> Row {
     let row = Row::error(why.to_string());
     if !why.is_answer() {
@@ -268,7 +269,7 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// The force of a load model or of own load factors, for a body weight of 1 N if the force is proportional to it.
+/// Force of a load model or of load factors in the scene, for a body weight of 1 N if the force is proportional to the weight.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;
@@ -286,7 +287,7 @@ fn is_multiple(gait: &Gait) -> bool {
     !gait.is_recording() && gait.step_frequencies.is_none()
 }
 
-/// The source of a scene's force: the recording with its options, or the model and feet.
+/// Source of the force of a scene: the recording with its options, or the model and feet.
 fn source(index: usize, scene: &Scene) -> Arc<str> {
     let Some(gait) = &scene.gait else {
         return Arc::from("");
@@ -298,7 +299,7 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
     })
 }
 
-/// The error of a panic, so that other rows continue.
+/// Converts a panic to an error, so that the other rows are still computed.
 fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
         let words = cause.downcast_ref::<String>().map(String::as_str);

@@ -3,10 +3,10 @@ use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::sweep::{Method, NUMBERS, Outcome, Plan, Sampling};
 
-/// No row names a recording.
+/// No files: no row of these tests has a recording.
 static NONE: Files = Files::new();
 
-/// Rows of a plan from the kernel, and from single syntheses of the same scenes.
+/// Rows of a plan, each from the kernel and from a single synthesis of the same scene.
 fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
     let mut table: Table = scene::DEFAULT.parse().unwrap();
     for change in changes {
@@ -214,7 +214,7 @@ fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
     ));
 }
 
-/// Torque, power and pressure hold or fail by the figures of the closed form; a stance of one foot is not a finite sum.
+/// Limits on torque, power and pressure are checked with the values of the closed form. The force of one foot is not a finite sum of harmonics.
 #[test]
 fn closed_rows_equal_single_syntheses_under_loads_and_of_single_feet() {
     let loads = compared(
@@ -260,7 +260,7 @@ fn faults_are_rows() {
     assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Error));
 }
 
-/// The row of one varied value, and that of a single synthesis of the scene with that value set.
+/// Row for one varied value, and row of a single synthesis of the scene with this value.
 fn swept_and_single(changes: &[&str], vary: &str) -> (Row, Row) {
     let mut table: Table = scene::DEFAULT.parse().unwrap();
     for change in changes {
@@ -322,7 +322,7 @@ fn entries_of_a_list_vary_by_their_number() {
     equal(&[pair, other]);
 }
 
-/// A number of the recording that varies gives each row a force of its own.
+/// If a number of the recording varies, each row has a separate force.
 #[test]
 fn a_recording_is_read_with_the_numbers_of_its_row() {
     let text = "[gait]\nfile = \"walk.csv\"\nperiod = \"1 s\"\n[law]\nfamily = \"harmonic\"\n";

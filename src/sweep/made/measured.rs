@@ -1,8 +1,8 @@
-//! Behaviour of a manufactured cam: its law, force, acceleration and lift-off from the deviations of its profile.
+//! Behaviour of a manufactured cam: law, force, acceleration and lift-off, from the deviations of its profile.
 //!
-//! A deviation δ along the profile's normal moves the follower by ε = δ/l, to first order and at the same cam angle. For a translating follower l is
-//! the cosine of the pressure angle, for an arm the lever of the normal about the pivot. ε(θ) is fitted by the number of waves that Schwarz's
-//! criterion selects. The residual is measurement noise and roughness, which the derivatives would only amplify.
+//! To first order and at the same cam angle, a deviation δ along the normal of the profile moves the follower by ε = δ/l. For a translating follower
+//! l is the cosine of the pressure angle; for an arm it is the lever of the normal about the pivot. ε(θ) is fitted with the number of waves that
+//! Schwarz's criterion selects. The residual is measurement noise and roughness, which the derivatives would amplify.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,10 +19,10 @@ use crate::synth::Design;
 const MOST_WAVES: usize = 60;
 /// Minimum number of points per wave.
 const POINTS_PER_WAVE: usize = 4;
-/// Deviations below this, m, are rounding errors.
+/// Deviation, m, below which a deviation is a rounding error.
 const ROUNDING: f64 = 1e-10;
 
-/// Force and motion of a cam on its machine; the extremes of the law are exact.
+/// Force and motion of a cam in its machine. The extremes of the law are exact.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
@@ -47,13 +47,13 @@ pub struct Behaviour {
     pub min_n: f64,
     /// Maximum contact force, N.
     pub max_n: f64,
-    /// Maximum absolute acceleration, m/s² (an arm: rad/s²).
+    /// Maximum absolute acceleration, m/s² (for an arm rad/s²).
     pub acceleration: f64,
-    /// Minimum speed at which the follower loses contact, rad/s.
+    /// Minimum speed at which the follower lifts off, rad/s; `None` if it never lifts off.
     pub liftoff_speed: Option<f64>,
 }
 
-/// A manufactured cam.
+/// Behaviour of a manufactured cam, compared with the design.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
@@ -71,9 +71,9 @@ pub struct Behaviour {
 pub struct MadeCam {
     /// Law of motion of the cam as manufactured.
     pub law: Law,
-    /// Number of waves per turn by which its law differs from the design's.
+    /// Number of waves per turn in the difference between the law and the designed law.
     pub waves: usize,
-    /// RMS of the residual of the waves, m (an arm: rad).
+    /// RMS residual of the fit with waves, m (for an arm rad).
     pub left: f64,
     /// Behaviour of the cam as manufactured.
     pub made: Behaviour,
@@ -82,7 +82,8 @@ pub struct MadeCam {
 }
 
 impl MadeCam {
-    /// The measured cam of `design`, without outliers. `None` for a law that does not cover one turn, and if a part of the profile was not measured.
+    /// Manufactured cam of `design` from an inspection, without outliers. `None` for a law that does not cover one turn, or if a part of the profile
+    /// was not measured.
     pub fn of(design: &Design, inspection: &Inspection) -> Option<MadeCam> {
         let (start, length) = design.cam.law.extent();
         if inspection.unmeasured.is_some()
@@ -158,15 +159,15 @@ fn lever(cam: &Cam, theta: f64) -> f64 {
 /// A series with a mean and waves per turn.
 struct Series {
     mean: f64,
-    /// Amplitudes (cos, sin) of waves 1, 2, …
+    /// Amplitudes (cos, sin) of the waves 1, 2, …
     terms: Vec<(f64, f64)>,
     /// RMS of the residual of the fit.
     left: f64,
 }
 
 impl Series {
-    /// Least squares on values at increasing angles, with the number of waves that makes n ln(mean square left) + (number of terms) ln n smallest.
-    /// Half the shortest wavelength is at least the widest gap between points.
+    /// Least-squares fit of values at increasing angles. The number of waves minimises n ln(mean square residual) + (number of terms) ln n. Half the
+    /// minimum wavelength is at least the maximum gap between points.
     fn fitted(values: &[(f64, f64)]) -> Series {
         let n = values.len();
         let most = MOST_WAVES
@@ -201,7 +202,7 @@ impl Series {
         }
     }
 
-    /// The law plus the series.
+    /// Sum of the law and the series.
     fn added_to(&self, law: &Law) -> Law {
         let raised = law.raised(self.mean);
         let waves: Vec<Vec<Wave>> = (0..raised.poly().pieces())
@@ -230,7 +231,7 @@ fn widest_gap(values: &[(f64, f64)]) -> f64 {
         .fold(seam, f64::max)
 }
 
-/// Function number k of 1, cos θ, sin θ, cos 2θ …
+/// Basis function k of 1, cos θ, sin θ, cos 2θ …
 fn column(k: usize, theta: f64) -> f64 {
     let wave = k.div_ceil(2) as f64;
     match k % 2 {

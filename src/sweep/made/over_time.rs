@@ -1,24 +1,24 @@
-//! The force error of a design from forces at equal cam angles: over the angle at constant speed, otherwise over time with the optimal phase. The
-//! phase is linearised, since manufacturing errors change it little.
+//! Force error of a design, from forces at equal cam angles: over the angle at constant speed, otherwise over time with the optimal phase. The phase
+//! is linearised, because manufacturing errors change it only slightly.
 
 use std::f64::consts::TAU;
 
 use crate::force::ForceCurve;
 use crate::synth::Design;
 
-/// Number of equal angles of a turn, at which the trapezoidal rule converges fast for smooth functions.
+/// Number of equal angles per turn. The trapezoidal rule converges fast for smooth functions.
 pub const POINTS: usize = 4096;
 
-/// Weight of a difference at each angle.
+/// Weights for the mean square force error over time.
 pub struct OverTime {
-    /// Weight as part of the period.
+    /// Weight of each angle, as a fraction of the period.
     pub weights: Vec<f64>,
-    /// Change of the target with a later phase, up to a factor, N; zero at constant speed.
+    /// Derivative of the target with respect to its phase, up to a factor, N; zero at constant speed.
     pub rates: Vec<f64>,
 }
 
 impl OverTime {
-    /// The error measure of a design with its target over the cam angle.
+    /// Error measure of a design, with its target over the cam angle.
     pub fn of(design: &Design, target: &ForceCurve) -> OverTime {
         if design.shaft.is_none() {
             return OverTime {
@@ -36,7 +36,7 @@ impl OverTime {
         }
     }
 
-    /// The minimum root mean square over the phase, N, of differences at the angles.
+    /// Minimum root mean square over the phase, N, of differences at the angles.
     pub fn error(&self, off: impl Fn(usize) -> f64) -> f64 {
         let [mut square, mut slope, mut bend] = [0.0; 3];
         for (i, (weight, rate)) in self.weights.iter().zip(&self.rates).enumerate() {
@@ -53,7 +53,7 @@ impl OverTime {
         (square - gained).max(0.0).sqrt()
     }
 
-    /// Subtracts the gain of an optimal phase from mean products of functions, the last of which is the rate.
+    /// Subtracts the reduction by the optimal phase from mean products of functions. The last function is the derivative with respect to the phase.
     pub fn free_of_phase(mut products: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let of_rate = products.pop().unwrap_or_default();
         let bend = of_rate.last().copied().unwrap_or_default();
@@ -68,7 +68,7 @@ impl OverTime {
     }
 }
 
-/// Equal angle number i, rad.
+/// Equally spaced angle with index i, rad.
 pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / POINTS as f64
 }

@@ -34,7 +34,7 @@ use crate::synth::{Design, Search, design};
 pub struct Scattered {
     /// Scene of the scattered cams.
     pub scene: NamedScene,
-    /// The tolerances as written: `profile=0.02 mm`.
+    /// Tolerances as written, such as `profile=0.02 mm`.
     pub tolerances: Vec<String>,
     /// Number of manufactured cams.
     pub count: u64,
@@ -52,7 +52,7 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
     "force_rms_error_percent",
 ];
 
-/// Manufactured samples of a design.
+/// Manufacturing samples of a design.
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,
@@ -61,9 +61,10 @@ pub struct Samples {
 }
 
 impl Scattered {
-    /// The tolerances, parsed.
+    /// Parses the tolerances.
     ///
     /// # Errors
+    ///
     /// As [`Tolerance::parse`].
     pub fn read(&self) -> Result<Vec<Tolerance>> {
         self.tolerances
@@ -72,7 +73,7 @@ impl Scattered {
             .collect()
     }
 
-    /// The sweep as data: equal sweeps have equal descriptions.
+    /// The sweep as data. Equal sweeps have equal descriptions.
     pub fn description(&self) -> Value {
         json!({
             "scenes": [{"name": self.scene.name, "text": self.scene.table.to_string()}],
@@ -85,7 +86,8 @@ impl Scattered {
     /// Designs the cam whose manufacturing errors are sampled.
     ///
     /// # Errors
-    /// Faults of the scene and its force; a scene without a feasible cam.
+    ///
+    /// Errors of the scene and its force; a scene without a feasible cam.
     pub(in crate::sweep) fn samples(&self, files: &Files, halt: Halt) -> Result<Samples> {
         let scene = scene::read(&self.scene.table)?;
         let is_recording = scene.gait.as_ref().is_some_and(Gait::is_recording);
@@ -102,10 +104,11 @@ impl Scattered {
         self.samples_of(&design)
     }
 
-    /// The samples of a design of the scene.
+    /// Manufacturing samples of a given design.
     ///
     /// # Errors
-    /// A wrong tolerance; a design whose errors cannot be sampled.
+    ///
+    /// An invalid tolerance; a design whose manufacturing errors cannot be sampled.
     pub(in crate::sweep) fn samples_of(&self, design: &Design) -> Result<Samples> {
         Ok(Samples {
             scatter: Scatter::new(design)?,
@@ -117,7 +120,7 @@ impl Scattered {
 }
 
 impl Samples {
-    /// The samples of a range of rows.
+    /// Samples of a range of rows.
     pub fn records(&self, rows: Range<u64>) -> Records {
         let count = (rows.end - rows.start) as usize;
         let (scatter, tolerances) = (&self.scatter, &self.tolerances);

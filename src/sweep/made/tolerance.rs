@@ -1,15 +1,14 @@
-//! Manufacturing scatter around one design: its force error with the errors of a manufactured cam.
+//! Manufacturing scatter of a design: force error for a cam with manufacturing errors.
 //!
-//! The built force differs from the target by
+//! The force of the manufactured cam differs from the target by
 //!
 //! ```text
 //! F′ − F* = (F − F*) + (F₀′ − F₀ + kΔ) + c(ω′ − ω)·v + (m′ω′² − mω²)·a + k ε + cω′ ε_θ + m′ω′² ε_θθ
 //! ```
 //!
-//! with Δ the error of the base radius and ε(θ) that of the profile, both measured along the follower's
-//! motion (on a flat face that is the face's own distance; on a roller, to first order, the normal error
-//! divided by the cosine of the pressure angle). All of it is linear in a few fixed functions, so the RMS of
-//! one sample is a small quadratic form of their mean products.
+//! where Δ is the error of the base radius and ε(θ) the error of the profile. Both are measured along the motion of the follower: for a flat face
+//! this is the distance of the face; for a roller, to first order, the normal error divided by the cosine of the pressure angle. The difference is
+//! linear in a few fixed functions, so the RMS of a sample is a small quadratic form of their mean products.
 
 use std::f64::consts::TAU;
 
@@ -31,7 +30,7 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// The profile: waves of 2 to 12 lobes with amplitudes that decrease with the square of the number of lobes; their sum is within the tolerance.
+    /// Profile: waves of 2 to 12 lobes, whose amplitudes decrease with the square of the number of lobes. Their sum is within the tolerance.
     Profile,
     /// Radius of the base circle.
     BaseRadius,
@@ -44,7 +43,7 @@ pub enum Part {
 impl Part {
     const ALL: [Part; 4] = [Part::Profile, Part::BaseRadius, Part::Mass, Part::Speed];
 
-    /// Key of the toleranced part in the scene; the profile has none.
+    /// Key of the quantity in the scene; `None` for the profile.
     fn key(self) -> Option<&'static str> {
         match self {
             Part::Profile => None,
@@ -54,7 +53,7 @@ impl Part {
         }
     }
 
-    /// Whether `name` is its key or the last word of the key.
+    /// Whether `name` is the key of the quantity or the last word of the key.
     fn is_named(self, name: &str) -> bool {
         match self.key() {
             None => name == "profile",
@@ -62,14 +61,14 @@ impl Part {
         }
     }
 
-    /// The dimension of its tolerance.
+    /// Dimension of the tolerance.
     fn dimension(self) -> Dimension {
         let measure = self.key().and_then(keys::find).and_then(Key::measure);
         measure.map_or(Dimension::Length, |m| m.translating)
     }
 }
 
-/// A tolerance ± on a part; samples are uniformly distributed over it.
+/// A symmetric tolerance of a quantity. Samples are uniformly distributed over it.
 ///
 /// ```
 /// use gaitcam::sweep::Tolerance;
@@ -83,21 +82,22 @@ impl Part {
 pub struct Tolerance {
     /// The quantity that has the tolerance.
     pub part: Part,
-    /// Half width, SI; a fraction of the value if `relative`.
+    /// Half width in SI units, or a fraction of the value if `relative`.
     pub half_width: f64,
-    /// Whether it is relative to the value.
+    /// Whether the tolerance is relative to the value.
     pub relative: bool,
 }
 
 /// Numbers of lobes of the profile error.
 const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
-/// Number of fixed functions before the lobes: F − F*, 1, v, a.
+/// Number of fixed functions before the lobes: F − F*, 1, v and a.
 const FIXED: usize = 4;
 
 impl Tolerance {
-    /// Reads `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
+    /// Parses `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
     ///
     /// # Errors
+    ///
     /// A name without a tolerance, or a width without its unit.
     pub fn parse(text: &str) -> Result<Tolerance> {
         let (name, value) = text
@@ -132,7 +132,7 @@ impl Tolerance {
     }
 }
 
-/// One sample: the manufacturing errors and the resulting force error.
+/// A sample: manufacturing errors and the resulting force error.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -159,11 +159,11 @@ pub struct Made {
     pub speed_rad_per_s: f64,
     /// RMS error of the force, N.
     pub force_rms_error_n: f64,
-    /// RMS error as a percentage of the mean target.
+    /// RMS force error, in percent of the mean target force.
     pub force_rms_error_percent: f64,
 }
 
-/// A design with the mean products for the samples.
+/// A design with the precomputed mean products of its error functions.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -188,8 +188,9 @@ impl Scatter {
     /// Computes the mean products of a design.
     ///
     /// # Errors
-    /// A design without a target force, which has no force error; an arm, whose lift changes with a profile error
-    /// differently at every angle.
+    ///
+    /// The design has no target force and therefore no force error; the follower is on an arm, where the effect of a profile error depends on the
+    /// angle.
     pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = design.target() else {
             return Err(SweepError::NoForceError.into());
@@ -230,7 +231,7 @@ impl Scatter {
         })
     }
 
-    /// Sample `index` of `count`; deterministic.
+    /// Sample `index` of `count`; reproducible for the same `seed`.
     pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
         let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
@@ -301,12 +302,12 @@ pub struct Spread {
     pub quantiles: [f64; 3],
     /// Maximum of the values.
     pub largest: f64,
-    /// Fraction within the band, if one is given.
+    /// Fraction of the values within the band, if a band is given.
     pub within: Option<f64>,
 }
 
 impl Spread {
-    /// Statistics of `values`; those up to `band` are within. `None` without values.
+    /// Statistics of `values`; values up to `band` are within the band. `None` without values.
     pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);

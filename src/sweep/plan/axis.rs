@@ -1,4 +1,4 @@
-//! One varied key with its values: a range of numbers or a list.
+//! A varied key with its values: a range of numbers or a list.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::error::{Placed, Result, SweepError};
 pub enum Values {
     /// A list of words, counts or paths.
     Words(Vec<Arc<str>>),
-    /// Numbers in SI, one by one.
+    /// A list of numbers in SI units.
     Numbers(Vec<f64>),
     /// `count` numbers at equal steps from the first to the last.
     Range {
@@ -29,7 +29,7 @@ pub enum Values {
         last: f64,
         /// Number of values; `None` for a range that is only sampled.
         count: Option<u64>,
-        /// The values are in SI for a key with a known unit, otherwise as written; empty for counts, which are rounded to whole numbers.
+        /// Unit of the values: SI for a key with a known unit, otherwise as written. Empty for counts, which are rounded to whole numbers.
         unit: String,
     },
 }
@@ -37,13 +37,13 @@ pub enum Values {
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisValue {
-    /// A number in SI.
+    /// A number in SI units.
     Number(f64),
     /// A word as written.
     Words(Arc<str>),
 }
 
-/// A key with its values.
+/// A varied key with its values.
 ///
 /// ```
 /// use gaitcam::sweep::Axis;
@@ -61,10 +61,11 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Reads `KEY=START:STOP:COUNT` or `KEY=A,B,C`; `sampled` ranges have no count.
+    /// Parses `KEY=START:STOP:COUNT` or `KEY=A,B,C`. If `sampled`, ranges have no count.
     ///
     /// # Errors
-    /// A missing `=`, an empty list, a count of zero, and numbers without the key's unit.
+    ///
+    /// A missing `=`; an empty list; a count of zero; numbers without the unit of the key.
     pub fn parse(text: &str, sampled: bool) -> Result<Axis> {
         let Some((name, values)) = text.split_once('=') else {
             return Err(SweepError::NoAssignment {
@@ -80,10 +81,11 @@ impl Axis {
         Axis::list(name, parts_of(values).into_iter().map(str::trim))
     }
 
-    /// An axis of listed values.
+    /// Creates an axis of listed values.
     ///
     /// # Errors
-    /// An empty list, an empty value and a number without its unit.
+    ///
+    /// An empty list; an empty value; a number without its unit.
     pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
         let values: Vec<&str> = values.collect();
         if values.is_empty() || values.contains(&"") {
@@ -110,7 +112,7 @@ impl Axis {
         }
     }
 
-    /// Value number `i` of the grid, counted from 0.
+    /// Value with index `i` of the grid, from 0.
     pub fn value(&self, i: u64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[i as usize].clone()),
@@ -122,7 +124,7 @@ impl Axis {
         }
     }
 
-    /// The value at a fraction u ∈ [0, 1) of the axis: between the ends of a range, or one of a list.
+    /// Value at a fraction u ∈ [0, 1) of the axis: between the ends of a range, or an element of a list.
     pub fn sampled(&self, u: f64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
@@ -131,7 +133,7 @@ impl Axis {
         }
     }
 
-    /// `part` of `whole` steps from the first value to the last, exact at both ends.
+    /// Value after `part` of `whole` steps from the first to the last value, exact at both ends.
     fn between(&self, part: f64, whole: f64) -> AxisValue {
         let Values::Range {
             first, last, unit, ..
@@ -172,7 +174,7 @@ impl Axis {
     }
 }
 
-/// The parts between commas, except commas inside brackets and quotes.
+/// Parts between commas, ignoring commas inside brackets and quotes.
 fn parts_of(values: &str) -> Vec<&str> {
     let (mut out, mut begin) = (Vec::new(), 0);
     let (mut depth, mut quote) = (0_usize, None);
@@ -224,7 +226,7 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     Ok(Axis { key, values })
 }
 
-/// Number of values of a range as text; a sampled one has none.
+/// Parses the number of values of a range. A sampled range has no count.
 fn count(typed: Option<&str>, sampled: bool) -> std::result::Result<Option<u64>, SweepError> {
     match (typed, sampled) {
         (Some(_), true) => Err(SweepError::SampledCount),

@@ -7,7 +7,7 @@ use super::axis::AxisValue;
 /// Values of one key, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
-    /// A number for each row, SI.
+    /// A number for each row, in SI units.
     Numbers(Vec<f64>),
     /// Words, counts or paths, as written.
     Words(Vec<Arc<str>>),
@@ -41,12 +41,12 @@ impl Column {
     }
 }
 
-/// Parameters of consecutive rows: the base scene, and one column per varied key.
+/// Parameters of consecutive rows: base scene, and one column per varied key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Batch {
     /// Index of the base scene of each row.
     pub scene: Vec<u32>,
-    /// One column per key of the kernel, in its order, each as long as `scene`.
+    /// One column per key of the kernel, in the same order, each with the length of `scene`.
     pub columns: Vec<Column>,
 }
 

@@ -7,7 +7,7 @@ use crate::scene::keys::{self, KEYS, Kind};
 use crate::scene::{self, Scene};
 use crate::units::Dimension;
 
-/// A varied key: a quantity in SI, or words.
+/// A varied key: a quantity in SI units, or words.
 ///
 /// ```
 /// use gaitcam::sweep::Key;
@@ -29,11 +29,11 @@ struct Number {
     row: &'static keys::Key,
     /// Index of a list entry.
     index: usize,
-    /// Dimension of the numbers: the stroke of an arm is an angle, otherwise a length.
+    /// Dimension of the numbers. Example: the stroke of an arm is an angle, otherwise a length.
     dimension: Dimension,
 }
 
-/// Whether a value is meant as a number.
+/// Whether a text starts like a number.
 pub fn starts_a_number(text: &str) -> bool {
     let text = text.trim();
     text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
@@ -54,11 +54,12 @@ impl Key {
         }
     }
 
-    /// The key of that name in whose unit `values` are given, with the values in SI; `None` if the key has no unit or a value is a word such as
-    /// `auto`.
+    /// The key with this name for which `values` have valid units, and the values in SI units. `None` if the key has no unit or a value is a word
+    /// such as `auto`.
     ///
     /// # Errors
-    /// A value without the unit of its key.
+    ///
+    /// A value does not have the unit of the key.
     pub fn quantity(name: &str, values: &[&str]) -> Result<Option<(Key, Vec<f64>)>> {
         let name = name.trim();
         let mut fault = None;
@@ -81,7 +82,7 @@ impl Key {
         }
     }
 
-    /// The numeric keys of a name, one for each possible dimension.
+    /// Numeric keys of a name, one for each possible dimension.
     fn of_each_dimension(name: &str) -> Vec<Key> {
         let row = keys::find(name).and_then(|row| Some((row, row.index_in(name)?, row.measure()?)));
         let Some((row, index, measure)) = row else {
@@ -98,7 +99,7 @@ impl Key {
         measure.each().into_iter().map(of).collect()
     }
 
-    /// Names of all keys that can vary, each once.
+    /// Names of all keys that can be varied, each once.
     pub fn names() -> Vec<&'static str> {
         let mut names: Vec<&str> = KEYS
             .iter()
@@ -109,7 +110,7 @@ impl Key {
         names
     }
 
-    /// The key of a column, for readers of tables.
+    /// The key of a column, used when tables are read.
     pub fn of_column(column: &str) -> Key {
         let names = (0..=column.len()).filter(|&end| column.is_char_boundary(end));
         names
@@ -123,7 +124,7 @@ impl Key {
         &self.name
     }
 
-    /// Whether its values are numbers in SI.
+    /// Whether the values are numbers in SI units.
     pub fn is_number(&self) -> bool {
         self.number.is_some()
     }
@@ -133,7 +134,7 @@ impl Key {
         self.number.map_or("", |n| n.dimension.si())
     }
 
-    /// Name of the key's column: `limits.stroke_m`, `law.family`.
+    /// Name of the column of the key, such as `limits.stroke_m` or `law.family`.
     pub fn column(&self) -> String {
         let unit = match self.unit() {
             "" | "ratio" => return self.name.clone(),
@@ -150,17 +151,19 @@ impl Key {
         })
     }
 
-    /// Writes the number into a scene's table, in SI.
+    /// Writes a number, in SI units, into the table of a scene.
     ///
     /// # Errors
+    ///
     /// As [`set`](crate::scene::set).
     pub fn write_number(&self, table: &mut Table, value: f64) -> Result<()> {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
 
-    /// Writes words into a scene's table.
+    /// Writes words into the table of a scene.
     ///
     /// # Errors
+    ///
     /// As [`set`](crate::scene::set).
     pub fn write_words(&self, table: &mut Table, words: &str) -> Result<()> {
         let text = keys::find(&self.name).is_some_and(|k| matches!(k.kind, Kind::Text));

@@ -1,4 +1,4 @@
-//! The scenes of a sweep: base scenes with a list, a grid or a sample of values. A row depends only on its number.
+//! Scenes of a sweep: base scenes with a list, a grid or a sample of values. A row depends only on its number.
 
 pub(super) mod axis;
 pub(super) mod batch;
@@ -35,7 +35,7 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// A scene under its own name, which is independent of the machine.
+    /// A scene with the name in the scene itself, which does not depend on the computer.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -57,7 +57,7 @@ impl NamedScene {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct List {
-    /// The keys with one value per row of the list.
+    /// Keys of the list, with one value per row.
     pub columns: Vec<Axis>,
 }
 
@@ -93,9 +93,9 @@ impl List {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
-    /// Every combination; the last axis runs fastest.
+    /// All combinations; the last axis varies fastest.
     Grid,
-    /// Points spread over all axes together.
+    /// Points distributed over all axes together.
     Sample {
         /// Sampling method of the points.
         method: Method,
@@ -106,7 +106,7 @@ pub enum Sampling {
     },
 }
 
-/// The whole sweep; the rows are base scenes × list × axes, with the axes fastest.
+/// Plan of a sweep. The rows are base scenes × list × axes; the axes vary fastest.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling};
@@ -122,7 +122,7 @@ pub struct Plan {
     pub scenes: Vec<NamedScene>,
     /// Listed rows, if any.
     pub list: Option<List>,
-    /// The varied keys, each with its values.
+    /// Varied keys, each with its values.
     pub axes: Vec<Axis>,
     /// Combination of the axes.
     pub sampling: Sampling,
@@ -134,9 +134,10 @@ const TRIED_COMBINATIONS: u128 = 256;
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
-    /// Values of the keys of one scene, each written `KEY=START:STOP:COUNT` or `KEY=A,B`, of a sample `KEY=START:STOP`.
+    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`, for a sample `KEY=START:STOP`.
     ///
     /// # Errors
+    ///
     /// As [`Axis::parse`].
     pub fn of(table: Table, vary: &[&str], sampling: Sampling) -> Result<Plan> {
         let axis = |text: &&str| Axis::parse(text, sampling != Sampling::Grid);
@@ -148,7 +149,7 @@ impl Plan {
         })
     }
 
-    /// Number of rows, saturating.
+    /// Number of rows; saturates at the maximum of the type.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
         let sampling = match self.sampling {
@@ -225,11 +226,12 @@ impl Plan {
         batch
     }
 
-    /// Checks that the plan can run: that it has rows, that each key can vary and occurs once, and that each value is
-    /// valid with some combination of the others.
+    /// Checks that the plan is valid: it has rows, each key can be varied and occurs once, and each value is valid with at least one combination of
+    /// the others.
     ///
     /// # Errors
-    /// An axis that has no effect, occurs twice, or has a value that no scene accepts.
+    ///
+    /// An axis has no effect, occurs twice, or has a value that no scene accepts.
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
@@ -267,8 +269,8 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value that is invalid with every combination of words and first values of the other keys. Values that are invalid with some
-    /// combinations give rows with an error.
+    /// Rejects a value that is invalid with every combination of words and first values of the other keys. Values that are invalid with only some
+    /// combinations result in rows with an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
@@ -310,13 +312,13 @@ impl Plan {
         fault.map_or(Ok(()), Err)
     }
 
-    /// Names of the base scenes, for several.
+    /// Names of the base scenes, if there are several.
     pub fn scene_names(&self) -> Option<Vec<String>> {
         let names = self.scenes.iter().map(|s| s.name.clone());
         (self.scenes.len() > 1).then(|| names.collect())
     }
 
-    /// The plan as data, to be stored with its table: equal plans have equal descriptions.
+    /// The plan as data, to be stored with its table. Equal plans have equal descriptions.
     pub fn description(&self) -> Value {
         let scene = |s: &NamedScene| json!({"name": s.name, "text": s.table.to_string()});
         let mut out = json!({"scenes": self.scenes.iter().map(scene).collect::<Value>()});
@@ -345,10 +347,14 @@ impl Plan {
     }
 }
 
-/// Maximum number of rows: the largest exact integer of 64-bit floating point, the row number type of many readers.
+/// Maximum number of rows: the largest exact integer in 64-bit floating point, the type of row numbers in many readers.
 const MOST_ROWS: u64 = 1 << 53;
 
-/// The number of rows, unless there are too many.
+/// Number of rows.
+///
+/// # Errors
+///
+/// There are too many rows.
 pub(super) fn row_count(rows: u128) -> Result<u64> {
     let count = u64::try_from(rows).ok().filter(|n| *n <= MOST_ROWS);
     count.ok_or_else(|| {

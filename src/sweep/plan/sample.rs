@@ -1,4 +1,4 @@
-//! Low-discrepancy points in a cube: Latin hypercube and Sobol, each computed from its index alone.
+//! Low-discrepancy points in a cube: Latin hypercube and Sobol sequence. Each point is computed from its index only.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,11 +21,11 @@ pub enum Method {
     /// Latin hypercube: each of the N equal slices of every axis contains exactly one point, at a random position.
     #[default]
     Latin,
-    /// Sobol's sequence: dyadic boxes are filled evenly, and more points extend the same sequence.
+    /// Sobol sequence: dyadic boxes are filled evenly, and further points extend the same sequence.
     Sobol,
 }
 
-/// Maximum number of axes of Sobol's sequence.
+/// Maximum number of axes of the Sobol sequence.
 pub const SOBOL_AXES: usize = 21;
 
 impl Method {
@@ -34,7 +34,7 @@ impl Method {
         self.into()
     }
 
-    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; deterministic.
+    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; reproducible for the same `seed`.
     pub fn coordinate(self, index: u64, count: u64, axis: usize, seed: u64) -> f64 {
         match self {
             Method::Latin => latin(index, count, axis, seed),
@@ -43,7 +43,7 @@ impl Method {
     }
 }
 
-/// SplitMix64: a well-mixed 64-bit number from any 64-bit number (Steele, Lea, Flood 2014).
+/// SplitMix64: maps a 64-bit number to a pseudo-random one (Steele, Lea, Flood 2014).
 pub fn mixed(x: u64) -> u64 {
     let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -63,8 +63,8 @@ fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
     ((slice as f64 + within) / count as f64).min(1.0 - f64::EPSILON / 2.0)
 }
 
-/// A permutation of 0 … count − 1 that needs no memory: a four-round Feistel network on the next even
-/// power of two, applied until the result lies in the range.
+/// Permutation of 0 … count − 1 that needs no memory: a four-round Feistel network on the next even power of two, applied until the result lies in
+/// the range.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();
     let half = bits.div_ceil(2).max(1);

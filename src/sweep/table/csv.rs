@@ -1,4 +1,4 @@
-//! Tables as CSV: numbers in their shortest exact form, empty if missing.
+//! Tables as CSV: numbers in their shortest exact form, empty cells for missing numbers.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::text_cell;
 use gaitcam_base::text::quoted;
 
 impl Records {
-    /// The whole table: the names of the columns, then the rows.
+    /// The whole table: names of the columns, then the rows.
     pub fn csv(&self) -> String {
         self.csv_header() + &self.csv_rows()
     }
@@ -19,7 +19,7 @@ impl Records {
         names.collect::<Vec<_>>().join(",") + "\n"
     }
 
-    /// The rows as lines of CSV; times with four digits.
+    /// The rows as lines of CSV; computing times have four digits.
     pub fn csv_rows(&self) -> String {
         let mut out = String::with_capacity(self.len() * 20 * (self.fields.len() + 4));
         for row in 0..self.len() {
@@ -43,7 +43,7 @@ impl Records {
     }
 }
 
-/// The shortest form that reads back exactly, with an exponent below 1e-5 and from 1e16 on.
+/// Writes the shortest form of a number that is exact when read back, with an exponent below 1e-5 and from 1e16 on.
 fn number(out: &mut String, x: f64) {
     if x.is_nan() {
         return;

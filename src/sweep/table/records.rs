@@ -1,4 +1,4 @@
-//! A table in memory, column by column.
+//! Table in memory, column by column.
 
 use std::collections::HashMap;
 
@@ -17,9 +17,9 @@ use crate::sweep::plan::key::Key;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Numbers of the rows in the plan.
+    /// Row numbers in the plan.
     Rows(Vec<u64>),
-    /// Numbers, SI; NaN if missing.
+    /// Numbers in SI units; NaN if missing.
     Numbers(Vec<f64>),
     /// Words, each stored once.
     Words(Words),
@@ -51,9 +51,9 @@ pub struct Words {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Name of the field, which ends in its unit.
+    /// Name of the column; it ends in its unit.
     pub name: String,
-    /// Values of the field.
+    /// Values of the column.
     pub values: Values,
 }
 
@@ -88,7 +88,7 @@ impl Values {
 }
 
 impl Words {
-    /// Words row by row; an empty one counts as missing.
+    /// Creates a column of words, row by row. An empty word counts as missing.
     pub fn of<'a>(words: impl Iterator<Item = &'a str>) -> Words {
         let mut out = Words::default();
         let mut known: HashMap<&str, i32> = HashMap::new();
@@ -112,7 +112,7 @@ impl Words {
         out
     }
 
-    /// The word of a row; `None` if missing.
+    /// Word of a row; `None` if missing.
     pub fn at(&self, row: usize) -> Option<&str> {
         let code = usize::try_from(self.codes[row]).ok()?;
         self.names.get(code).map(String::as_str)
@@ -136,7 +136,7 @@ impl Field {
         }
     }
 
-    /// The column `row` for the rows from `first` on.
+    /// Column `row`, with `count` row numbers from `first` on.
     pub fn rows(first: u64, count: usize) -> Field {
         Field {
             name: "row".to_string(),
@@ -144,7 +144,7 @@ impl Field {
         }
     }
 
-    /// Unit of its numbers, SI; empty for words, counts and ratios.
+    /// SI unit of the numbers; empty for words, counts and ratios.
     pub fn unit(&self) -> &'static str {
         match self.values {
             Values::Numbers(_) => unit_of(&self.name),
@@ -154,8 +154,8 @@ impl Field {
 }
 
 impl Records {
-    /// The rows `first …` of a sweep over `keys`, without computing times, so that they depend only on the plan. `scenes` are the names of several
-    /// base scenes.
+    /// Rows from `first` on of a sweep over `keys`. They contain no computing times, so they depend only on the plan. `scenes` are the names of
+    /// several base scenes.
     pub fn of(
         first: u64,
         keys: &[Key],
@@ -194,7 +194,7 @@ impl Records {
         self
     }
 
-    /// The rows of all parts in sequence.
+    /// Joins the rows of all parts in sequence.
     pub fn joined(parts: Vec<Records>) -> Records {
         let mut out = Records::default();
         for part in parts {
@@ -208,7 +208,7 @@ impl Records {
         Some(&field.values)
     }
 
-    /// A column of numbers.
+    /// The column of numbers with this name.
     pub fn numbers(&self, name: &str) -> Option<&[f64]> {
         match self.column(name)? {
             Values::Numbers(x) => Some(x),
@@ -216,7 +216,7 @@ impl Records {
         }
     }
 
-    /// A column of words.
+    /// The column of words with this name.
     pub fn words(&self, name: &str) -> Option<&Words> {
         match self.column(name)? {
             Values::Words(words) => Some(words),
@@ -242,7 +242,7 @@ impl Records {
         self.len() == 0
     }
 
-    /// Adds the following rows, with the same columns.
+    /// Appends the following rows, which have the same columns.
     pub fn append(&mut self, next: Records) {
         if self.fields.is_empty() {
             *self = next;

@@ -1,11 +1,11 @@
-//! The result of a scene as a row of the table.
+//! Result of a scene as a row of the table.
 
 use crate::cam::Verdict;
 use crate::force::Interpretation;
 use crate::problem::Target;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
-/// Columns of numbers, SI: those of [`FIGURES`]. Missing numbers are NaN here, empty in CSV and null in Parquet.
+/// Numeric columns in SI units: the columns of [`FIGURES`]. Missing numbers are NaN here, empty in CSV and null in Parquet.
 pub const NUMBERS: [&str; FIGURES.len()] = {
     let mut names = [""; FIGURES.len()];
     let mut i = 0;
@@ -16,18 +16,18 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
     names
 };
 
-/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the verdict, the solver's tier, active (or
-/// conflicting) limits, violated limits, the error, and codes of the warnings about the recording.
+/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`; verdict; solution method; active (or conflicting)
+/// limits; violated limits; error; codes of the warnings about the recording.
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
 
-/// Columns that are defined without a cam.
+/// Columns that have values even without a cam.
 const TARGET_MEAN: usize = column("target_mean_n");
 const MASS: usize = column("mass_kg");
 const SPEED: usize = column("speed_rad_per_s");
 
-/// Columns of a design with a target.
+/// Columns that have values only for a design with a target.
 const OF_TARGET: [usize; 4] = [
     column("force_rms_error_n"),
     column("force_rms_error_percent"),
@@ -52,7 +52,7 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     same == a.len() && same == b.len()
 }
 
-/// The last column: computing time of the row, s. Only this column differs from run to run.
+/// Last column: computing time of the row, s. It is the only column that differs from run to run.
 pub const TIME: &str = "time_s";
 
 /// Outcome of a row.
@@ -65,11 +65,11 @@ pub const TIME: &str = "time_s";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Outcome {
-    /// A cam was designed; the verdict rates it.
+    /// A cam was designed. The verdict states whether it is usable.
     Built,
     /// The limits are infeasible.
     Infeasible,
-    /// The scene itself is at fault.
+    /// The scene is invalid.
     Error,
 }
 
@@ -80,7 +80,7 @@ impl Outcome {
     }
 }
 
-/// One row of the table.
+/// Row of the table.
 ///
 /// ```
 /// use gaitcam::sweep::{NUMBERS, Outcome, Row};
@@ -98,7 +98,7 @@ impl Outcome {
 pub struct Row {
     /// Values in the order of [`NUMBERS`].
     pub numbers: [f64; NUMBERS.len()],
-    /// Outcome of the design in this row.
+    /// Outcome of the design.
     pub outcome: Outcome,
     /// Verdict on the cam, if one was built.
     pub verdict: Option<Verdict>,
@@ -108,16 +108,16 @@ pub struct Row {
     pub binding: String,
     /// Limits that the cam violates, joined by `+`.
     pub failed: String,
-    /// Fault of the scene.
+    /// Error of the scene.
     pub error: String,
-    /// Codes of the warnings about its recording, joined by `+`.
+    /// Codes of the warnings about the recording, joined by `+`.
     pub warnings: String,
     /// Processor time of the row, s.
     pub time_s: f64,
 }
 
 impl Row {
-    /// Cells of [`WORDS`] of the row; empty where there is none.
+    /// Cells of the row for the columns [`WORDS`]; empty if there is no value.
     pub fn words(&self) -> [&str; WORDS.len()] {
         [
             self.outcome.name(),
@@ -130,7 +130,7 @@ impl Row {
         ]
     }
 
-    /// The row of a scene at fault.
+    /// Row of an invalid scene.
     pub fn error(what: String) -> Row {
         Row {
             numbers: [f64::NAN; NUMBERS.len()],
@@ -145,7 +145,7 @@ impl Row {
         }
     }
 
-    /// The row of a closed-form design within every limit.
+    /// Row of a closed-form design that satisfies every limit.
     pub(crate) fn spectral(figures: &Figures, target: Option<&Target>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
@@ -157,7 +157,7 @@ impl Row {
         }
     }
 
-    /// The row of a finished design. An infeasible one has no cam, so only its required values are given.
+    /// Row of a finished design. An infeasible scene has no cam, so the row contains only the required values.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
         let recording = design.target().and_then(|t| t.recording.as_deref());
@@ -188,7 +188,7 @@ impl Row {
     }
 }
 
-/// Codes of the warnings about the recording of a force.
+/// Codes of the warnings about the recording from which a force was computed.
 fn warnings(recording: Option<&Interpretation>) -> String {
     let codes = recording.map(Interpretation::codes);
     codes.unwrap_or_default().join("+")
