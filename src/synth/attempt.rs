@@ -1,7 +1,7 @@
-//! One law on one cam for one problem, or the reason why its limits are infeasible.
+//! A law on a cam for one problem, or the reason for which its limits are infeasible.
 //!
-//! For a rigid machine at constant speed and one force this is the whole design. A machine whose motion depends on the cam, a
-//! compliant follower and a population attempt the problems that they derive from their own.
+//! For a rigid machine at constant speed and a single force, this is the whole design. For a machine whose motion depends on the cam, a compliant
+//! follower or a population, several such problems are derived and solved.
 
 use std::sync::Arc;
 
@@ -18,19 +18,20 @@ use crate::scene::{LawSpec, Minimise};
 /// A law with its cam.
 #[derive(Clone)]
 pub struct Attempt {
-    /// The best law under the limits, or without them if they are infeasible. Its minimum is on the base circle unless something else fixes the
-    /// level.
+    /// Best law within the limits, or without them if they are infeasible. Its minimum is on the base circle unless the drive or a condition
+    /// determines the level.
     pub law: SolvedLaw,
-    /// Cam of the attempt, with force and checks.
+    /// Cam of the law, with force and checks.
     pub cam: CheckedCam,
-    /// Reason why the limits are infeasible.
+    /// Reason for which the limits are infeasible.
     pub refusal: Option<Arc<Refusal>>,
 }
 
-/// The law under the limits of a problem on the given or the smallest cam; if infeasible, the best law without them and the refusal.
+/// Law within the limits of a problem on the given or the smallest cam. If the limits are infeasible: the best law without them, and the refusal.
 ///
 /// # Errors
-/// Faults of the input; conditions that no law satisfies even without limits.
+///
+/// Errors of the input; conditions that no law satisfies even without limits.
 pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     let refusal = match under_limits(problem, search)? {
         Ok(attempt) => return Ok(attempt),
@@ -49,15 +50,16 @@ pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     }
 }
 
-/// The law under the limits of a problem on the given or the smallest cam.
+/// Law within the limits of a problem on the given or the smallest cam.
 ///
 /// # Errors
-/// Faults of the input.
+///
+/// Errors of the input.
 pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
     on_cam(problem, families::law(problem, search)?)
 }
 
-/// A law on the given or the smallest cam of a problem.
+/// Places a law on the given or the smallest cam of a problem.
 fn on_cam(
     problem: &Problem,
     sought: std::result::Result<SolvedLaw, Box<Refusal>>,
@@ -71,7 +73,7 @@ fn on_cam(
 }
 
 impl Attempt {
-    /// A law with its cam; the law is raised as far as the cam requires.
+    /// Combines a law with its cam. The law is raised if the cam requires a higher lift.
     pub fn of(mut law: SolvedLaw, cam: CheckedCam) -> Attempt {
         law.functions.raise(&mut law.coefficients, cam.raised);
         law.law = cam.pressing().clone();
@@ -83,8 +85,8 @@ impl Attempt {
     }
 }
 
-/// The best law without the accuracy if the other limits are feasible, otherwise without any limit, otherwise without the base circle. If the
-/// accuracy is a limit and the objective is not the force, the best law has the minimum force error.
+/// Best law without the accuracy if the other limits are feasible; otherwise without any limit, and finally without the base circle. If the accuracy
+/// is a limit and the objective is not the force, the best law has the minimum force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
@@ -130,7 +132,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
     on_cam(problem, law.map(unproved))
 }
 
-/// The problem with an objective that has a closed form or is a least-squares problem.
+/// The problem with an objective that leads to a closed form or a least-squares problem.
 fn quick(problem: &Problem) -> Problem {
     match problem.objective() {
         Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),

@@ -1,8 +1,7 @@
-//! The figures of a plain design in closed form, for many problems of one force (theory §1).
+//! Figures of a plain design in closed form, for many problems with the same force (theory §1).
 //!
-//! Where the drive is pure inertia the law is one fixed curve times a factor: all extremes of lift, velocity, acceleration,
-//! jerk, force and flat-face curvature are those of the fixed curve, scaled. Tests compare these figures with the design's
-//! to 1e-9.
+//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force and
+//! flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the design to 1e-9.
 
 use std::f64::consts::PI;
 
@@ -17,13 +16,13 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// Relative difference of a mean force from the target's that counts as none.
+/// Relative difference between a mean force and the mean target below which both are equal.
 const SAME: f64 = 1e-13;
-/// Errors below this fraction of the mean are rounding errors, which are not compared.
+/// Fraction of the mean below which errors are rounding errors, which are not compared.
 const ROUNDING: f64 = 1e-5;
 
-/// The figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` for other laws, or if a limit may be
-/// violated; the full synthesis then decides.
+/// Figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` for other laws, or if a limit may be
+/// violated; the full synthesis is then necessary.
 pub fn figures(problem: &Problem) -> Option<Figures> {
     let is_closed = problem.is_plain()
         && problem.law.family == Family::Harmonic
@@ -71,19 +70,19 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
     passes(problem, &figures).then_some(figures)
 }
 
-/// A law as a factor times a shape plus a constant.
+/// A law as a factor times a shape, plus a constant.
 struct Motion<'a> {
     shape: &'a Shape,
-    /// Factor from the series to the force.
+    /// Factor between the series and the force.
     scale: f64,
     factor: f64,
     level: f64,
-    /// Ranges of its derivatives; that of the lift without the constant.
+    /// Ranges of the lift without the constant, and of its derivatives.
     svaj: [[f64; 2]; 4],
 }
 
 impl Motion<'_> {
-    /// Figures on the cam of the problem; `error` is that of the series.
+    /// Figures for the cam of the problem. `error` is the error of the series.
     fn figures(&self, problem: &Problem, error: [f64; 2]) -> Figures {
         let (drive, mean, scale) = (&problem.drive, problem.target_mean(), self.scale);
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
@@ -135,7 +134,7 @@ impl Motion<'_> {
         }
     }
 
-    /// Speed of lift-off: F = M(g + ω²a) vanishes where ω² = g/(−a).
+    /// Lift-off speed: F = M(g + ω²a) is zero for ω² = g/(−a).
     fn liftoff(&self, drive: &Drive) -> Option<f64> {
         if drive.spring_rate != 0.0 || drive.damping != 0.0 {
             let law = self.shape.law.scaled(self.factor).raised(self.level);
@@ -146,7 +145,7 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, given or the minimum for curvature and bore, and the minimum radius of curvature on it, from the minimum of s + a.
+/// Base radius, given or the minimum for curvature and bore, and minimum radius of curvature with this base radius, from the minimum of s + a.
 fn size(problem: &Problem, bent: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {
@@ -158,7 +157,7 @@ fn size(problem: &Problem, bent: f64) -> (f64, f64) {
     (base, (base + bent).max(wanted))
 }
 
-/// Whether every limit with a figure is satisfied, including default bounds; false with any other limit.
+/// Whether every limit for which there is a figure is satisfied, including default bounds; `false` if there is any other limit.
 fn passes(problem: &Problem, figures: &Figures) -> bool {
     let (limits, force) = (&problem.limits, &figures.force);
     let keeps = |kind: LimitKind| {

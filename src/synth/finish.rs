@@ -1,4 +1,4 @@
-//! The finished design: an attempt with its verdict, its notes, and the reports of machine and population.
+//! Finished design: a law on its cam with verdict and notes, and the reports of machine and population.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::cam::{Check, LimitKind, Verdict};
 use crate::dynamics::FloorMotion;
 use crate::problem::{Note, Problem};
 
-/// Additions of a compliant follower, a motor, a moving floor and a population to a design.
+/// Reports that a compliant follower, a motor, a moving floor and a population add to a design.
 #[derive(Default)]
 pub struct Reports {
     pub end: Option<End>,
@@ -27,7 +27,7 @@ pub struct Reports {
     pub relaxations: Vec<Relaxation>,
 }
 
-/// The finished design of a problem.
+/// Finished design of a problem.
 pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;

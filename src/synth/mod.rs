@@ -1,7 +1,7 @@
 //! Design: from a target force to a law, its certificate and its cam.
 //!
-//! One law s(θ) is sought in a linear family, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in
-//! it, and so is every limit on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
+//! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in the law, and so is every limit
+//! on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
 //!
 //! ```text
 //! minimise   mean over the turn of (F(θ) − F*(θ))²      (or the energy or peak of a derivative)
@@ -9,11 +9,11 @@
 //!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
 //! ```
 //!
-//! is convex. It is solved by the simplest method that is sufficient; the next one is used only when a limit is
-//! violated or cannot be expressed. Below, T is the turn, W = (k, cω, mω²) the force's weights.
+//! is convex. It is solved by the simplest method that is sufficient; the next one is used only when a limit is violated or cannot be expressed.
+//! Below, T is the turn, and W = (k, cω, mω²) are the weights of the force.
 //!
-//! **Spectral.** With harmonics n = 1 … N as the family and no limit broken, the least squares fall apart:
-//! ŝₙ = F̂ₙ / (k − mω²n² + i cωn), one division each.
+//! **Spectral.** For harmonics n = 1 … N without active limits, the least-squares problem is diagonal: ŝₙ = F̂ₙ / (k − mω²n² + i cωn), one division
+//! per harmonic.
 //!
 //! **Equality.** B-splines of degree p on N spans, coefficients x:
 //!
@@ -22,42 +22,38 @@
 //! such that E x = e           demands at points, dwells
 //! ```
 //!
-//! H is banded with a border (the turn closes); one Cholesky factor, cost linear in N. Where nothing fixes the
-//! level (moving axis) one coefficient is pinned and the lowest point put on the base circle afterwards.
+//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force does not
+//! determine the level (moving axis), one coefficient is fixed, and the minimum of the lift is placed on the base circle afterwards.
 //!
-//! **QP.** The same with a(θ)ᵀx ≤ b(θ) for every θ: acceleration, jerk, stroke, force, flat-face curvature, a band
-//! about the target. From the optimum without limits the exact worst points of the law (roots in Bernstein
-//! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
-//! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
-//! of its size. Where rows are many, or the active set does not end, Clarabel takes its place.
+//! **QP.** In addition a(θ)ᵀx ≤ b(θ) for every θ: acceleration, jerk, stroke, force, flat-face curvature, a band about the target. Starting from the
+//! optimum without limits, the exact worst points of the law (roots in Bernstein form) become rows of a dual active-set method. When all contacts are
+//! known, Newton's method moves them to the points where a(θ)ᵀx touches b(θ) with equal slope. The method ends when no limit is exceeded at any angle
+//! by more than 4·10⁻¹⁰ of its size. Clarabel replaces the active-set method if there are many rows or if it does not converge.
 //!
-//! **SOCP.** Prime radius R, height D and offset e join x (theory §6):
+//! **SOCP.** Prime radius R, height D and offset e are further variables (theory §6):
 //!
 //! ```text
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! with R minimised or bounded; under a flat face R + s + a ≥ ρ instead. Clarabel, on
-//! exchanged rows.
+//! with R minimised or bounded; for a flat face R + s + a ≥ ρ instead. Clarabel solves the program, with an exchange of rows.
 //!
-//! **SCP.** What is not convex: h(s, v, a, j, D, e) ≥ 0 for a roller's curvature, for curvature and pressure angle
-//! of followers on an arm, for the shaft's torque F v and its rate F′v + F a, and for the pressure between a
-//! roller and its cam. Linearised at its low points, solved, the step halved until the true h holds all
-//! around; every iterate is feasible and every step improves the objective.
+//! **SCP.** For non-convex limits h(s, v, a, j, D, e) ≥ 0: the curvature of a roller cam, curvature and pressure angle of followers on an arm, the
+//! shaft torque F v and its rate F′v + F a, and the pressure between a roller and its cam. The limits are linearised at the minima of h, the convex
+//! program is solved, and the step is halved until h ≥ 0 over the whole turn. Every iterate is feasible, and every step improves the objective.
 //!
-//! **Polydyne.** Under a follower that gives, the law sought is that of its end y; the cam's is
-//! s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. Limits of the end move until the cam's own are reached.
+//! **Polydyne.** With a compliant follower, the law of its end y is optimised. The law of the cam is s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. The
+//! limits for the end are changed until the cam reaches its limits.
 //!
-//! **Accuracy.** Where something else than the force error is minimised, √(mean (F − F*)²) ≤ e is one more convex limit: its
-//! half square is added to the objective with the weight at which it holds with equality. Where a peak is minimised, the force
-//! error is, under the peak at which it is e.
+//! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half its square is added to the objective,
+//! with the weight for which the limit is active. If a peak is minimised, the force error is minimised instead, with the peak limited to the value
+//! for which the force error is e.
 //!
-//! **Certificate.** The multipliers λ of the active rows prove a lower bound; objective less bound is
-//! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.
+//! **Certificate.** The multipliers λ of the active rows prove a lower bound. The gap between objective and bound is Σ λ(b − aᵀx) + xᵀr, with the
+//! gradient r of the Lagrangian. λ times 1 % of a limit is the gain from relaxing it by 1 %.
 //!
-//! **Infeasible.** Without a solution a deletion filter leaves an irreducible infeasible set of limits; for each of
-//! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
-//! each value and moves it until every check passes.
+//! **Infeasible.** If there is no solution, a deletion filter finds an irreducible infeasible set of limits. For each of them, minimising its bound
+//! gives a first relaxation. `relaxed` designs the whole cam with each value and changes it until every check passes.
 
 mod attempt;
 pub(crate) mod closed_form;
@@ -109,27 +105,29 @@ use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
 
-/// Designs the cam that a scene asks for. `force` is one cycle of the target force, where the scene has one.
+/// Designs the cam for a scene. `force` is one cycle of the target force, if the scene has one.
 ///
-/// The answer is complete even when a check fails or the limits leave nothing; then `infeasible` or the
-/// verdict says so, and the design shown is the best one without the limits.
+/// The result is complete even if a check fails or the limits are infeasible. Then `infeasible` or the verdict states this, and the design is the
+/// best one without the limits.
 ///
 /// # Errors
-/// Faults of the input.
+///
+/// Errors of the input.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
     design(&Problem::resolve(scene, force)?, &Search::default())
 }
 
 impl Scene {
-    /// The design of a scene that names its own force, or none.
+    /// Designs the cam for a scene whose force is a load model, or without a force.
     ///
     /// # Errors
-    /// Faults of the scene, and a force that has to be read from a file: [`Scene::design_for`] takes it.
+    ///
+    /// Errors of the scene; a force that has to be read from a file, for which [`Scene::design_for`] is necessary.
     pub fn design(&self) -> Result<Design> {
         synthesise(self, self.model_force()?.as_ref())
     }
 
-    /// The design of a scene for one cycle of force, such as a recording's mean cycle.
+    /// Designs the cam for a scene and one cycle of force, such as the mean cycle of a recording.
     ///
     /// ```
     /// use gaitcam::Scene;
@@ -146,7 +144,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// Faults of the scene, and a force that its drive cannot give.
+    /// Errors of the scene; a force that its drive cannot produce.
     pub fn design_for(&self, force: &ForceCurve) -> Result<Design> {
         synthesise(self, Some(force))
     }

@@ -1,4 +1,4 @@
-//! Outcome for a scene.
+//! Result for a scene.
 
 use super::{Design, Search, design};
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
 
-/// Outcome for a scene: a design, or the reason why none can be shown.
+/// Result for a scene: a design, or the reason for which no cam can be shown.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -21,26 +21,28 @@ use crate::scene::Scene;
 /// ```
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// A design. Its verdict states whether it satisfies the limits; if infeasible, it is the best design without them.
+    /// A design. Its verdict states whether it satisfies the limits. If they are infeasible, it is the best design without them.
     Built(Box<Design>),
-    /// No cam can be shown, for this reason.
+    /// No cam can be shown, with the reason.
     NoCam(Error),
 }
 
 /// Designs the cam of a scene. `force` is one cycle of the target force, if the scene has one.
 ///
 /// # Errors
-/// Faults of the input.
+///
+/// Errors of the input.
 pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Result<Outcome> {
     let problem = Problem::resolve(scene, force);
     Outcome::of(problem.and_then(|problem| design(&problem, search)))
 }
 
 impl Outcome {
-    /// The outcome of a synthesis.
+    /// Converts the result of a synthesis to an outcome.
     ///
     /// # Errors
-    /// Faults of the input.
+    ///
+    /// Errors of the input.
     pub fn of(design: Result<Design>) -> Result<Outcome> {
         match design {
             Ok(design) => Ok(Outcome::Built(Box::new(design))),
@@ -49,10 +51,11 @@ impl Outcome {
         }
     }
 
-    /// The design of a scene.
+    /// Returns the design.
     ///
     /// # Errors
-    /// The reason why there is none.
+    ///
+    /// There is no design; the error is the reason.
     pub fn built(self) -> Result<Design> {
         match self {
             Outcome::Built(design) => Ok(*design),
@@ -60,7 +63,7 @@ impl Outcome {
         }
     }
 
-    /// The design, with suggested changes of violated limits.
+    /// Adds suggested changes of violated limits to the design.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Outcome {
         match self {

@@ -1,5 +1,5 @@
-//! Trade-off fronts: the minimum force error for each size of cam, jerk, acceleration or stroke. Each of these is a convex limit, so minimising the
-//! force error for each value gives every point of the front.
+//! Trade-off fronts: minimum force error for each size of the cam, or for each jerk, acceleration or stroke. Each of these is a convex limit, so
+//! minimising the force error for each value gives every point of the front.
 
 use super::design::Design;
 use super::design::figures::{FIGURES, Figure, Figures};
@@ -11,7 +11,7 @@ use crate::error::{Placed, Result, SweepError, SynthError};
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 
-/// A point of the trade-off front.
+/// Point of the trade-off front.
 ///
 /// ```
 /// use gaitcam::synth::{Search, trade, traded};
@@ -30,27 +30,27 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Trade {
-    /// Allowed value of the second quantity, SI.
+    /// Permitted value of the second quantity, in SI units.
     pub allowed: f64,
     /// Design with the minimum force error.
     pub design: Design,
 }
 
-/// Force error at the end of the front, relative to the mean force or to the minimum.
+/// Force error at the end of the front, relative to the mean force or to the minimum error.
 const WORST: f64 = 0.1;
-/// Number of bisection steps for that end.
+/// Number of bisection steps to find the end of the front.
 const HALVINGS: usize = 14;
-/// Relative distance of the other end from the unlimited law, so that the limit is active.
+/// Ratio of the value at the other end of the front and that of the unlimited law. It is below 1, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Automatic number of spans of the laws on the front: a multiple of that of the unlimited law …
+/// Factor between the number of spans of a law on the front and that of the unlimited law.
 const MORE_SPANS: usize = 2;
-/// … up to this maximum.
+/// Maximum automatic number of spans of a law on the front.
 const MOST_SPANS: usize = 64;
 
-/// The figure of a pair such as `force_error:prime_radius`, in either order.
+/// The figure in a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
-/// Other words, with the known ones.
+/// Other words; the error contains the known ones.
 ///
 /// ```
 /// use gaitcam::synth::traded;
@@ -88,12 +88,12 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
     })
 }
 
-/// How a figure is limited in a problem.
+/// Limit that bounds a figure in a problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Bound {
-    /// By its own limit in the scene.
+    /// The limit of the figure in the scene.
     Limit(LimitKind),
-    /// For the lift-off speed, by a minimum force at the speed of the machine.
+    /// For the lift-off speed: a minimum force at the speed of the machine.
     LiftoffSpeed,
 }
 
@@ -102,7 +102,7 @@ impl Bound {
         figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// Conversion of the value to a minimised quantity, and back: the inverse for a lift-off speed, otherwise the value itself.
+    /// Converts a value to a minimised quantity, and back: the inverse for a lift-off speed, otherwise the value itself.
     fn turned(self, value: f64) -> f64 {
         match self {
             Bound::LiftoffSpeed => 1.0 / value,
@@ -110,7 +110,7 @@ impl Bound {
         }
     }
 
-    /// Rejects problems without a front, and figures that no limit can bound.
+    /// Rejects problems without a front, and figures without a limit.
     fn check(self, problem: &Problem) -> Result<()> {
         if problem.target.is_none() {
             return Err(SynthError::NoTarget.at_key("gait"));
@@ -152,13 +152,13 @@ impl Bound {
     }
 }
 
-/// Whether a word is a column's name or its beginning.
+/// Whether a word is the name of a column or the beginning of the name.
 fn names(column: &str, word: &str) -> bool {
     let rest = column.strip_prefix(word);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
 }
 
-/// The problem limited only by the bound of a point: a spline with minimum force error.
+/// The problem with only the bound of a point of the front: a spline with minimum force error.
 fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     let mut law = LawSpec {
         family: Family::Spline,
@@ -174,11 +174,12 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     Ok(problem.with_law(law).without_accuracy())
 }
 
-/// The front between force error and another quantity, in even steps from the tightest value to that of the unlimited law; fewer points if the search
-/// was stopped.
+/// Front between force error and another quantity, in equal steps from the tightest value to that of the unlimited law. It has fewer points if the
+/// search was stopped.
 ///
 /// # Errors
-/// A problem without a force, a family other than splines, a given size, or an infeasible law without the limit.
+///
+/// A problem without a force; a family other than splines; a given size; a law that is infeasible without the limit.
 pub fn trade(
     problem: &Problem,
     against: &Figure,

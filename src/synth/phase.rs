@@ -1,5 +1,5 @@
-//! A free phase between force cycle and cam angle, for laws tied to cam angles (points, dwells, a programme). The error over the phase has several
-//! minima, so a grid finds the best one and Brent's method refines it; the result is deterministic.
+//! Free phase between force cycle and cam angle, for laws with conditions at cam angles (points, dwells, a programme). The error over the phase has
+//! several minima. A grid finds the best one, and Brent's method refines it. The result is deterministic.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -14,7 +14,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 
-/// Number of phases examined before the search.
+/// Number of phases evaluated before the search.
 const VISITED: usize = 36;
 /// Tolerance of the phase, rad.
 const RESOLVED: f64 = 1e-6;
@@ -24,12 +24,13 @@ const STEPS: u64 = 60;
 /// The problem at the phase of minimum force error if its phase is free; otherwise unchanged.
 ///
 /// # Errors
-/// No phase is feasible, and at some the input is at fault.
+///
+/// No phase is feasible, and at some phases the input is invalid.
 pub fn best<'p>(problem: &'p Problem, search: &Search) -> Result<Cow<'p, Problem>> {
     deepest(problem, |at| least_error(&at, search))
 }
 
-/// The RMS force error of the best law under the limits of a problem, N; `None` if infeasible.
+/// RMS force error of the best law within the limits of a problem, N; `None` if infeasible.
 fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     let of_force = problem.limited_error().is_some() && !problem.is_weighed();
     let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));

@@ -1,4 +1,4 @@
-//! Conditions of a search: when to stop, and which results are useful.
+//! Conditions of a search: stop condition, and usable results.
 
 use crate::halt::Halt;
 
@@ -20,11 +20,11 @@ use crate::halt::Halt;
 pub struct Search {
     /// Stop condition of the search.
     pub(crate) halt: Halt,
-    /// Whether only a passing design is useful, so that one that cannot reach the accuracy need not be finished.
+    /// Whether only a passing design is usable. A design that cannot reach the accuracy is then not completed.
     pub(super) only_passing: bool,
-    /// Whether the law may fall below the base circle, to diagnose conditions without a cam.
+    /// Whether the law may be below the base circle, to diagnose conditions without a cam.
     pub(super) below_base_circle: bool,
-    /// Initial number of spans: that of a design for a similar problem.
+    /// Initial number of spans, from the design of a similar problem.
     pub(super) least_spans: usize,
 }
 
@@ -47,7 +47,7 @@ impl Search {
         }
     }
 
-    /// The search for laws that may fall below the base circle.
+    /// The search, with laws that may be below the base circle.
     pub(super) fn below_base_circle(&self) -> Search {
         Search {
             below_base_circle: true,
@@ -55,7 +55,7 @@ impl Search {
         }
     }
 
-    /// The search for passing designs only.
+    /// The search, with only passing designs as results.
     pub(super) fn for_passing_designs(&self) -> Search {
         Search {
             only_passing: true,

@@ -1,4 +1,4 @@
-//! The design of a problem: one force or many walkers, a plain machine or one whose motion depends on the cam.
+//! Design of a problem: for one force or many walkers, and for a plain machine or one whose motion depends on the cam.
 
 use super::attempt::{attempt, under_limits};
 use super::design::Design;
@@ -12,10 +12,11 @@ use crate::cam::Verdict;
 use crate::error::Result;
 use crate::problem::Problem;
 
-/// The design of a problem, also if its limits are infeasible.
+/// Design of a problem, even if its limits are infeasible.
 ///
 /// # Errors
-/// Faults of the input.
+///
+/// Errors of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     check_arm(problem)?;
     let is_plain = !machine::responds(problem);
@@ -31,7 +32,7 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     Ok(finished(problem, search, plain, Reports::default()))
 }
 
-/// A feasible design, not the optimum, fast enough for interactive use. `None` if none is found.
+/// A feasible design that need not be optimal, fast enough for interactive use; `None` if no feasible design is found.
 ///
 /// ```
 /// use gaitcam::synth::{Search, passing};
@@ -48,15 +49,16 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
 /// ```
 ///
 /// # Errors
-/// Faults of the input.
+/// Errors of the input.
 pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     kept(problem, &search.for_passing_designs())
 }
 
-/// The design of a problem if it satisfies every limit, without diagnosing infeasibility.
+/// Design of a problem if it satisfies every limit; `None` otherwise, without diagnosing infeasibility.
 ///
 /// # Errors
-/// Faults of the input.
+///
+/// Errors of the input.
 pub fn kept(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     let design = if machine::responds(problem) || population::is_judged(problem) {
         Some(design(problem, search)?)

@@ -1,4 +1,4 @@
-//! The verdict on a finished cam and all its reasons (docs/verdict.md).
+//! Verdict on a finished cam and its reasons (docs/verdict.md).
 
 use super::limits::{GEOMETRY, is_usual, usual_pressure_angle};
 use super::sizing::smallest_without_undercut;
@@ -11,10 +11,10 @@ use crate::synth::report::force::ForceReport;
 use crate::synth::report::reason::{Reason, place, quantity};
 use crate::units::{Dimension, Quantity};
 
-/// Angles that differ by this fraction are equal.
+/// Relative difference below which two angles are equal.
 const SAME_ANGLE: f64 = 1e-9;
 
-/// The verdict on the cam and every reason for it, the worst first.
+/// Verdict on the cam and all reasons for it, the worst first.
 pub fn verdict(
     problem: &Problem,
     cam: &Cam,
@@ -49,7 +49,7 @@ pub fn verdict(
     (class, bad)
 }
 
-/// Reason for a mean force other than M·g, which a moving axis always has (theory §1).
+/// Reason for a mean force that differs from M·g, the mean force of every law on a moving axis (theory §1).
 pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     problem.mean_force_gap().map(|gap| Reason::MeanForce {
         mean: Quantity::force(force.target_mean_n),
@@ -107,7 +107,7 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// The preload of a spring and the minimum force of a target below it, which no lift reaches; a mass may.
+/// Preload of a spring and minimum force of a target below it. No lift reaches this force without the inertia of a mass.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();
@@ -127,7 +127,7 @@ fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// Reason for a profile with an edge, without a limit on its curvature.
+/// Reason for a profile with a cusp, without a limit on its curvature.
 fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let convex = checks.iter().find(|c| c.name == LimitKind::Curvature)?;
     let prime = cam.follower.prime_radius();
@@ -139,7 +139,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// Remedy for a radius that is too small.
+/// Suggestion for a radius that is too small.
 fn larger(problem: &Problem, cam: &Cam) -> Reason {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
         return Reason::LengthenTravel;
@@ -152,7 +152,7 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
     }
 }
 
-/// Reason for a profile, its second cam or a wall of a groove that is too sharp.
+/// Reason for a convex radius that is too small: of the profile, of the second cam or of a wall of a groove.
 fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -> Reason {
     match check.name {
         Criterion::SecondCurvature => Reason::SecondTooSharp {
@@ -174,7 +174,7 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
     }
 }
 
-/// Whether a pressure angle is the largest one under its limit; of equal angles the first.
+/// Whether a pressure angle is the maximum among the checks with the same limit; of equal angles the first.
 fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     let angles = checks
         .iter()
@@ -184,7 +184,7 @@ fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     largest.is_none_or(|o| o.name == check.name)
 }
 
-/// Reason for another failed check, with its remedy if known.
+/// Reason for another failed check, with a suggestion if known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);

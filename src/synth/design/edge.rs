@@ -1,12 +1,12 @@
-//! The edges to cut, in the frame of the drawing; used by every exporter and by pictures.
+//! Edges to be cut, in the frame of the drawing. Exporters and figures use them.
 //!
-//! A disc has one closed edge, a conjugate pair one for each cam, a translating cam one with two ends. A barrel's unrolled groove has two walls with
-//! two ends each, even if its law closes.
+//! A disc has one closed edge, a conjugate pair one for each cam, a translating cam one with two ends. The unrolled groove of a barrel has two walls
+//! with two ends each, even if its law is closed.
 
 use super::Design;
 use crate::cam::{Cam, Wall};
 
-/// One edge to cut.
+/// An edge to be cut.
 ///
 /// ```
 /// use gaitcam::scene::built_in;
@@ -27,15 +27,15 @@ pub struct Edge<'a> {
 /// Position of the edge relative to the cam's contact points.
 #[derive(Debug, Clone, Copy)]
 enum Place {
-    /// On the contact points, shifted upwards, m.
+    /// The contact points, shifted upwards, m.
     Raised(f64),
-    /// On the roller's other side, shifted upwards, m; whether the roller undercuts it.
+    /// Opposite side of the roller, shifted upwards, m, and whether the roller undercuts this side.
     Opposite { raised: f64, undercut: bool },
-    /// Rotated by half a turn: the second cam of a pair on its shaft.
+    /// Rotated by half a turn, as the second cam of a pair on its shaft.
     HalfTurned,
 }
 
-/// A point of an edge with its tangent in the sense of increasing θ.
+/// Point of an edge with its tangent in the direction of increasing θ.
 ///
 /// ```
 /// use gaitcam::scene::built_in;
@@ -48,18 +48,18 @@ enum Place {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
-    /// Cam angle at which it touches the follower, rad (m of travel for a translating cam).
+    /// Cam angle at which the point touches the follower, rad (m of travel for a translating cam).
     pub theta: f64,
     /// Coordinates of the point, m.
     pub p: [f64; 2],
     /// Unit tangent of the edge.
     pub t: [f64; 2],
-    /// Centre of the roller in contact, m (the point itself for a flat face).
+    /// Centre of the roller in contact, m; for a flat face the point itself.
     pub pitch: [f64; 2],
 }
 
 impl<'a> Edge<'a> {
-    /// The profile of a cam alone.
+    /// Profile of a single cam.
     pub fn of(cam: &'a Cam) -> Self {
         Edge {
             layer: "CUT_PROFILE",
@@ -68,7 +68,7 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Every edge of a design; the first is the profile (a barrel's lower wall).
+    /// All edges of a design. The first one is the profile (for a barrel the lower wall).
     pub fn all(synthesis: &'a Design) -> Vec<Self> {
         let cam = &synthesis.cam;
         let mut edges = vec![Edge::of(cam)];
@@ -94,7 +94,7 @@ impl<'a> Edge<'a> {
         edges
     }
 
-    /// The curves of the roller centres, each with its edge.
+    /// Curves of the roller centres, each with its edge.
     pub fn pitch_curves(synthesis: &'a Design) -> Vec<Self> {
         if synthesis.cam.follower.roller_radius() == 0.0 {
             return Vec::new();
@@ -116,7 +116,7 @@ impl<'a> Edge<'a> {
         self.cam.law.is_closed() && !self.cam.follower.is_unrolled()
     }
 
-    /// Whether the roller undercuts it: its tangent turns back in cusps.
+    /// Whether the roller undercuts the edge. Its tangent then reverses at cusps.
     pub fn is_undercut(&self) -> bool {
         match self.place {
             Place::Opposite { undercut, .. } => undercut,
@@ -124,12 +124,12 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Angles between which the law has one piece.
+    /// Breaks between the spans of the law.
     pub fn breaks(&self) -> &[f64] {
         self.cam.law.breaks()
     }
 
-    /// The point of the edge at `theta`.
+    /// Point of the edge at `theta`.
     pub fn at(&self, theta: f64) -> EdgePoint {
         let point = self.cam.point(theta);
         let [nx, ny] = self.cam.normal(&point);
@@ -148,8 +148,7 @@ impl<'a> Edge<'a> {
         EdgePoint { theta, p, t, pitch }
     }
 
-    /// `n` points at equal steps of the cam angle: a closed edge does not repeat its first, an open one
-    /// ends on its last.
+    /// `n` points at equal steps of the cam angle. A closed edge does not repeat its first point; an open edge ends at its last point.
     pub fn points(&self, n: usize) -> Vec<EdgePoint> {
         let (start, length) = self.cam.law.extent();
         let steps = if self.is_closed() {

@@ -1,4 +1,4 @@
-//! The emitted cam of a design on its machine, ready to run.
+//! Emitted cam of a design in its machine, as input of a simulation.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::wording::Language;
 const POINTS: usize = 1440;
 
 impl Design {
-    /// Reason why there is no cam to simulate; `None` if there is one.
+    /// Reason for which there is no cam to simulate; `None` if there is a cam.
     pub fn no_cam(&self, language: Language) -> Option<String> {
         if let Some(infeasible) = &self.infeasible {
             return Some(infeasible.sentence(language));
@@ -24,9 +24,11 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// The emitted profile, not the law it came from, on a machine: steel on steel over the thickness of the plate, driven by `drive`.
+    /// Emitted profile, not the law from which it was made, in a machine that `drive` describes. The contact is steel on steel over the thickness of
+    /// the plate.
     ///
     /// # Errors
+    ///
     /// A natural frequency without a mass.
     pub fn emitted(&self, spec: &MachineSpec, drive: Drive) -> Result<Run> {
         let angles = || (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);

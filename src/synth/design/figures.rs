@@ -1,4 +1,4 @@
-//! The figures of a design, and their table, which defines every list of figures.
+//! Figures of a design, and the table that defines all lists of figures.
 
 use super::Design;
 use super::machine::MachineReport;
@@ -7,7 +7,7 @@ use crate::criterion::{Direction, LimitKind as Limit};
 use crate::synth::report::force::ForceReport;
 use crate::wording::{DIGITS, Language, people, rounded, sentence};
 
-/// Figures of one design, SI.
+/// Figures of one design, in SI units.
 ///
 /// ```
 /// use gaitcam::synth::Figures;
@@ -23,15 +23,15 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Force against target, N; for an arm at its lever.
+    /// Comparison of force and target, N; for an arm at its lever.
     pub force: ForceReport,
     /// Mass moved by the cam, kg.
     pub mass: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Maximum lift less minimum.
+    /// Maximum lift minus minimum lift.
     pub stroke: f64,
-    /// Maximum |velocity|, |acceleration| and |jerk| in time.
+    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time.
     pub peaks: [f64; 3],
     /// Radius of the base circle.
     pub base_radius: f64,
@@ -43,7 +43,7 @@ pub struct Figures {
     pub smallest_convex_radius: f64,
     /// Maximum |pressure angle|, rad.
     pub largest_pressure_angle: f64,
-    /// Required width of the face; `None` without a flat face.
+    /// Required length of the face; `None` without a flat face.
     pub face_width: Option<f64>,
     /// Requirements on the machine.
     pub machine: MachineReport,
@@ -74,7 +74,7 @@ impl Figures {
     }
 }
 
-/// A figure of a design: names, unit, value, and related keys of a scene.
+/// A figure of a design: names, unit, value, and related keys of the scene.
 ///
 /// ```
 /// use gaitcam::synth::{Figure, Figures};
@@ -90,24 +90,24 @@ impl Figures {
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Figure {
-    /// Name of the column in sweeps.
+    /// Name of the column in the tables of sweeps.
     pub column: &'static str,
     /// SI unit of the figure.
     pub unit: &'static str,
     /// Maximum number of displayed significant digits.
     pub digits: usize,
-    /// Table of `summary.json` that contains it; empty if none does.
+    /// Table of `summary.json` that contains the figure; empty if no table contains it.
     pub section: &'static str,
-    /// Key in that table; column of a front.
+    /// Key of the figure in this table; also its column in a front.
     pub key: &'static str,
-    /// The limit on the figure.
+    /// Limit of the figure.
     pub limit: Option<Limit>,
-    /// Name of the figure as an objective traded against the force error.
+    /// Name of the figure as an objective in a trade-off with the force error.
     pub trade: Option<&'static str>,
-    /// Key of the scene with the value `auto` that it determines.
+    /// Key of the scene that the figure determines if its value is `auto`.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
-    /// Displayed unit, if it depends on the kinds of follower and cam.
+    /// Displayed unit, if it depends on the kind of follower or cam.
     measured: Option<fn(Measures) -> Unit>,
 }
 
@@ -137,7 +137,7 @@ impl Figure {
         self
     }
 
-    /// Name of the figure in messages, for every follower.
+    /// Name of the figure in messages, valid for every follower.
     ///
     /// ```
     /// use gaitcam::synth::Figure;
@@ -167,14 +167,14 @@ impl Figure {
         sentence(language, "figure", &message)
     }
 
-    /// The unit in which users see the figure.
+    /// Unit in which the figure is displayed.
     pub fn unit_on(&self, measures: Measures) -> Unit {
         let (name, factor) = people(self.unit);
         let usual = Unit { factor, name };
         self.measured.map_or(usual, |unit| unit(measures))
     }
 
-    /// Converts a value, SI, to the displayed unit.
+    /// Formats a value, in SI units, in the displayed unit.
     ///
     /// ```
     /// use gaitcam::cam::Measures;
@@ -191,12 +191,12 @@ impl Figure {
         unit.after(&rounded(language, unit.factor * value, self.digits))
     }
 
-    /// Value of the figure, SI; NaN where a design has none.
+    /// Value of the figure in SI units; NaN if the design has no value.
     pub fn value(&self, figures: &Figures) -> f64 {
         (self.value)(figures)
     }
 
-    /// Whether its value satisfies a limit.
+    /// Whether the value of the figure satisfies a limit.
     pub(in crate::synth) fn keeps(&self, figures: &Figures, limit: f64) -> bool {
         let direction = self
             .limit
@@ -204,7 +204,7 @@ impl Figure {
         direction.keeps(self.value(figures), limit)
     }
 
-    /// The figure with a column name.
+    /// The figure with this column name.
     pub fn of_column(column: &str) -> Option<&'static Figure> {
         FIGURES.iter().find(|f| f.column == column)
     }
@@ -215,8 +215,8 @@ impl Figure {
     }
 }
 
-/// Every figure, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
-/// limit of its own; a minimum force at the machine's speed replaces it.
+/// All figures, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
+/// limit; a minimum force at the speed of the machine replaces it.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 25] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

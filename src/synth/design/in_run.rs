@@ -1,4 +1,4 @@
-//! Verdict from a run of the emitted cam, including limits on force, loads and motion.
+//! Verdict from a simulation of the emitted cam, including limits on force, loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -11,12 +11,12 @@ use crate::synth::report::reason::Reason;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
-/// Relative excess over a bound that a run may have, given its resolution.
+/// Relative excess over a bound that is accepted in a simulation, because of its resolution.
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The design judged by a run of its emitted cam: values of the run replace its checks, and loss of contact makes the cam unacceptable if contact
-    /// is judged.
+    /// The design judged by a simulation of its emitted cam. Values of the simulation replace those of its checks. Loss of contact makes the cam
+    /// unacceptable, unless the scene switches this check off.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());
@@ -50,7 +50,7 @@ impl Design {
         out.losing_contact(run)
     }
 
-    /// The worst value of a criterion in a run; `None` if the run does not contain it.
+    /// Worst value of a criterion in a simulation; `None` if the simulation does not provide it.
     fn seen(&self, criterion: Criterion, run: &Outcome) -> Option<Extreme> {
         let largest = |value: &dyn Fn(&Row) -> f64| {
             let at = |row: &Row| Extreme {
@@ -91,7 +91,7 @@ impl Design {
         }
     }
 
-    /// The maximum time derivative of the lift: of the whole law at constant speed; velocity and acceleration of the rows under a motor.
+    /// Maximum time derivative of the lift: of the continuous law at constant speed; of the output samples with a motor (velocity and acceleration).
     fn motion(&self, order: usize, run: &Outcome) -> Option<Extreme> {
         if run.shaft.is_none() {
             let most = Extreme::largest(self.cam.derivative_extremes(order));
@@ -121,7 +121,7 @@ impl Design {
             .max_by(|a, b| a.value.total_cmp(&b.value))
     }
 
-    /// Adds the reason of lost contact, unless another reason covers it.
+    /// Adds lost contact to the reasons, unless another reason covers it.
     fn losing_contact(self, run: &Outcome) -> Design {
         let limits = &self.problem.limits;
         let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
@@ -149,7 +149,7 @@ impl Design {
     }
 }
 
-/// The maximum rate of the torque between neighbouring rows, N·m/rad.
+/// Maximum rate of the torque between adjacent rows, N·m/rad.
 fn steepest(run: &Outcome) -> Option<Extreme> {
     let rates = run.rows.windows(2).map(|rows| Extreme {
         at: rows[0].theta,
@@ -158,7 +158,7 @@ fn steepest(run: &Outcome) -> Option<Extreme> {
     rates.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// The mean of the power over time, W, from rows at equal angles.
+/// Mean power over time, W, from rows at equal angles.
 fn mean_power(run: &Outcome) -> Option<Extreme> {
     let (mut work, mut time) = (0.0, 0.0);
     for row in &run.rows {
@@ -172,7 +172,7 @@ fn mean_power(run: &Outcome) -> Option<Extreme> {
     })
 }
 
-/// A reason that suggests another cam, reworded for a run.
+/// Rewords a reason that suggests another cam, for a simulation.
 fn of_run(reason: Reason) -> Reason {
     match reason {
         Reason::ForceError { error, allowed } => Reason::ForceErrorInRun { error, allowed },

@@ -1,4 +1,4 @@
-//! Dynamic load factors, as in codes for footbridges: harmonics of the step frequency relative to the walker's weight.
+//! Dynamic load factors as in codes for footbridges: harmonics of the step frequency relative to the weight of the walker.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +9,15 @@ use crate::poly::amplitudes;
 
 /// Number of harmonics of the step frequency.
 const HARMONICS: usize = 6;
-/// Number of samples of a turn for the harmonics; the factors of a force with slope jumps are accurate to 2e-5.
+/// Number of samples of a turn for the harmonics. The factors of a force with jumps of the slope are accurate to 2e-5.
 const SAMPLES: usize = 8192;
 /// Number of samples of the target of a load model, which is a sum of few harmonics.
 const MODEL_SAMPLES: usize = 1024;
-/// Harmonics below this fraction of the weight are rounding errors without a phase.
+/// Fraction of the weight below which a harmonic is a rounding error and has no phase.
 const ROUNDING: f64 = 1e-9;
 
-/// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker. The phase
-/// is subtracted, unlike in `gait.harmonics`, where it is added.
+/// A harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), with the weight W of the walker. The phase is subtracted; in
+/// `gait.harmonics` it is added.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -34,26 +34,26 @@ const ROUNDING: f64 = 1e-9;
 pub struct LoadFactor {
     /// Number of the harmonic in a turn of the cam.
     pub harmonic: usize,
-    /// Number as a multiple of the step frequency: half of it if a turn is a stride of two steps.
+    /// Order of the harmonic relative to the step frequency: half its number if a turn is a stride of two steps.
     pub of_step: f64,
     /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,
     /// Load factor αₖ of the target.
     pub target: f64,
-    /// Phase φₖ of the target, rad; 0 without such a harmonic.
+    /// Phase φₖ of the target, rad; 0 if the harmonic is absent.
     pub target_phase_rad: f64,
     /// Load factor αₖ of the achieved force.
     pub achieved: f64,
-    /// Phase φₖ of the achieved force, rad; 0 without such a harmonic.
+    /// Phase φₖ of the achieved force, rad; 0 if the harmonic is absent.
     pub achieved_phase_rad: f64,
 }
 
 impl Design {
-    /// Harmonics of target and achieved force up to the sixth of the step frequency, relative to the walker's weight; empty without a target or a
-    /// positive weight.
+    /// Harmonics of target and achieved force up to the sixth of the step frequency, relative to the weight of the walker. Empty without a target or
+    /// a positive weight.
     ///
-    /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that is one cycle does not state it: it is a stride
-    /// if the second harmonic of the target is larger than the first.
+    /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that contains one cycle does not state whether it is a
+    /// step or a stride. It is a stride if the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
         let Some(target) = self.target_in_time() else {
             return Vec::new();
@@ -101,7 +101,7 @@ impl Design {
     }
 }
 
-/// Number of steps in a turn of force; two equal steps leave the first harmonic of the stride nearly empty.
+/// Number of steps in a turn of force. For two equal steps, the first harmonic of the stride is nearly zero.
 fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
     if harmonic(amplitudes, 2).0 > harmonic(amplitudes, 1).0 {
         2

@@ -7,13 +7,13 @@ use crate::cam::Measures;
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 use crate::synth::limits::{Press, power_curve, torque_curve};
 
-/// A mean power below this fraction of the largest is a rounding error, since springs and masses return their energy.
+/// Mean power, relative to the maximum, below which it is a rounding error, because springs and masses return their energy.
 const GIVEN_BACK: f64 = 1e-12;
 
-/// Torque, power, lift-off and pressure of a rigid machine without friction, exact on the continuous law.
+/// Torque, power, lift-off and pressure of a rigid machine without friction, exact for the continuous law.
 ///
-/// `None` if a number is not defined: without a load, for a translating cam (which has no torque), without a lift-off speed, for an undercut cam;
-/// lift-off and pressure also on a moving floor.
+/// A number is `None` if it is not defined: without a load, for a translating cam (which has no torque), without a lift-off speed, or for an undercut
+/// cam. Lift-off speed and pressure are also `None` on a moving floor.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -45,15 +45,15 @@ pub struct MachineReport {
     pub torque_rms_n_m: Option<f64>,
     /// Maximum absolute power of the shaft, W: driving or braking.
     pub power_max_w: Option<f64>,
-    /// Mean of the machine report, W: what damping uses up.
+    /// Mean power of the shaft, W: the power dissipated by damping.
     pub power_mean_w: Option<f64>,
-    /// Minimum speed at which the follower loses contact, rad/s.
+    /// Minimum speed at which the follower lifts off, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,
-    /// Maximum line pressure, steel on steel over the thickness of the cam, Pa; infinite under a knife edge.
+    /// Maximum line pressure, Pa, for steel on steel over the thickness of the cam; infinite for a knife edge.
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-/// A mean power, 0 if it is within the rounding of the given extremes.
+/// The mean power; 0 if it is within the rounding error of the given extremes.
 fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
@@ -64,7 +64,7 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// Power and torque figures from the range of a torque, its mean and its root mean square, N·m, at a shaft speed.
+    /// Figures of power and torque from the range of a torque, its mean and its root mean square, N·m, at a shaft speed.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],
@@ -108,7 +108,7 @@ impl Design {
         report
     }
 
-    /// Speed at which a follower without form closure loses contact.
+    /// Minimum speed, rad/s, at which a follower without form closure lifts off.
     fn liftoff(&self) -> Option<f64> {
         let second = self.conjugate.as_ref().map(|pair| &pair.second);
         if self.problem.on_shaft.is_some() || held(&self.cam, second) {
@@ -117,7 +117,7 @@ impl Design {
         liftoff_speed(self.pressing(), &self.problem.drive)
     }
 
-    /// Maximum pressure on any of its contacts.
+    /// Maximum pressure over the contacts of the cam.
     fn pressure(&self) -> Option<f64> {
         let press = Press::of(&self.problem, self.pressing());
         let second = self.conjugate.as_ref().map(|pair| &pair.second);

@@ -1,4 +1,4 @@
-//! Result of a synthesis: plain data for emitters and sweeps.
+//! Result of a synthesis, as plain data for output files and sweeps.
 
 pub mod edge;
 mod emitted;
@@ -52,54 +52,54 @@ use crate::wording::Language;
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Design {
-    /// The problem of the design; as data its name, drive and phase.
+    /// Problem of the design. In serialised data only its name, drive and phase.
     #[serde(serialize_with = "in_short")]
     pub problem: Arc<Problem>,
     /// Family of the law.
     pub family: Family,
-    /// The basis functions of the law's coefficients.
+    /// Basis functions of the law's coefficients.
     pub functions: Functions,
-    /// Coefficients of the law (for a polydyne cam: of the follower's end), m.
+    /// Coefficients of the law, m; for a polydyne cam of the law of the follower's end.
     pub coefficients: Vec<f64>,
-    /// Degree of the law's polynomials for display (0 for the double harmonic and similar ones).
+    /// Degree of the polynomials of the law for display; 0 for laws without polynomials, such as the double harmonic.
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
-    /// The end of the flexible follower for which the cam is designed.
+    /// End of the flexible follower for which the cam is designed.
     pub end: Option<End>,
-    /// The pair with its second cam, if the scene has one.
+    /// The cam with its second cam, if the scene has a conjugate pair.
     pub conjugate: Option<Conjugate>,
-    /// The groove of a barrel cam with both walls.
+    /// Groove of a barrel cam with both walls.
     pub groove: Option<BarrelGroove>,
-    /// Difference of the force from the target.
+    /// Difference between force and target.
     pub force: ForceReport,
-    /// `None` if built; otherwise the reason why no such cam exists.
+    /// Reason for which no such cam exists; `None` for a feasible design.
     pub infeasible: Option<Infeasible>,
-    /// Single changes of one limit with which the whole design passes; computed by `relaxed` for a failing one.
+    /// Single changes of one limit for which the whole design passes. `relaxed` computes them for a design that fails.
     pub relaxations: Vec<Relaxation>,
-    /// If no single change suffices, a common relative change of all of them that does.
+    /// A common relative change of several limits for which the design passes, if no single change is sufficient.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,
-    /// Reasons of the verdict, the main one first.
+    /// Reasons for the verdict, the main one first.
     pub reasons: Vec<Reason>,
-    /// Every limit compared with the design.
+    /// Checks of all limits.
     pub checks: Vec<Check>,
-    /// Active limits, with their costs.
+    /// Active limits, with their multipliers.
     pub binding: Vec<Binding>,
-    /// Gain from relaxing each of them by 1 %, the largest first.
+    /// Gain from relaxing each active limit by 1 %, in descending order.
     pub easing: Vec<Easing>,
     /// Solution method and certificate.
     pub solver: SolverReport,
-    /// Whether a search was stopped early, with the best result so far.
+    /// Whether a search was stopped early; the design is then the best one so far.
     pub out_of_time: bool,
-    /// Notes besides the verdict.
+    /// Notes in addition to the verdict.
     pub notes: Vec<Note>,
-    /// The shaft under its motor; `None` for constant speed.
+    /// Report on the motor-driven shaft; `None` for constant speed.
     pub shaft: Option<OnShaft>,
-    /// Steady motion of the floor under the shaker and all walkers; `None` for a rigid floor.
+    /// Steady motion of the floor with the shaker and all walkers; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// Errors for each of several walkers; `None` for one cycle.
+    /// Errors for each of several walkers; `None` for a single cycle.
     pub population: Option<OfPopulation>,
 }
 
@@ -123,17 +123,17 @@ impl Design {
         self.notes.iter().map(said).collect()
     }
 
-    /// The target force over the cam angle, in phase with the cam: θ = 2π·i/n. `None` for classical programmes.
+    /// Target force over the cam angle, in phase with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub fn target(&self) -> Option<&ForceCurve> {
         self.problem.target_at_cam()
     }
 
-    /// Lowest and highest force of the band that replaces the target.
+    /// Minimum and maximum force of the band that replaces the target.
     pub fn band(&self) -> Option<&[ForceCurve; 2]> {
         self.problem.band_in_time()
     }
 
-    /// The cam of the design on another drive.
+    /// The design with its cam in a machine with another drive.
     #[must_use]
     pub fn on_drive(self, drive: Drive) -> Design {
         Design {
@@ -142,7 +142,7 @@ impl Design {
         }
     }
 
-    /// The cam of the design on another drive, against another target over time.
+    /// The design with its cam in a machine with another drive, and with another target over time.
     #[must_use]
     pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
         Design {
@@ -151,7 +151,7 @@ impl Design {
         }
     }
 
-    /// Whether the drive produces no force: no mass, spring, damping or preload is given.
+    /// Whether the drive produces no force, because no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
         self.problem.drive.is_idle()
     }
@@ -187,7 +187,7 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle at a fraction of the turn's time, rad, both from 0, at the speed of the given force.
+    /// Cam angle at a fraction of the period, rad, both from 0, at the speed for which the force is computed.
     fn angle_at(&self, phase: f64) -> f64 {
         let shaft = self.shaft.as_ref();
         let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
@@ -201,12 +201,12 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// The target over one period of time, N, in phase with the cam at its angle 0.
+    /// Target over one period of time, N, in phase with cam angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }
 
-    /// Smallest and largest pressure angle, rad; for a barrel at the floor of its groove, where the angle is largest.
+    /// Minimum and maximum pressure angle, rad; for a barrel at the floor of its groove, where the angle is maximum.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         match &self.groove {
             Some(groove) => groove.pressure_angle_extremes(groove.depth().0),
@@ -214,7 +214,7 @@ impl Design {
         }
     }
 
-    /// The law that determines the force: the output end of a polydyne cam, otherwise the cam's own law.
+    /// Law that determines the force: for a polydyne cam the law of the follower's end, otherwise the law of the cam.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
     }

@@ -1,4 +1,4 @@
-//! Response of the floor under a design at other step frequencies.
+//! Response of the floor to a design at other step frequencies.
 
 use std::f64::consts::TAU;
 
@@ -11,11 +11,11 @@ use crate::synth::design::Design;
 const SAMPLES: usize = 720;
 /// Step frequencies of the resonance curve, Hz: first, step, and number.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
-/// Number of harmonics of the force with displayed resonances, and the points about each, in half widths of the peak.
+/// Number of harmonics of the force whose resonances are displayed.
 const MOST_RESONANT: u32 = 10;
 const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
-/// A point of the resonance curve.
+/// Point of the resonance curve.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMotion;
@@ -29,14 +29,14 @@ const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 pub struct AtFrequency {
     /// Step frequency of the point, Hz.
     pub step_frequency: f64,
-    /// Steady motion under the required force.
+    /// Steady motion of the floor under the required force.
     pub motion: FloorMotion,
-    /// Steady motion under the force of the manufactured cam at the speed of this step frequency.
+    /// Steady motion of the floor under the force of the finished cam, at the cam speed for this step frequency.
     pub of_cam: FloorMotion,
 }
 
 impl Design {
-    /// The motion of the floor over the step frequency, at equal steps and at the resonances, except undamped ones. Empty on a rigid floor.
+    /// Motion of the floor over the step frequency, at equal steps and at the resonances, except undamped ones. Empty for a rigid floor.
     pub fn resonance(&self) -> Vec<AtFrequency> {
         let floor = self.problem.machine.floor();
         let Some((floor, target)) = floor.zip(self.target_in_time()) else {

@@ -10,7 +10,7 @@ use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Lift, velocity, acceleration, jerk and force at the points of the law.
+/// Equality constraints for lift, velocity, acceleration, jerk and force at the points of the law.
 pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> {
     let mut out = Vec::new();
     let w = problem.drive.weights();
@@ -51,11 +51,11 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
     Ok(out)
 }
 
-/// Fraction of the stroke within which a lift touches the boundary of the allowed range.
+/// Fraction of the stroke within which a lift is at the boundary of the permitted range.
 const TOUCHES: f64 = 1e-12;
 
-/// Implied conditions: where a prescribed point equals a bound, the velocity vanishes; with zero acceleration the jerk vanishes too. These equalities
-/// replace rows that would converge to the point from both sides.
+/// Implied conditions. Where a prescribed value equals a bound, the velocity is zero; if the acceleration is zero too, so is the jerk. These
+/// equalities replace rows that would converge to the point from both sides.
 pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -106,7 +106,7 @@ fn is_smooth(basis: &Basis, angle: f64) -> bool {
     !at_break || plain && space.degree() > 3
 }
 
-/// A condition at a point.
+/// Name of a condition at a point.
 fn named(index: usize, angle: f64, given: Given) -> Demand {
     Demand::AtPoint {
         point: index + 1,
@@ -115,7 +115,7 @@ fn named(index: usize, angle: f64, given: Given) -> Demand {
     }
 }
 
-/// All coefficients of a span in a dwell are equal.
+/// Equality constraints that make all coefficients of a span in a dwell equal.
 pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let Basis::Spline { space, .. } = basis else {
         return Vec::new();

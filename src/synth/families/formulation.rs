@@ -1,4 +1,4 @@
-//! The convex program of a problem over splines or harmonics: equalities, objective, convex limits.
+//! Convex program of a problem for splines or harmonics: equalities, objective, convex limits.
 
 use std::f64::consts::TAU;
 
@@ -14,19 +14,19 @@ use crate::synth::qp::{self, Basis, MeanSquare, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Weight of the jerk term against the force term, both made dimensionless: it determines the law at phases of zero weight, and is far below any
-/// accuracy.
+/// Weight of the jerk term relative to the force term, both dimensionless. It determines the law at phases with zero weight, and its effect is far
+/// below any accuracy.
 const JERK_TERM: f64 = 1e-12;
-/// Maximum number of equality constraints on one law, since their dense system has cubic cost.
+/// Maximum number of equality constraints of a law. Their dense system has cubic cost.
 const MOST_DEMANDS: usize = 2000;
-/// Number of quadrature nodes on half a wave of the highest harmonic.
+/// Number of quadrature nodes per half wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
-/// Number of quadrature nodes on a piece for the response of a floor.
+/// Number of quadrature nodes per span for the response of a floor.
 const FLOOR_NODES: usize = 16;
-/// Distance of a weight's edge from a break below which they coincide, rad.
+/// Distance between the edge of a weight and a break below which they coincide, rad.
 const SAME_ANGLE: f64 = 1e-12;
 
-/// The program without limits, and the force-error objective alone.
+/// Program without limits, and the force-error objective alone.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
     let (basis, whole, force) = problem.objective_over(spans, || objective(problem, spans))?;
     let mut equalities = point_demands(problem, &basis)?;
@@ -42,7 +42,7 @@ pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Pr
     Ok((program, force))
 }
 
-/// A spline law under every convex limit.
+/// Program of a spline law with all convex limits.
 pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<Formulation> {
     let stiffness = stiffness(problem);
     let (mut program, force) = unlimited(problem, search, spans)?;
@@ -56,8 +56,8 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     })
 }
 
-/// The force fit in a given number of harmonics under the convex limits. `unlimited` is the law without them; if nothing fixes the level, its minimum
-/// touches the base circle.
+/// Program for the force fit with a given number of harmonics and the convex limits. `unlimited` is the law without limits. If neither drive nor
+/// conditions determine the level, its minimum touches the base circle.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,
@@ -83,7 +83,7 @@ pub fn of_harmonics(
     }
 }
 
-/// Convexity α: the objective's quadratic part is at least ½ α mean(s″²); `None` if it has none.
+/// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if there is no quadratic part.
 fn stiffness(problem: &Problem) -> Option<f64> {
     let inertia = problem.drive.weights()[2];
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -96,7 +96,7 @@ fn stiffness(problem: &Problem) -> Option<f64> {
     (alpha > 0.0).then_some(alpha)
 }
 
-/// The objective over its basis functions, and the force-error objective alone.
+/// Objective as a function of the basis functions, and the force-error objective alone.
 fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadratic)> {
     let degree = problem.spline_degree;
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
@@ -132,7 +132,7 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     Ok((basis, whole, force))
 }
 
-/// An objective with the response of the floor; on a rigid floor the objective itself.
+/// Objective with the response of the floor; on a rigid floor the objective itself.
 fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadratic {
     let Some(through) = problem.through_floor() else {
         return whole;
@@ -155,7 +155,7 @@ fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadrati
     out
 }
 
-/// Periodic splines over the turn with `spans` spans outside the dwells, and `smooth` continuous derivatives at the dwells' ends.
+/// Periodic splines over the turn with `spans` spans outside the dwells, and with `smooth` continuous derivatives at the ends of the dwells.
 fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
     if dwells.is_empty() {
         let space = SplineSpace::periodic_uniform(degree, spans, TAU);
@@ -214,7 +214,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
     })
 }
 
-/// Dwells as ranges inside [0, 2π]; those across 0 are split.
+/// Dwells as ranges inside [0, 2π]. A dwell across 0 is split.
 fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     let mut out = Vec::new();
     for (i, d) in dwells.iter().enumerate() {
@@ -282,23 +282,23 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     }
 }
 
-/// The target force less that at rest, at the nodes of every piece of a basis.
+/// Target force minus the force at rest, at the nodes of every span of a basis.
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
-    /// Whether they are the values of the nearest polynomials, not of the force itself.
+    /// Whether the values belong to the least-squares polynomials, not to the force itself.
     is_nearest: bool,
 }
 
 impl Wanted {
-    /// Values piece after piece, in the order of a distance.
+    /// Passes the values span by span, in the order in which a distance needs them.
     fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
         let mut pieces = self.values.chunks_exact(self.nodes);
         move |_, _, _, out| out.copy_from_slice(pieces.next().unwrap_or_default())
     }
 }
 
-/// `None` without a target force. For polynomials the target is replaced by its nearest polynomial on every span.
+/// Target values for a basis; `None` without a target force. For polynomials, the least-squares polynomial on each span replaces the target.
 fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted)> {
     let target = problem.target.as_ref()?;
     let breaks = basis.breaks();
@@ -326,13 +326,13 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
     Some((target, wanted))
 }
 
-/// Number of quadrature nodes per piece, sufficient for the harmonics and the samples of the target.
+/// Number of quadrature nodes per span that is sufficient for the harmonics and the samples of the target.
 fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
     let pieces = basis.breaks().len() - 1;
     HARMONIC_NODES.max(target.samples().div_ceil(pieces))
 }
 
-/// The weighted force-error objective: a quadrature on every range over which law and weight are smooth (theory §9).
+/// Weighted force-error objective: a quadrature on every range over which law and weight are smooth (theory §9).
 fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
@@ -366,7 +366,7 @@ fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadra
     force
 }
 
-/// Weighted mean square of the distance of the target from a force, N²; four nodes on every cell are exact.
+/// Weighted mean square difference between the target and a constant force, N². Four nodes per cell are exact.
 fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     let count = target.cells().count();
     let cells: Vec<f64> = (0..=count).map(|i| TAU * i as f64 / count as f64).collect();
@@ -385,7 +385,7 @@ fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     breaks.windows(2).map(of).sum()
 }
 
-/// Breaks from 0 to 2π with edges among them; an edge at a break to rounding is that break.
+/// Breaks from 0 to 2π together with edges. An edge that equals a break to rounding is replaced by the break.
 fn merged(breaks: &[f64], edges: &[f64]) -> Vec<f64> {
     let apart = |x: &f64| breaks.iter().all(|b| (b - x).abs() > SAME_ANGLE);
     let mut out: Vec<f64> = (breaks.iter().copied())

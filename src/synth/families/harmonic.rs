@@ -1,4 +1,4 @@
-//! The harmonic family: the spectral inverse (theory §1), or a program where it violates a limit.
+//! Harmonic family: the spectral inverse (theory §1), or a program if the inverse violates a limit.
 
 use super::formulation;
 use super::inverse::invert;
@@ -13,8 +13,8 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// The inverse of the force's harmonics without limits, and the RMS of the rest, N: `count` harmonics, or the minimum number that leaves at most
-/// `wanted`.
+/// Inverse of the harmonics of the force without limits, and RMS of the other harmonics, N: with `count` harmonics, or with the minimum number whose
+/// residual is at most `wanted`.
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(SolvedLaw, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let spectral = invert(target, &problem.drive, count, wanted)?;
@@ -39,7 +39,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
     Ok((law, spectral.left_over))
 }
 
-/// The problem's number of harmonics, inverted, or by a program if that violates the limits.
+/// Harmonic law of a problem: by inversion, or by a program if the inverse violates the limits.
 pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let wanted = problem.asked_error();
     let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;
@@ -69,7 +69,7 @@ pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     )))
 }
 
-/// The error of families that require a target force.
+/// Error for families that require a target force.
 pub fn no_force() -> Error {
     SynthError::FamilyNeedsForce.at_key("law.family")
 }

@@ -1,4 +1,4 @@
-//! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
+//! Spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
 
 use crate::drive::{Drive, RESONANCE};
 use crate::error::{Placed, Result, SynthError};
@@ -25,7 +25,7 @@ use crate::synth::qp::Basis;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 pub struct Spectral {
-    /// Mean, then cosine and sine amplitudes of lift, m.
+    /// Mean, then cosine and sine amplitudes of the lift, m.
     pub x: Vec<f64>,
     /// Number of harmonics of the law.
     pub count: usize,
@@ -34,17 +34,18 @@ pub struct Spectral {
 }
 
 impl Spectral {
-    /// The law; its mean comes from the drive, or is zero if the drive leaves it open.
+    /// The law. The drive determines its mean, which is zero if the force does not depend on it.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)
     }
 }
 
-/// The best law of `count` harmonics, or of the minimum number whose residual is at most `wanted` newtons RMS.
+/// Best law with `count` harmonics, or with the minimum number whose residual is at most `wanted`, N RMS.
 ///
 /// # Errors
-/// Fewer samples than the harmonics need; resonance of the drive with a harmonic of the force.
+///
+/// The samples do not determine the harmonics; the drive is at resonance with a harmonic of the force.
 pub fn invert(
     target: &Target,
     drive: &Drive,

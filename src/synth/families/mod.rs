@@ -1,4 +1,5 @@
-//! From a problem to a law, one file per family. An automatic family uses harmonics in closed form if they suffice, and a spline otherwise.
+//! Computation of a law for a problem, one file per family. An automatic family uses harmonics in closed form if they are sufficient, and a spline
+//! otherwise.
 
 mod demands;
 mod double_harmonic;
@@ -25,7 +26,7 @@ use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::Quantity;
 use harmonic::inverted;
 
-/// The law of the problem's family; for an automatic family a spline, if the closed form fails a check.
+/// Law of the problem's family. For an automatic family it is a spline if the closed form fails a check.
 pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let passed_over = match problem.law.family {
         Family::Polynomial => return Ok(Ok(polynomial::polynomial_law(problem)?)),
@@ -50,16 +51,16 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
 
 /// Result of the harmonics in closed form.
 enum ClosedForm {
-    /// Their cam passes every check, so they are the optimum (theory §1).
+    /// The cam of the harmonics passes every check, so the harmonics are the optimum (theory §1).
     Passes(Box<SolvedLaw>),
-    /// Requirements that they miss; `None` if they do not apply.
+    /// Requirements that the harmonics do not satisfy; `None` if harmonics do not apply to the problem.
     Missed(Option<PassedOver>),
 }
 
 /// Name of the closed form in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
-/// The harmonics in closed form, or the requirements that they miss.
+/// Harmonics in closed form, or the requirements that they do not satisfy.
 fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     if !suits(problem) {
         return Ok(ClosedForm::Missed(None));
@@ -98,7 +99,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether only the force is required; other conditions and objectives need a spline.
+/// Whether the problem only requires the force. Other conditions and objectives require a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

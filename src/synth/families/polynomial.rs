@@ -1,4 +1,4 @@
-//! The polynomial family: one polynomial through the points, rest before and after.
+//! Polynomial family: one polynomial through the points, with a dwell before and after.
 
 use std::f64::consts::TAU;
 
@@ -14,14 +14,14 @@ use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
-/// Relative difference of the lifts of neighbouring dwells that counts as none.
+/// Relative difference of the lifts of adjacent dwells below which both lifts are equal.
 const SAME_LIFT: f64 = 1e-9;
 
-/// The problem's polynomial with its method; its monomial coefficients in (θ − θ₀)/β are for output only.
+/// Polynomial of a problem with its method. The monomial coefficients in (θ − θ₀)/β are used only for output.
 ///
 /// # Errors
-/// The conditions do not determine a polynomial of the requested degree, a given force does not determine the lift, or the ends cannot be joined by a
-/// dwell.
+///
+/// The conditions do not determine a polynomial of the requested degree; a given force does not determine the lift; a dwell cannot join the ends.
 pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let conditions = conditions(problem)?;
     let [start, end] = range(problem)?;
@@ -67,7 +67,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Range in which the polynomial moves: from the first point to the last, rad.
+/// Range of the polynomial: from the first point to the last one, rad.
 fn range(problem: &Problem) -> Result<[f64; 2]> {
     let angles = problem.law.points.iter().map(|p| p.angle);
     let start = angles.clone().fold(f64::INFINITY, f64::min);
@@ -82,7 +82,7 @@ fn range(problem: &Problem) -> Result<[f64; 2]> {
     Ok([start.max(0.0), end.min(TAU)])
 }
 
-/// The error that the conditions determine another degree than the requested one.
+/// Error if the degree that the conditions determine differs from the requested one.
 fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
     let conditions = fixed + 1;
     if degree < fixed {

@@ -1,4 +1,4 @@
-//! The programme family: segments of catalogue laws, joined as written.
+//! Programme family: segments of catalogue laws, joined as written.
 
 use super::solved::SolvedLaw;
 use crate::error::{Placed, Result};
@@ -10,10 +10,11 @@ use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 
-/// The law of the problem's segments.
+/// Law of the segments of a problem.
 ///
 /// # Errors
-/// Segments that do not cover the extent of the cam.
+///
+/// The segments do not cover the extent of the cam.
 pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     let segments: Vec<Segment> = problem
         .law
@@ -48,7 +49,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// The programme over the extent of its cam: one or several turns, a length, or the half turn of a constant breadth.
+/// Programme over the extent of its cam: one or several turns, a length, or the half turn of a constant-breadth cam.
 fn assembled(problem: &Problem, segments: &[Segment]) -> Result<Law> {
     let cam = &problem.cam;
     let total: f64 = segments.iter().map(|s| s.angle).sum();

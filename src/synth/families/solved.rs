@@ -1,4 +1,4 @@
-//! A law with its method: active limits, and the gain from relaxing them.
+//! A law with its method, its active limits, and the gain from relaxing them.
 
 use std::collections::HashMap;
 
@@ -12,26 +12,26 @@ use crate::synth::report::limited::{Binding, Easing, Minimised};
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::SolverReport;
 
-/// A law with its method, before the cam.
+/// A law with its method, before the cam is determined.
 #[derive(Clone)]
 pub struct SolvedLaw {
-    /// The law, with the zero of its family.
+    /// The law, with the level of its family.
     pub law: Law,
     /// Family of the law.
     pub family: Family,
-    /// Degree of its polynomials for display.
+    /// Degree of the polynomials for display.
     pub degree: usize,
-    /// Sufficient number of spans, without dwells, for a spline; 0 for another family.
+    /// Sufficient number of spans of a spline, without dwells; 0 for other families.
     pub spans: usize,
     /// Basis functions of the coefficients.
     pub functions: Functions,
-    /// Parameters as in `summary.json`.
+    /// Parameters of the law, as in `summary.json`.
     pub coefficients: Vec<f64>,
-    /// Prime circle and offset of the program's optimum, if they are among its variables.
+    /// Prime circle and offset at the optimum, if they are variables of the program.
     pub circle: Option<PrimeCircle>,
     /// Active limits of the law.
     pub binding: Vec<Binding>,
-    /// Gain from relaxing them.
+    /// Gain from relaxing each active limit.
     pub easing: Vec<Easing>,
     /// Method of the solution.
     pub solver: SolverReport,
@@ -72,7 +72,7 @@ pub fn solved_law(
     }
 }
 
-/// The prime circle and offset of a solution.
+/// Prime circle and offset of a solution.
 fn circle(solution: &Solution) -> PrimeCircle {
     let offset = solution.extra[OFFSET];
     PrimeCircle {
@@ -81,10 +81,10 @@ fn circle(solution: &Solution) -> PrimeCircle {
     }
 }
 
-/// Fraction of a limit's largest multiplier below which a row is not active, but a residue of the interior point.
+/// Fraction of the maximum multiplier of a limit below which a row is not active, but a residue of the interior-point method.
 const BINDS: f64 = 1e-6;
 
-/// Active rows for display: rows of one limit within half a piece form one contact.
+/// Active rows for display. Rows of one limit within half a span form one contact.
 fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
     let mut largest: HashMap<(Option<usize>, &str), f64> = HashMap::new();

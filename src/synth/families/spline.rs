@@ -1,4 +1,4 @@
-//! The spline family: least squares of the force error under equalities and limits.
+//! Spline family: least squares of the force error with equalities and limits.
 
 use super::formulation;
 use super::solved::{SolvedLaw, solved_law};
@@ -16,18 +16,19 @@ const FEWEST: usize = 3;
 const MOST_AUTO_SPANS: usize = 400;
 /// Number of spans for laws without a target force.
 const SPANS_WITHOUT_FORCE: usize = 48;
-/// Initial number of spans inside a band …
+/// Initial number of spans of a law inside a band.
 const FEWEST_IN_BAND: usize = 8;
-/// … and maximum number.
+/// Maximum number of spans of a law inside a band.
 const MOST_IN_BAND: usize = 120;
-/// Factor by which the spans grow under active limits while the error decreases …
+/// Factor between successive numbers of spans with active limits.
 const GROWTH: f64 = 1.5;
-/// … by at least this fraction.
+/// Minimum relative decrease of the error for which the number of spans is increased again.
 pub const WORTHWHILE: f64 = 0.02;
-/// Number of spans below which the error is not monotone in it under active limits, and there may be no feasible law.
+/// Number of spans below which, with active limits, the error does not decrease monotonically with the number of spans and a feasible law may not
+/// exist.
 pub const TELLING: usize = 12;
 
-/// The problem's spline with its method.
+/// Spline of a problem with its method.
 pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let (mut optimum, spans) = match fit(problem, search)? {
         Ok(found) => found,
@@ -42,18 +43,18 @@ pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// Choice of the number of spans.
+/// Method that determines the number of spans.
 enum Spans {
-    /// The number that the scene gives.
+    /// The number in the scene.
     Given(usize),
-    /// The minimum number that is feasible for the band or the accuracy, in a range.
+    /// The minimum number, in a range, for which band or accuracy is feasible.
     Fewest(usize, usize),
-    /// This number, which reaches the accuracy (N RMS) without limits, or more if limits require it.
+    /// A number that reaches the accuracy (N RMS) without limits, or more if limits require it.
     AtLeast(usize, f64),
 }
 
-/// The fit with the problem's own number of spans, or with the minimum that reaches the accuracy; also the sufficient number, which may be smaller
-/// than that of the best fit.
+/// Fit with the number of spans in the problem, or with the minimum number that reaches the accuracy. The second value is the sufficient number,
+/// which may be smaller than that of the best fit.
 fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     let optimum = match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans)?,
@@ -93,7 +94,7 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
     })
 }
 
-/// Minimum number of spans that reaches an accuracy without limits, a lower bound that is cheap to compute.
+/// Minimum number of spans that reaches an accuracy without limits: a lower bound that is fast to compute.
 fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Result<usize> {
     let mut spans = search.least_spans.max(FEWEST);
     while spans < MOST_AUTO_SPANS {
@@ -106,13 +107,13 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
     Ok(spans)
 }
 
-/// The next trial number of spans or harmonics.
+/// Next trial number of spans or harmonics.
 pub fn larger(size: usize) -> usize {
     let next = (size as f64 * GROWTH) as usize;
     next.max(size + 1).min(MOST_AUTO_SPANS)
 }
 
-/// Increases the number of spans under active limits while the error decreases.
+/// Increases the number of spans with active limits while the error decreases.
 fn while_worthwhile(
     problem: &Problem,
     search: &Search,
@@ -156,7 +157,8 @@ fn while_worthwhile(
     }
 }
 
-/// The minimum number of spans with a feasible law; without one, the result of the maximum number. Spans affect only band and accuracy.
+/// Result with the minimum number of spans for which a law is feasible; if there is none, the result with the maximum number. The number of spans
+/// affects only band and accuracy.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
         match solve(problem, search, spans)? {
@@ -172,19 +174,19 @@ fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> 
     }
 }
 
-/// The optimum with a given number of spans.
+/// Optimum with a given number of spans.
 fn solve(problem: &Problem, search: &Search, spans: usize) -> Sought<Optimum> {
     let formulation = formulation::of_spline(problem, search, spans)?;
     Ok(optimum::solve(problem, search, formulation))
 }
 
-/// Relative increase of the accuracy by sensor noise that is worth a note.
+/// Ratio of the accuracy with and without sensor noise above which a note is made.
 const NOTED: f64 = 1.05;
-/// Number of automatic spans above which the reason is stated.
+/// Automatic number of spans above which a note gives the reason.
 const MANY: usize = 100;
 
-/// The notes on an automatic number of spans (or of harmonics in closed form): that spread or noise of the recording, not the
-/// accuracy, limited it, or that the accuracy takes many.
+/// Notes on an automatic number of spans (or harmonics in closed form): the spread or noise of the recording limits it, or the accuracy requires
+/// many.
 pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
     let is_spline = family == Family::Spline;
     let auto = match problem.law.family {
@@ -221,8 +223,8 @@ mod tests {
     use crate::cam::LimitKind;
     use crate::scene::built_in;
 
-    /// A stroke of 20 mm leaves an error above the usual accuracy, which a search for passing designs sees from the
-    /// lower bound; with room for the stroke it has a law.
+    /// With a stroke of 20 mm the error exceeds the usual accuracy. A search for passing designs detects this by the lower bound. With a larger
+    /// stroke there is a law.
     #[test]
     fn a_search_for_passing_designs_refuses_an_accuracy_that_no_law_reaches() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

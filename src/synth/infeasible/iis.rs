@@ -1,4 +1,4 @@
-//! An irreducible infeasible set of a program: conflicting limits that become feasible if any one is dropped.
+//! Irreducible infeasible set of a program: conflicting limits that become feasible if any one of them is dropped.
 
 use super::reasons::conflicting;
 use crate::cam::{Criterion, LimitKind};
@@ -12,7 +12,7 @@ use crate::synth::qp::{
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
-/// Number of equalities above which all are named, since the search for a minimal set costs a program for each.
+/// Number of equalities above which all are listed, because the search for a minimal set needs a program for each.
 const MOST_DEMANDS: usize = 64;
 
 /// Relative excess above which a solution violates a limit.
@@ -66,7 +66,7 @@ fn members(demands: &[Demand]) -> Vec<Conflicting> {
     demands.iter().copied().map(Conflicting::Demand).collect()
 }
 
-/// Conflicting limits, with the values at which the search for sufficient changes begins.
+/// Result with conflicting limits, and the values at which the search for sufficient changes begins.
 fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     Infeasible {
         conflict: kept.iter().copied().map(Conflicting::Limit).collect(),
@@ -75,8 +75,8 @@ fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     }
 }
 
-/// Deletion filter: the remaining set is infeasible, but feasible without any one of its members. An item stays if infeasibility without it was not
-/// proved (`None`).
+/// Deletion filter. The remaining set is infeasible, but feasible without any one of its members. An item remains if infeasibility without it was not
+/// decided (`None`).
 fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Option<bool>) -> Vec<T> {
     let mut kept = all.to_vec();
     for item in all {
@@ -121,7 +121,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     irreducible(&names, holds)
 }
 
-/// The points and dwells that are infeasible on or above the base circle.
+/// Points and dwells that are infeasible on or above the base circle.
 fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     let mut names: Vec<Demand> = Vec::new();
     for demand in &program.equalities {
@@ -143,17 +143,17 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     })
 }
 
-/// A harmless limit on a mean, so that a program without limits has an easily computed law.
+/// Replaces a limit on a mean by an inactive one, so that the law of a program without other limits is easy to compute.
 fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row comes from a value of the scene, not from the base circle, a monotone flank or the objective.
+/// Whether a row comes from a value in the scene, not from the base circle, a monotone flank or the objective.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }
 
-/// Whether a feasible law was found; `None` if the solver stopped without an answer.
+/// Whether a feasible law was found; `None` if the solver stopped without a result.
 fn can_hold(
     problem: &Problem,
     program: &Program,
@@ -175,7 +175,7 @@ fn can_hold(
     }
 }
 
-/// The law of the minimum root mean square, which satisfies the limit on it if any law does.
+/// Law with the minimum root mean square. It satisfies the limit on the root mean square if any law does.
 fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     let mut least = program
         .of_least_rms(limit.name)
@@ -186,7 +186,7 @@ fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     holds.then_some(own).ok_or(Failure::Infeasible)
 }
 
-/// A bore around which no cam satisfies the limit on the prime radius, for an automatic size.
+/// Infeasibility of a bore whose minimum base circle exceeds the limit on the prime radius, for an automatic size.
 pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let (bore, limit) = (problem.cam.bore?, problem.limits[LimitKind::PrimeRadius]?);
     let least = problem.outside_bore() + problem.cam.roller_radius;
@@ -202,7 +202,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     Some(in_conflict(&conflict, relaxations))
 }
 
-/// The minimum force error under the other limits, as an accuracy; `None` for another limit.
+/// Minimum force error with the other limits, as an accuracy; `None` if the limit is not the accuracy.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.iter().find(|l| l.name == name)?;
     let best = program.of_least_rms(name)?.solve().ok();
@@ -211,8 +211,8 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))
 }
 
-/// The smallest relaxation of one limit for which the others are feasible, by minimising its bound. `None` for limits that are not values of the
-/// scene. The whole design may require more; `relaxation` starts here.
+/// Minimum relaxation of one limit for which the others are feasible, by minimising its bound. `None` for limits that are not values in the scene.
+/// The whole design may require more; `relaxation` starts from this value.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);

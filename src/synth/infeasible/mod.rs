@@ -1,5 +1,5 @@
-//! Diagnosis of infeasibility: an irreducible infeasible set of limits, by a deletion filter on the program. A solver that stops does not prove
-//! infeasibility, and is reported as such.
+//! Diagnosis of infeasibility: an irreducible infeasible set of limits, by a deletion filter on the program. A solver that stops early does not prove
+//! infeasibility; this is reported.
 
 mod iis;
 pub mod reasons;

@@ -1,4 +1,4 @@
-//! Conflicts and suggested changes as reasons, with values in customary units.
+//! Conflicts and suggested changes as reasons, with values in common units.
 
 use crate::cam::{Criterion, Measures};
 use crate::synth::report::limited::Relaxation;
@@ -21,7 +21,7 @@ pub fn conflicting(conflict: &[Criterion]) -> Reason {
     }
 }
 
-/// Suggested changes with their units; those without a value are omitted.
+/// Suggested changes with their units. Changes without a value are omitted.
 pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
     let change = |r: &Relaxation| {
         Some(Change::Change {
@@ -44,7 +44,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
     }
 }
 
-/// A limit's value in its customary unit on a cam of these measures, exact enough to be typed back.
+/// Value of a limit in its common unit for a cam with these measures, with sufficient digits to be entered again.
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;

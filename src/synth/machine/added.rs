@@ -1,4 +1,4 @@
-//! Additions of a varying speed, a floor and a learned force to force, velocity, acceleration and jerk of a law, as the state of the design
+//! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law, as the state of the design
 //! iteration.
 
 use std::f64::consts::{PI, TAU};
@@ -12,8 +12,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Number of equal parts of the turn, between the breaks of the law if a limit depends on the additions, else without those; and the polynomial
-/// degree on each.
+/// Number of equal parts of the turn.
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
@@ -23,20 +22,20 @@ const SHORTEST: f64 = 0.3;
 /// Number of equal angles of the target.
 const ANGLES: usize = 240;
 
-/// The state vector, in this order: added force at the nodes, added time derivatives if limited, speed, and parts of the period at equal angles. The
-/// units scale each to about 1.
+/// Layout of the state vector: added force at the nodes, added time derivatives if limited, speed, and positions in the period at equal angles. The
+/// units scale each value to about 1.
 pub struct Layout {
     breaks: Vec<f64>,
     /// Matrix from values at the nodes to Bernstein coefficients.
     coefficients: SMatrix<f64, NODES, NODES>,
-    /// Whether velocity, acceleration and jerk are limited while the speed varies.
+    /// Limits on velocity, acceleration and jerk if the speed varies; `None` without a limit.
     limits: [Option<f64>; 3],
     /// Whether the speed varies.
     varies: bool,
 }
 
 impl Layout {
-    /// The parts for a law, on a shaft whose speed `varies` or is constant, divided at the breaks of the law or smooth.
+    /// Layout for a law, on a shaft with varying (`varies`) or constant speed. If `is_exact`, the parts are divided at the breaks of the law.
     pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
         let mut limits = [None; 3];
         for (kind, order) in LimitKind::by_time() {
@@ -73,7 +72,7 @@ impl Layout {
         self.breaks.windows(2).flat_map(part)
     }
 
-    /// The state of a law `at` every angle with the machine in motion.
+    /// State of a law, given as a function `at` of the angle, with the motion of the machine.
     pub fn state(
         &self,
         problem: &Problem,
@@ -112,7 +111,7 @@ impl Layout {
         parts.concat().into_iter().chain(phases).collect()
     }
 
-    /// The parts of the period at equal angles, rad, and the additions of a state.
+    /// Positions in the period at equal angles, rad, and the added terms of a state.
     pub fn extra(&self, problem: &Problem, state: &[f64]) -> (Vec<f64>, Extra) {
         let mut left = state;
         let count = NODES * (self.breaks.len() - 1);
@@ -145,7 +144,7 @@ impl Layout {
     }
 }
 
-/// Chebyshev nodes, since the additions may jump at the ends of a part.
+/// Chebyshev nodes, because the added terms may jump at the ends of a part.
 fn node(k: usize) -> f64 {
     0.5 * (1.0 - (PI * (k as f64 + 0.5) / NODES as f64).cos())
 }
@@ -158,7 +157,7 @@ mod tests {
 
     const LIMITS: &str = "velocity = \"1 m/s\"\nacceleration = \"10 m/s^2\"\njerk = \"300 m/s^3\"";
 
-    /// A law of one wave on a shaft that turns evenly, but by another speed than the drive's.
+    /// A law of one wave on a shaft with constant speed that differs from the speed of the drive.
     fn added(part: f64) -> (Problem, Law, Extra, Vec<f64>) {
         let problem = one_wave(FLAT, LIMITS);
         let a = amplitude(&problem);
@@ -171,7 +170,7 @@ mod tests {
         (problem, law, extra, phases)
     }
 
-    /// d/dt = w d/dθ: velocity, acceleration and jerk grow with w, w² and w³, the force with the acceleration.
+    /// With d/dt = w d/dθ, velocity, acceleration and jerk are proportional to w, w² and w³; the force follows the acceleration.
     #[test]
     fn another_speed_adds_its_powers() {
         let part = 1.2;

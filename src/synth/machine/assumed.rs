@@ -1,4 +1,4 @@
-//! The state of the design iteration: what a machine motion adds to the problem of a law.
+//! State of the design iteration: terms that the motion of the machine adds to the problem of a law.
 
 use super::added::Layout;
 use super::through_floor::FloorResponse;
@@ -7,14 +7,14 @@ use crate::law::Svaj;
 use crate::problem::{Extra, Problem};
 use crate::synth::attempt::Attempt;
 
-/// State of the iteration: additions to the force of a law, and at constant speed the response of the floor.
+/// State of the iteration: terms added to the force of a law, and at constant speed the response of the floor.
 pub struct Assumed {
     pub layout: Layout,
     pub floor: Option<FloorResponse>,
 }
 
 impl Assumed {
-    /// The state of a law in its machine motion, `at` every angle.
+    /// State for a law, given as a function `at` of the angle, and its machine motion.
     pub fn state(
         &self,
         problem: &Problem,
@@ -28,7 +28,7 @@ impl Assumed {
         out
     }
 
-    /// The problem in a state.
+    /// The problem for a given state.
     pub fn problem(&self, problem: &Problem, state: &[f64]) -> Problem {
         let floor = self.floor.as_ref();
         let (through, own) = state.split_at(floor.map_or(0, |_| FloorResponse::VALUES));

@@ -1,9 +1,9 @@
-//! A law for the speed that the motor gives the shaft, and for a floor that moves.
+//! Law for a motor-driven shaft with varying speed, and for a moving floor.
 //!
-//! The design at constant speed on a stiff floor is a motion in time. Run by the motor it fixes power and so ω(θ); at that speed the same motion in
-//! time is another law. The target force determines z″ of the floor by one linear response per harmonic. With ω(θ) and z″(θ) known the force is
-//! linear in the law ([`crate::problem`]): the program is solved again for the machine motion under the previous law. Each iteration multiplies the
-//! change by about the ripple, and by the residual of the law (theory §10).
+//! The design at constant speed on a rigid floor gives a motion in time. The motor and the power of this motion determine ω(θ); at this speed the
+//! same motion in time is another law. The target force determines z″ of the floor by one linear response per harmonic. With known ω(θ) and z″(θ),
+//! the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion of the previous law. Each iteration
+//! multiplies the change by about the ripple, and by the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
@@ -31,22 +31,21 @@ use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::{Dimension, Quantity};
 
-/// Maximum difference, relative to the mean, between the assumed and the actual force at which the design is final; and that at which the last
-/// iterate is accepted.
+/// Maximum difference between the assumed and the actual force at which the design is final, relative to the mean.
 const SETTLED: f64 = 1e-6;
-/// The same where the floor's response is part of the program.
+/// As `SETTLED`, if the response of the floor is part of the program.
 const SETTLED_ON_FLOOR: f64 = 1e-9;
 const ACCEPTED: f64 = 1e-4;
-/// Maximum number of designs with a tighter accuracy, if a law satisfies it over the angle but not over time, and their margin.
+/// Maximum number of designs with a tighter accuracy, if a law satisfies the accuracy over the angle but not over time.
 const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
-/// Number of equal angles of speed and time of a report.
+/// Number of equal angles at which a report gives speed and time.
 const TOLD_ROWS: usize = 1440;
 /// Ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Successive enlargements of the inertia that suffices for a law, until the design passes.
+/// Successive relative margins above the inertia that is sufficient for a law, until the design passes.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
-/// Number of iterations without improvement after which the law gets more spans.
+/// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
 
 /// One iterate: problem, law on its cam, and the resulting machine motion.
@@ -57,10 +56,11 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// The iterate with its cam checked in another machine state.
+    /// The iterate with its cam checked for another machine state.
     ///
     /// # Errors
-    /// Those of the sizing of the cam.
+    ///
+    /// Errors in determining the size of the cam.
     fn judged(mut self, problem: &Problem, assumed: &Assumed, state: &[f64]) -> Result<Iterate> {
         let law = &self.attempt.law;
         self.problem = assumed.problem(problem, state);
@@ -68,7 +68,7 @@ impl Iterate {
         Ok(self)
     }
 
-    /// Marks the optimum as found for one machine motion, not compared with other motions.
+    /// Marks the optimum as optimal for its machine motion, without comparison with other motions.
     fn hold_for_its_motion(&mut self) {
         let solver = &mut self.attempt.law.solver;
         if solver.certificate.is_some() && solver.certified {
@@ -77,7 +77,7 @@ impl Iterate {
         }
     }
 
-    /// Takes the gap of the coupled program into the certificate; without one, the optimum is of its floor motion.
+    /// Adds the gap of the coupled program to the certificate. Without a gap, the law is optimal only for its floor motion.
     fn prove_on_floor(&mut self, gap: Option<f64>) {
         let solver = &mut self.attempt.law.solver;
         match (gap, &mut solver.certificate) {
@@ -90,14 +90,14 @@ impl Iterate {
         }
     }
 
-    /// Takes the law as the scene asks for it, and what the first design says of other families.
+    /// Restores the specification of the law in the scene, and the remarks of the first design on other families.
     fn take_law_of(&mut self, law: &LawSpec, first: &Attempt) {
         let solver = &mut self.attempt.law.solver;
         solver.passed_over = first.law.solver.passed_over.clone();
         self.problem = self.problem.with_law(law.clone());
     }
 
-    /// Replaces the error by that over time, and its check.
+    /// Replaces the force error and its check by those over time.
     fn take_error_over_time(&mut self, error: Option<InTime>) {
         let Some(error) = error else { return };
         let allowed = self.problem.judged_error();
@@ -116,7 +116,8 @@ impl Iterate {
         }
     }
 
-    /// Reduced accuracy over the angle with which a law satisfies it over time too; `None` if it is satisfied already, or violated over the angle.
+    /// Reduced accuracy over the angle for which a law also satisfies the accuracy over time. `None` if it already satisfies it, or violates it over
+    /// the angle.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -125,7 +126,7 @@ impl Iterate {
         (part < 1.0 && keeps && self.attempt.refusal.is_none()).then_some((1.0 - ROOM) * part)
     }
 
-    /// Replaces the means of target and force by those over the period.
+    /// Replaces the means of target and force by means over the period.
     fn take_means_over_time(&mut self, problem: &Problem) {
         let force = &mut self.attempt.cam.force;
         force.target_mean_n = problem.target_mean();
@@ -133,10 +134,12 @@ impl Iterate {
     }
 }
 
-/// The design of a problem for its machine; if the limits are infeasible at constant speed, and the machine fails without them, that law.
+/// Designs a cam for its machine. If the limits are infeasible at constant speed and the machine analysis fails too, the result is the design for
+/// constant speed without a machine report.
 ///
 /// # Errors
-/// The shaft stops; the iteration does not converge; an undamped mode at resonance.
+///
+/// The shaft stops; the iteration does not converge; an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;
     match on_machine(problem, search, &first) {
@@ -154,7 +157,7 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     }
 }
 
-/// The last iterate, starting from the law for constant speed, with the machine report.
+/// Last iterate, starting from the law for constant speed, with the machine report.
 fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(Iterate, Reports)> {
     let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let target = problem.target.as_ref().map(|t| &**t.curve());
@@ -236,8 +239,8 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     Ok((last, reports))
 }
 
-/// The inertia of the shaft for which the design meets the accuracy over time, if it misses it: starting from the inertia sufficient for its law, and
-/// designed again.
+/// Inertia of the shaft for which the design satisfies the accuracy over time, if it does not satisfy it yet. Starts from the inertia that is
+/// sufficient for the present law, and designs again.
 fn larger_inertia(
     problem: &Problem,
     search: &Search,
@@ -275,7 +278,7 @@ fn larger_inertia(
     Some((note, relaxation))
 }
 
-/// The final iterate, judged in the converged machine state, with the number of iterations and the ratio of the last changes.
+/// Final iterate, checked in the converged machine state, with the number of iterations and the ratio of the last changes.
 fn corrected(
     first: &Attempt,
     before: MachineMotion,
@@ -328,7 +331,8 @@ fn corrected(
     Ok((last, settled.rounds, settled.contraction))
 }
 
-/// The optimum on the floor that responds to it, from that for the floor's own motion and with as many spans; the latter where the rounds do not end.
+/// Optimum on a floor that responds to the law, from the optimum for a fixed floor motion and with the same number of spans. If the iteration does
+/// not converge, the result is the optimum for the fixed motion.
 fn on_responding_floor(
     mut settled: Settled<Iterate>,
     floor: &Floor,
@@ -372,7 +376,7 @@ fn on_responding_floor(
     found
 }
 
-/// Mean over the period of the force of a law, N.
+/// Mean force of a law over the period, N.
 fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     let (mut sum, mut all) = (0.0, 0.0);
     for x in (0..ROWS).map(angle) {
@@ -388,7 +392,7 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
 enum Begin<'a> {
     /// The law for constant speed on a rigid floor, and its machine motion.
     ConstantSpeed(&'a Attempt, &'a MachineMotion),
-    /// The last iterate of an earlier iteration.
+    /// Final iterate of a previous iteration.
     Settled(&'a Iterate),
 }
 

@@ -1,5 +1,5 @@
 //! Laws for a machine that responds to the cam: a compliant follower, a shaft with varying speed, a moving floor. The first design is for a rigid
-//! machine at constant speed; the next ones use its simulated motion.
+//! machine at constant speed. The following designs use its simulated motion.
 
 mod added;
 mod assumed;
@@ -28,10 +28,11 @@ pub fn responds(problem: &Problem) -> bool {
     !machine.is_plain()
 }
 
-/// The design for such a machine.
+/// Design for a machine that responds to the cam.
 ///
 /// # Errors
-/// Faults of the input; the shaft stops; the iteration does not converge; an undamped mode at resonance.
+///
+/// Errors of the input; the shaft stops; the iteration does not converge; an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     if problem.law.polydyne
         && let Some(train) = problem.train()?

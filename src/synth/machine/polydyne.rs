@@ -1,5 +1,5 @@
-//! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam moves the end along it, and every limit of the cam
-//! applies to the cam's own law.
+//! Polydyne cam of a compliant follower. The law is optimised for the end of the follower, and the cam moves the end by this law. All limits of the
+//! cam apply to the law of the cam.
 
 use crate::cam::Criterion;
 use crate::dynamics::Train;
@@ -16,17 +16,17 @@ use crate::synth::report::end::End;
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 
-/// Maximum number of corrections of the end's limits.
+/// Maximum number of corrections of the limits for the end.
 const ROUNDS: usize = 12;
-/// Relative margin of the end's limit inside the required one, so that the iteration ends.
+/// Relative margin between the limit for the end and its required value, so that the iteration ends.
 const AIM: f64 = 1e-6;
-/// Relative distance at which an active limit of the end is reached by the cam.
+/// Relative difference below which the cam reaches its limit that is active for the end.
 const NEAR: f64 = 1e-4;
 
-/// The design of the law of the end and the cam that gives it.
+/// Designs the law of the end and the cam that produces it.
 ///
-/// Limits of the program apply to the end; the cam's law differs from it by the follower's deflection. If the cam violates a limit, or has slack in
-/// one that is active for the end, the end's limit is changed and the law is computed again.
+/// The limits of the program apply to the end. The law of the cam differs by the deflection of the follower. If the cam violates a limit, or has
+/// slack in a limit that is active for the end, the limit for the end is changed and the law is computed again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {
@@ -57,7 +57,7 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
     Ok(finished(problem, search, best, reports))
 }
 
-/// The law of the end on its cam, with the checks of the problem.
+/// Law of the end with its cam, and the checks of the problem.
 fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt> {
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
@@ -65,7 +65,7 @@ fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt>
     Ok(Attempt::of(law, cam))
 }
 
-/// Changes the end's limits by the cam's violation or slack; `false` if no change was needed.
+/// Changes the limits for the end by the violation or slack of the cam; `false` if no change was necessary.
 fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     let mut any = false;
     for check in &tried.cam.checks {
@@ -88,13 +88,13 @@ fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     any
 }
 
-/// The scene's value behind a check, if rows of the program can enforce it.
+/// Value of the scene that a check tests, if rows of the program can enforce it.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| kind.facts().moves_with_end)?;
     limits[kind].as_mut()
 }
 
-/// The end with its deviation from its law, for this cam and for a cam with the law itself.
+/// End of the follower, with the deviation from its law for this cam and for a cam with the uncorrected law.
 fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
     // Undamped and in resonance with a harmonic there is no steady state.
@@ -113,7 +113,7 @@ mod tests {
     use super::*;
     use crate::scene::built_in;
 
-    /// s = y + F(y)/k without damping: of one harmonic the cam has 1 − (ω/ωₙ)² of the end's stroke.
+    /// Without damping s = y + F(y)/k. For one harmonic the stroke of the cam is 1 − (ω/ωₙ)² times the stroke of the end.
     #[test]
     fn the_cam_of_one_wave_has_the_stroke_of_its_end_less_what_the_follower_gives() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

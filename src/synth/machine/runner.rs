@@ -1,4 +1,4 @@
-//! Runs of a law on its machine: speed and force error over time.
+//! Simulations of a law in its machine: speed and force error over time.
 
 use std::f64::consts::TAU;
 
@@ -16,33 +16,33 @@ use crate::synth::report::shaft::Forecast;
 
 /// Number of equal angles for speed and force.
 pub const ROWS: usize = 240;
-/// Number of equal angles for the force of a walker.
+/// Number of equal angles for the force of one walker.
 const WALKER: usize = 720;
-/// Number of steps of the motion between the breaks of the law.
+/// Number of steps of the shaft motion between the breaks of the law.
 const STEPS: usize = 32;
-/// Maximum number of initial iterations of the speed alone, and the relative change of speed at which they end.
+/// Maximum number of initial iterations of the speed only.
 const SPEED_ROUNDS: usize = 12;
 const SAME_SPEED: f64 = 3e-3;
 /// Fraction of the accuracy, or of the mean force, below which an estimated change of force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
-/// Maximum factor of the search for an inertia that meets the accuracy, and its tolerance.
+/// Maximum factor in the search for an inertia that reaches the accuracy.
 const LARGEST_FACTOR: f64 = 1e6;
 const INERTIA_PART: f64 = 1e-4;
 
-/// Runs laws of a design on its machine.
+/// Simulates laws of a design in its machine.
 #[derive(Clone)]
 pub struct Runner<'a> {
     /// Drive, motor and floor.
     pub carrier: Carrier<'a>,
-    /// The target at equal parts of the period, N.
+    /// Target at equal parts of the period, N.
     target: Option<Vec<f64>>,
     /// Learned force of the machine, N.
     learned: Vec<f64>,
 }
 
 impl<'a> Runner<'a> {
-    /// A machine for a problem with a given target over the period.
+    /// Creates the machine of a problem with a given target over the period.
     pub fn new(
         problem: &Problem,
         cam: &Cam,
@@ -83,14 +83,14 @@ impl<'a> Runner<'a> {
         self.carrier.load(0.0, law.breaks(), &at, &|_| 0.0)
     }
 
-    /// The machine motion under a law.
+    /// Motion of the machine for a law.
     pub fn of_law(&self, law: &Law, near: Option<&MachineMotion>) -> Result<MachineMotion> {
         let at = |x: f64| law.svaj(x);
         let motion = self.carrier.motion(0.0, law.breaks(), &at, near);
         motion.map_err(|e| e.at_key("machine.motor"))
     }
 
-    /// The machine motion under the target force and the law's motion in time at constant speed.
+    /// Motion of the machine for the target force and the motion in time of the law at constant speed.
     pub fn in_time(&self, law: &Law, first: MachineMotion) -> Result<MachineMotion> {
         let drive = &self.carrier.drive;
         let floor = match self.carrier.floor {
@@ -120,7 +120,7 @@ impl<'a> Runner<'a> {
         Ok(motion)
     }
 
-    /// Force error over time of a law under its machine motion at equal angles.
+    /// Force error over time of a law with its machine motion at equal angles.
     pub fn error(&self, law: &Law, motion: &MachineMotion, shaft: &Motion) -> Option<InTime> {
         let (target, drive) = (self.target.as_ref()?, &self.carrier.drive);
         let at = |i: usize| {
@@ -143,7 +143,7 @@ impl<'a> Runner<'a> {
         ))
     }
 
-    /// Estimate from inertia, motor and load energy for a law for constant speed with this error; `None` without a motor.
+    /// Estimate from inertia, motor and load energy, for a law for constant speed with the given error; `None` without a motor.
     pub fn forecast(
         &self,
         problem: &Problem,
@@ -168,7 +168,7 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Force error over time of a law with another motor or flywheel, percent of the mean.
+    /// Force error over time of a law with another motor or flywheel, in percent of the mean.
     pub fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
         let mut run: Runner = self.clone();
         run.carrier.motor = Some(motor);
@@ -177,7 +177,7 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// The minimum inertia with which a law meets the accuracy over time, kg·m², if its own does not suffice.
+    /// Minimum inertia for which a law satisfies the accuracy over time, kg·m², if the given inertia is not sufficient.
     pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
@@ -204,12 +204,12 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Equal angle number i, rad.
+/// Equally spaced angle with index i, rad.
 pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / ROWS as f64
 }
 
-/// The law with the same motion in time on the varying shaft as `law` at constant speed: s(φ(x)).
+/// Law with the same motion in time on a shaft with varying speed as `law` at constant speed: s(φ(x)).
 pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     let [phase, rate, bend, third] = clock.phase(x);
     let at = law.svaj(phase);
@@ -221,7 +221,7 @@ pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     }
 }
 
-/// Whether a limit or the objective depends on the additions of the speed, not only the target.
+/// Whether a limit or the objective depends on the terms of the speed, in addition to the target.
 pub fn depends_on_speed(problem: &Problem) -> bool {
     let is_limited = LimitKind::ALL
         .iter()

@@ -1,4 +1,4 @@
-//! Sensitivity of a finished design to inertia and motor.
+//! Sensitivity of a finished design to inertia and motor data.
 
 use serde::Serialize;
 
@@ -9,18 +9,18 @@ use crate::synth::design::Design;
 /// Relative variation of inertia, torque line and friction.
 const DEVIATION: f64 = 0.1;
 
-/// Force error of the cam on a varied machine.
+/// Force error of the cam in a varied machine.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
     /// Key of the varied value.
     pub key: &'static str,
-    /// Force error with 10 % less and 10 % more, percent of the mean.
+    /// Force error with the value decreased and increased by 10 %, in percent of the mean.
     pub percent: [Option<f64>; 2],
 }
 
 impl Design {
-    /// Force error over time, percent of the mean, for a machine that differs by ±10 %, with an adjusted supply; `None` at constant speed or without
-    /// a target.
+    /// Force error over time, in percent of the mean, for a machine in which one value differs by ±10 %, with an adjusted supply. Empty at constant
+    /// speed or without a target.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

@@ -1,8 +1,9 @@
-//! The response of the floor as part of the program of a law: what a change of the law costs through the floor, and the proof that covers it.
+//! Response of the floor as part of the program of a law: effect of a change of the law through the floor, and the certificate that includes it.
 //!
-//! The force on the moving floor is linear in the law: F = T P + const, with T the gains Gₙ = 1/(1 − M Hₙ) of the harmonics. With π the derivative of
-//! the Lagrangian by the force, that by the law is P*T*π. A program with a fixed floor motion has P*π; the difference h = (T − G∞)*π joins its
-//! objective, so that a law that is the optimum of its own program satisfies the conditions of the coupled program, which is convex (theory §10).
+//! The force on the moving floor is linear in the law: F = T P + const, where T contains the gains Gₙ = 1/(1 − M Hₙ) of the harmonics. With the
+//! derivative π of the Lagrangian with respect to the force, the derivative with respect to the law is P*T*π. In a program with a fixed floor motion
+//! it is P*π. The difference h = (T − G∞)*π is added to the objective. A law that is the optimum of its program then satisfies the optimality
+//! conditions of the coupled program, which is convex (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -25,7 +26,7 @@ const COUNT: usize = 240;
 /// Gains of the floor, with the units of the state.
 pub struct FloorResponse {
     minimised: Minimise,
-    /// Gₙ − G∞ of the harmonics from 1 on.
+    /// Gₙ − G∞ for the harmonics from the first on.
     gains: Vec<[f64; 2]>,
     at_once: f64,
     /// Minimum |Gₙ| over the harmonics; 0 at the resonance of an undamped mode.
@@ -40,7 +41,7 @@ impl FloorResponse {
     /// Number of values of a state.
     pub const VALUES: usize = 2 * COUNT + 1;
 
-    /// The response of a floor to the laws of a problem, of which `first` is one.
+    /// Response of a floor to the laws of a problem. `first` is one of these laws.
     pub fn of(problem: &Problem, floor: &Floor, first: &SolvedLaw) -> FloorResponse {
         let drive = &problem.drive;
         let at_once = floor.felt_at_once(drive.mass);
@@ -63,7 +64,8 @@ impl FloorResponse {
         }
     }
 
-    /// The state of a law in its machine motion: harmonics of h, and the constant of the program's objective. Zero for a law without its limits.
+    /// State of a law for the fixed-point iteration on a moving floor: harmonics of h, and the constant of the program's objective. Zero if the
+    /// limits are infeasible.
     pub fn state(&self, problem: &Problem, attempt: &Attempt, motion: &MachineMotion) -> Vec<f64> {
         if attempt.refusal.is_some() {
             return vec![0.0; FloorResponse::VALUES];
@@ -101,7 +103,7 @@ impl FloorResponse {
         parts.chain([constant / self.objective]).collect()
     }
 
-    /// The change of the objective for a state.
+    /// Change of the objective for a state.
     pub fn through(&self, state: &[f64]) -> ThroughFloor {
         let (slope, constant) = state.split_at(2 * COUNT);
         let pairs = slope.chunks_exact(2);
@@ -118,9 +120,9 @@ impl FloorResponse {
     /// Gap of the coupled program at a law whose state differs from the assumed one by at most `off`, in units of the objective; `None` without a
     /// proof.
     ///
-    /// With the coupled optimum the force error is at most that of the law, so that their rigid forces differ by at most twice that error over the
-    /// least |Gₙ|. On this distance the differences of h and of the force act; the curvature of the coupled objective is at least min |Gₙ|²/G∞ of
-    /// that of the program.
+    /// At the coupled optimum the force error is at most that of the law, so the rigid forces differ by at most twice this error divided by the
+    /// minimum |Gₙ|. The difference of h and that of the force act on this distance. The curvature of the coupled objective is at least min |Gₙ|²/G∞
+    /// times that of the program.
     pub fn gap(&self, problem: &Problem, attempt: &Attempt, off: f64) -> Option<f64> {
         let price = &attempt.law.price;
         let own = attempt.law.solver.certificate.as_ref()?.duality_gap;
@@ -145,7 +147,7 @@ impl FloorResponse {
     }
 }
 
-/// Mean over the turn of a function at equal angles times the part of the force that the law makes.
+/// Mean over the turn of a function at equal angles times the part of the force that depends on the law.
 fn mean_product(law: &Law, values: &[f64], problem: &Problem) -> f64 {
     let step = TAU / values.len() as f64;
     let own = |i: usize| problem.drive.force(law.svaj(step * i as f64)) - problem.drive.rest_force;

@@ -12,17 +12,17 @@ pub const RELAXED: f64 = 0.01;
 /// First-order effect on the objective of relaxing one limit by 1 %.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sensitivity {
-    /// Name of the limit, or key of the scene if that differs.
+    /// Name of the limit, or key of the scene if they differ.
     limit: Criterion,
-    /// Present value of the limit, SI.
+    /// Present value of the limit, in SI units.
     from: f64,
-    /// The relaxed value, SI.
+    /// Relaxed value of the limit, in SI units.
     to: f64,
     /// Decrease of the objective.
     gain: f64,
 }
 
-/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, largest gain first.
+/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, in descending order of the gain.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
     // A size that is given becomes no smaller, whatever a limit allows.
     if minimised == Minimise::Size && SIZES.iter().all(|&k| program.cost[k] == 0.0) {
@@ -44,7 +44,7 @@ pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> V
         .collect()
 }
 
-/// A gain of the objective in the minimised quantity: name, before, after.
+/// Expresses a gain of the objective in the minimised quantity: name, value before, value after.
 fn measured(
     program: &Program,
     solution: &Solution,
@@ -82,7 +82,7 @@ fn measured(
     }
 }
 
-/// The key of the value of a limit: its own, or that of the prime radius.
+/// Key of the value of a limit: that of the limit, or that of the prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
@@ -90,7 +90,7 @@ pub fn key(limit: &Limit) -> Criterion {
     }
 }
 
-/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, largest gain first.
+/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, in descending order of the gain.
 fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     let mut out: Vec<Sensitivity> = Vec::new();
     for row in &solution.active {
@@ -105,7 +105,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// The limit on a root mean square, if a row is its tangent.
+/// Sensitivity to the limit on a root mean square, if a row is its tangent.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;
@@ -117,7 +117,7 @@ fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     })
 }
 
-/// The values of the scene that could relax one row.
+/// Sensitivities to the values of the scene that could relax one row.
 fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
         return of_rms(program, row).into_iter().collect();

@@ -1,4 +1,4 @@
-//! Derivative of the Lagrangian of a solution with respect to the force, which a floor that moves returns to the law.
+//! Derivative of the Lagrangian of a solution with respect to the force. On a moving floor, the response of the floor depends on it.
 
 use super::Optimum;
 use crate::criterion::{Criterion, DependsOn};
@@ -6,21 +6,21 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Program, Row, Solution};
 
-/// The derivative as factors of the force error and as multipliers at angles.
+/// Derivative with respect to the force, as factors of the force error and as multipliers at angles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcePrice {
-    /// Factor of the weighted force error: 1 if its mean square is minimised.
+    /// Factor of the weighted force error; 1 if its mean square is minimised.
     pub of_objective: f64,
     /// Factor of the force error, from the limit on its root mean square.
     pub of_accuracy: f64,
     /// Angle, rad, and signed multiplier of every active limit on the force.
     pub of_limits: Vec<(f64, f64)>,
-    /// Whether the objective and all active limits are linear or quadratic in the force, and the multipliers speak of all laws.
+    /// Whether the objective and all active limits are linear or quadratic in the force, and the multipliers are valid for all laws.
     pub is_whole: bool,
 }
 
 impl ForcePrice {
-    /// The derivative without active limits.
+    /// Derivative without active limits.
     pub fn unlimited(problem: &Problem) -> ForcePrice {
         let is_minimised = problem.objective() == Minimise::ForceError;
         ForcePrice {
@@ -31,7 +31,7 @@ impl ForcePrice {
         }
     }
 
-    /// The derivative at an optimum whose multipliers are those of `solution`.
+    /// Derivative of the Lagrangian with respect to the force at an optimum, with the multipliers of `solution`.
     pub fn of(problem: &Problem, optimum: &Optimum, solution: &Solution) -> ForcePrice {
         let mut out = ForcePrice::unlimited(problem);
         out.is_whole &= optimum.at.is_none() && optimum.sequence.is_none();
@@ -51,7 +51,7 @@ impl ForcePrice {
     }
 }
 
-/// The solution with multipliers per unit of the force on the moving floor, of which the force of the program is the part 1/G∞.
+/// The solution with multipliers per unit of the force on the moving floor. The force of the program is the fraction 1/G∞ of this force.
 pub fn on_floor(problem: &Problem, solution: &Solution) -> Solution {
     let mut out = solution.clone();
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -73,7 +73,7 @@ fn is_of_force(problem: &Problem, row: &Row) -> bool {
     }
 }
 
-/// The bound of the limit on a root mean square to which a tangent belongs, N.
+/// Bound of the limit on a root mean square to which a tangent belongs, N.
 fn most(program: &Program, row: &Row) -> f64 {
     let own = program.rms.iter().find(|limit| limit.is_tangent(row));
     own.map_or(f64::INFINITY, |limit| limit.most)

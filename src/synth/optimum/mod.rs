@@ -1,4 +1,4 @@
-//! The best law under all limits: first the touching angle on the base circle, then nonconvex limits by a sequence of convex programs.
+//! Best law with all limits: first the touching angle on the base circle, then non-convex limits by a sequence of convex programs.
 
 pub mod easing;
 pub mod force_price;
@@ -27,13 +27,14 @@ use crate::problem::{Problem, Size};
 use crate::scene::Minimise;
 use solved::Refined;
 
-/// Tangents of the limit on residual vibration, per dwell; five are usual.
+/// Maximum number of tangents of the limit on residual vibration, per dwell; five are usual.
 const MOST_TANGENTS: usize = 40;
 
-/// The optimum under the convex limits, without vibration in dwells, and under the limits on the loads.
+/// Optimum with the convex limits, the limit on vibration in dwells, and the limits on the loads.
 ///
 /// # Errors
-/// No law keeps the limits, or none that reaches the accuracy where only such a law is of use.
+///
+/// No law satisfies the limits, or no law reaches the accuracy if only such a law is useful.
 pub fn solve(
     problem: &Problem,
     search: &Search,
@@ -64,7 +65,7 @@ pub fn solve(
     }
 }
 
-/// Tangents of the limit on residual vibration, one after the other, until the law keeps it.
+/// Adds tangents of the limit on residual vibration one by one until the law satisfies it.
 fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
     let basis = &optimum.formulation.program.basis;
     let Some(vibrations) = limits::Vibrations::of(problem, basis) else {
@@ -85,7 +86,7 @@ fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
     }
 }
 
-/// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
+/// If the law violates a limit on the loads, continues with the sequence of convex programs; without a feasible start, returns these limits.
 fn with_loads(
     problem: &Problem,
     search: &Search,
@@ -101,8 +102,8 @@ fn with_loads(
     (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
-/// Goes on with the sequence that keeps limits that are not convex, from the optimum without them or else from the smallest cam
-/// without them; false where neither leads to a start.
+/// Continues with the sequence of convex programs for non-convex limits, from the optimum without them or from the smallest cam without them; `false`
+/// if neither leads to a feasible start.
 fn in_sequence(
     problem: &Problem,
     search: &Search,
@@ -147,7 +148,7 @@ fn in_sequence(
     is_found
 }
 
-/// The sequence from a program of known level and its solution; `None` where it has no start.
+/// Sequence from a program with known level and its solution; `None` if it has no feasible start.
 fn sequence_from(
     problem: &Problem,
     search: &Search,
@@ -170,7 +171,7 @@ fn sequence_from(
     scp::refine(program, &starts, limits.clone(), passes)
 }
 
-/// Where a sequence may begin: at a solution of its program, and at the size that the law of that needs.
+/// Possible starts of a sequence: the solution of the program, and the same law with the size that it requires.
 fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solution> {
     let mut out = Vec::new();
     // At the least radius of an arm the linearisation is singular.
@@ -181,8 +182,7 @@ fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solu
     out
 }
 
-/// The law of the least mean square of the force error under the same limits, where the largest error is minimised: its programs
-/// are the easier ones.
+/// Law with the minimum mean square force error and the same limits, if the maximum error is minimised; its programs are easier to solve.
 fn nearest_to_force(
     problem: &Problem,
     program: &Program,
@@ -199,8 +199,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// The law at the level from which the sequence counts its lift: on its base circle, if neither drive nor conditions fix the
-/// level and limits depend on it.
+/// The law at the level from which the sequence measures the lift: on its base circle, if neither drive nor conditions determine the level and limits
+/// depend on it.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,
@@ -226,7 +226,7 @@ fn at_level(
     (program, solution)
 }
 
-/// Adds the nonconvex limits of the profile, by a sequence of convex programs.
+/// Adds the non-convex limits of the profile, by a sequence of convex programs.
 pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     if optimum.sequence.is_some() {
         return;
@@ -236,8 +236,8 @@ pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     }
 }
 
-/// A law of a size that is sought, with the size that it needs by itself: the program's own is the least that what is
-/// convex allows, or any where nothing prices it. On an arm no larger than the arm reaches.
+/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits, or arbitrary
+/// if it has no cost. For an arm the size is limited by the reach of the arm.
 pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;

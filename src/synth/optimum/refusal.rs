@@ -1,4 +1,4 @@
-//! Reasons why a problem has no law.
+//! Reasons for which a problem has no law.
 
 use crate::criterion::Criterion;
 use crate::error::Result;
@@ -6,21 +6,21 @@ use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Basis, Failure, Program};
 
-/// A result, or the reason why the limits are infeasible; the outer error is a fault of the input.
+/// A result, or the reason for which the limits are infeasible. The outer error is an error of the input.
 pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
 /// A program without a solution.
 pub struct Refusal {
     /// The program without a solution.
     pub program: Program,
-    /// Reason of the solver's end.
+    /// Reason for which the solver ended.
     pub failure: Failure,
-    /// The nonconvex limits, if the program has a solution that violates them and no feasible one was found.
+    /// Non-convex limits, if the program has a solution that violates them and no feasible one was found.
     pub nonconvex: Option<NonconvexLimits>,
 }
 
 impl Refusal {
-    /// A convex program without a solution.
+    /// Refusal for a convex program without a solution.
     pub fn of(program: Program, failure: Failure) -> Box<Refusal> {
         Box::new(Refusal {
             program,
@@ -29,7 +29,7 @@ impl Refusal {
         })
     }
 
-    /// Whether infeasibility was found; otherwise the solver stopped early.
+    /// Whether the limits were found to be infeasible; otherwise the solver stopped early.
     pub fn is_found(&self) -> bool {
         !matches!(&self.failure, Failure::Numerical { .. })
     }

@@ -1,4 +1,4 @@
-//! A formulation with its solution and proof.
+//! A formulation with its solution and certificate.
 
 use crate::law::Law;
 use crate::problem::Problem;
@@ -8,29 +8,30 @@ use crate::synth::report::method::{Ended, Method};
 use crate::synth::report::proof::{self, Doubt};
 use crate::synth::report::solver::{SolverReport, Step, Tier};
 
-/// Relative rounding of a lower bound of the force error.
+/// Relative rounding error of a lower bound of the force error.
 const BOUND_ROUNDING: f64 = 1e-6;
 
-/// The last law of a sequence, its steps and its end.
+/// Final law of a sequence, its steps and the reason for its end.
 pub type Refined = (Solution, Vec<Step>, Ended);
 
-/// The convex program of a problem over the functions of a family, with additional data for its solution.
+/// Convex program of a problem for the basis functions of a family, with additional data for its solution.
 #[derive(Clone)]
 pub struct Formulation {
     /// Equalities, objective and convex limits.
     pub program: Program,
     /// Half the mean square of the force error, as a function of the coefficients.
     pub force: Quadratic,
-    /// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if it has none.
+    /// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if there is no quadratic part.
     pub stiffness: Option<f64>,
-    /// The limit s ≥ 0, if the law must stay above its base circle.
+    /// Limit s ≥ 0, if the law must stay above its base circle.
     pub above_base_circle: Option<Limit>,
-    /// Number of spans or half waves of the highest harmonic; contacts nearer than half of one coincide.
+    /// Number of spans, or of half waves of the highest harmonic. Contacts within half a span coincide.
     pub pieces: usize,
 }
 
 impl Formulation {
-    /// Whether a law with these coefficients violates a limit, with its minimum on the base circle unless something else fixes the level.
+    /// Whether the law with these coefficients violates a limit. Its minimum is on the base circle unless the drive or a condition determines the
+    /// level.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
         if program.limits.is_empty() && program.rms.is_empty() {
@@ -45,34 +46,34 @@ impl Formulation {
     }
 }
 
-/// The best law found for a formulation.
+/// Best law found for a formulation.
 pub struct Optimum {
     /// The formulation at the touching angle.
     pub formulation: Formulation,
-    /// Solution of its program, or the last one of the sequence.
+    /// Solution of the program, or last solution of the sequence.
     pub solution: Solution,
-    /// The touching angle, if it was free.
+    /// Touching angle, if it was free.
     pub at: Option<f64>,
     /// Lower bound of the objective over all touching angles; `None` if the angle is fixed or nothing is proved.
     pub bound: Option<f64>,
-    /// The sequence of convex programs, if one was needed.
+    /// Sequence of convex programs, if one was necessary.
     pub sequence: Option<Sequence>,
-    /// Nonconvex limits for which no feasible law was found.
+    /// Whether no feasible law was found for the non-convex limits.
     pub left_out: bool,
 }
 
 /// Record of a sequence of convex programs.
 pub struct Sequence {
-    /// Improving programs, in order.
+    /// Steps that improved the objective, in order.
     steps: Vec<Step>,
-    /// Reason why the sequence ended.
+    /// Reason for which the sequence ended.
     ended: Ended,
     /// Lower bound of the objective from the convex limits.
     least: Option<f64>,
 }
 
 impl Optimum {
-    /// The law of the solution's coefficients.
+    /// Law with the coefficients of the solution.
     pub fn law(&self) -> Law {
         Law::of(&self.formulation.program.basis, &self.solution.x)
     }
@@ -82,7 +83,7 @@ impl Optimum {
         self.formulation.force.root(&self.solution.x)
     }
 
-    /// The report of a method with its certificate.
+    /// Adds the certificate of the law to a report.
     pub fn proved(&self, report: SolverReport) -> SolverReport {
         let (certificate, doubt) = self.evidence();
         let doubt = doubt.or_else(|| proof::doubt(&certificate));
@@ -94,7 +95,7 @@ impl Optimum {
         }
     }
 
-    /// The certificate of the law, and other obstacles to a proof.
+    /// Certificate of the law, and the reason, if any, for which it is not a proof.
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();
@@ -110,7 +111,7 @@ impl Optimum {
         (evidence, (!is_global).then_some(Doubt::Local))
     }
 
-    /// The certificate of the convex program alone, over all touching angles.
+    /// Certificate of the convex program alone, over all touching angles.
     fn of_convex(&self) -> (Certificate, Option<Doubt>) {
         let program = &self.formulation.program;
         let mut evidence = qp::certificate(program, &self.solution);
@@ -126,7 +127,7 @@ impl Optimum {
         (evidence, None)
     }
 
-    /// A lower bound of the objective over all laws within the convex limits, if known.
+    /// Lower bound of the objective over all laws within the convex limits, if known.
     fn least(&self) -> Option<f64> {
         let (evidence, doubt) = self.of_convex();
         let value = self.formulation.program.merit(&self.solution);
@@ -134,7 +135,8 @@ impl Optimum {
     }
 
     /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8), so that a sequence of convex programs is
-    /// useless. With an automatic number of spans more of them may reach it; on a floor that responds the objective is that of one round.
+    /// useless. The result is `false` if more automatic spans may reach it, or on a floor that responds, where the objective belongs to one
+    /// iteration.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
@@ -178,7 +180,7 @@ impl Optimum {
         })
     }
 
-    /// Replaces the convex optimum by the last law of a sequence.
+    /// Replaces the convex optimum by the final law of a sequence.
     pub fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
         let least = self.least();
         self.sequence = Some(Sequence {

@@ -1,4 +1,4 @@
-//! Optima of few numbers against closed forms.
+//! Optima of small problems compared with closed forms.
 
 use super::*;
 use crate::synth::families;
@@ -7,7 +7,7 @@ use crate::synth::report::solver::SolverReport;
 use crate::synth::samples::{FLAT, amplitude, one_wave};
 use crate::units::G;
 
-/// One harmonic under half of the acceleration that it needs.
+/// One harmonic with a limit of half the acceleration that it requires.
 fn clipped() -> SolverReport {
     let problem = one_wave(FLAT, &format!("acceleration = \"{} m/s^2\"", 0.15 * G));
     let law = families::law(&problem, &Search::default()).unwrap();
@@ -33,8 +33,8 @@ fn half_the_acceleration_costs_the_square_of_half_the_wave() {
     assert!((error / missing - 1.0).abs() < 1e-6);
 }
 
-/// tan φ = A sin θ/(D + A − A cos θ) is largest where sin φ = A/(D + A). The lift counts from the place at which the law
-/// touches its base circle, which one wave may choose.
+/// tan φ = A sin θ/(D + A − A cos θ) is maximum for sin φ = A/(D + A). The lift is measured from the point at which the law touches its base circle,
+/// which is arbitrary for one wave.
 #[test]
 fn a_pressure_angle_leaves_the_wave_of_its_sine() {
     let cam = "follower = \"roller-translating\"\nroller_radius = \"1 mm\"\noffset = \"0 mm\"\n\
@@ -50,7 +50,7 @@ fn a_pressure_angle_leaves_the_wave_of_its_sine() {
     assert!(found.solver.certified);
 }
 
-/// Touching at every angle is as good: the bound over the turn is the optimum.
+/// All touching angles are equally good: the bound over the turn is the optimum.
 #[test]
 fn the_bound_over_all_touching_angles_is_the_optimum_of_a_wave() {
     let mut wave = Quadratic::zero(&qp::Basis::Harmonic { count: 1 });

@@ -1,8 +1,8 @@
-//! The angle at which a law of open level touches its base circle.
+//! Angle at which a law with free level touches its base circle.
 //!
 //! On a moving axis the force does not depend on the level of the law, so its minimum is on the base circle. Limits on curvature, pressure angle and
-//! contact pressure count the lift from there, so for a touching angle φ they read Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex
-//! program with the optimum f(φ); a law that is lower elsewhere only gains slack, so the optimum is the minimum of f(φ) over the turn.
+//! contact pressure measure the lift from the base circle. For a touching angle φ they are Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a
+//! convex program with the optimum f(φ); a law that is lower elsewhere only gains slack, so the optimum is the minimum of f(φ) over the turn.
 //!
 //! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀
 //! the Lagrangian changes by ν (s(φ) − s(c)), hence
@@ -12,9 +12,9 @@
 //! Q(t) = 4/α Σ (1 − cos nt)/n⁴ = 4/α (π²t²/12 − π|t|³/12 + t⁴/48)
 //! ```
 //!
-//! where α mean(s″²) is no more than the objective's square part: Q bounds the square length of the functional
-//! s(φ) − s(c) in the objective's dual norm. The bound has the value and the slope of f at c, so a few programs
-//! bound f from below to 1e-6 all round (branch and bound over φ).
+//! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of the
+//! objective. The bound has the value and the slope of f at c, so a few programs bound f from below to 1e-6 over the whole turn (branch and bound
+//! over φ).
 
 use std::f64::consts::{PI, TAU};
 
@@ -26,11 +26,11 @@ use crate::synth::qp::{self, Failure, Program, Row, Solution};
 
 /// Relative tolerance of the proved minimum over all angles.
 const GAP: f64 = 4e-7;
-/// Maximum number of programs of the proof.
+/// Maximum number of programs for the proof.
 const MOST_PROGRAMS: usize = 48;
-/// Maximum number of descent steps of the touching angle to its law's minimum …
+/// Maximum number of descent steps of the touching angle towards the minimum of its law.
 const MOST_DESCENTS: usize = 8;
-/// … and minimum step, rad.
+/// Step of the touching angle below which the descent ends, rad.
 const SETTLED: f64 = 1e-7;
 /// Maximum secant step, as a multiple of the distance to the minimum.
 const FARTHEST: f64 = 20.0;
@@ -41,10 +41,11 @@ const NARROWEST: f64 = TAU / 65536.0;
 /// Number of trial angles if the first is infeasible.
 const TRIED: usize = 12;
 
-/// The optimum under the convex limits alone, at the best touching angle; a program without lifts from the base circle is solved directly.
+/// Optimum with only the convex limits, at the best touching angle. A program whose limits do not depend on the level is solved directly.
 ///
 /// # Errors
-/// The program without a solution.
+///
+/// The program has no solution.
 pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> {
     let program = &formulation.program;
     let (program, solution, at, bound) = if program.limits.iter().any(|l| l.from_reference) {
@@ -71,7 +72,7 @@ pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> 
     })
 }
 
-/// The best touching angle, and a lower bound of the objective; `stiffness` is α above, if the objective has a quadratic part.
+/// Best touching angle, and a lower bound of the objective. `stiffness` is the α above, if the objective has a quadratic part.
 fn searched(
     program: &Program,
     stiffness: Option<f64>,
@@ -103,20 +104,20 @@ struct Node {
     at: f64,
     solution: Solution,
     law: Law,
-    /// Objective including its constant.
+    /// Value of the objective, including its constant.
     value: f64,
-    /// Lower bound by the multipliers at this angle.
+    /// Lower bound from the multipliers at this angle.
     dual: f64,
     /// Sum ν of the multipliers, weighted with −w₀.
     multiplier: f64,
-    /// Level s_c(c) of the law.
+    /// Level s_c(c) of the law at its touching angle.
     level: f64,
     /// Local minima of the law, sorted by angle.
     lows: Vec<(f64, f64)>,
 }
 
 impl Node {
-    /// A lower bound of f on [a, b].
+    /// Lower bound of f on [a, b] from this node.
     fn least(&self, a: f64, b: f64, alpha: f64) -> f64 {
         let ends = self.law.svaj(a).s.min(self.law.svaj(b).s);
         let inside = self.lows.iter().filter(|low| low.0 > a && low.0 < b);
@@ -139,7 +140,7 @@ fn signed(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }
 
-/// Angle between two places of the turn, rad.
+/// Angle between two positions in the turn, rad.
 fn apart(a: f64, b: f64) -> f64 {
     signed(a - b).abs()
 }
@@ -150,7 +151,7 @@ fn bound(nodes: &[Node], a: f64, b: f64, alpha: f64) -> f64 {
     each.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The distance α Q(t).
+/// Function α Q(t) of the distance t between two angles.
 fn distance(t: f64) -> f64 {
     4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
 }
@@ -162,7 +163,7 @@ struct Search {
 }
 
 impl Search {
-    /// The first law: at the given angle, or at another one if the law is tied to its angles.
+    /// First law: at the given angle; if equalities tie the law to angles, at the first of several angles with a solution.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -186,7 +187,8 @@ impl Search {
         Err(Refusal::of(self.touching(first), failure))
     }
 
-    /// The touching angle of the law with the minimum root mean square under the other limits; if that limit is tight, feasible angles are near it.
+    /// Touching angle of the law with the minimum root mean square within the other limits. If the limit on the root mean square is tight, feasible
+    /// angles are near it.
     fn at_least_rms(&self, first: f64) -> Option<f64> {
         let mut least = Search {
             program: self.program.of_least_rms(Criterion::Accuracy)?,
@@ -197,14 +199,14 @@ impl Search {
         Some(least.nodes[least.best()].at)
     }
 
-    /// The program with this touching angle.
+    /// Program with this touching angle.
     fn touching(&self, at: f64) -> Program {
         let mut program = self.program.clone();
         program.count_from(at);
         program
     }
 
-    /// Solves at an angle, starting with the contacts of the nearest one; returns its index.
+    /// Solves the program at an angle, starting with the contacts of the nearest solved angle. Returns the index of the new node.
     fn visit(&mut self, at: f64) -> Result<usize, Failure> {
         let at = at.rem_euclid(TAU);
         let mut program = self.touching(at);
@@ -224,7 +226,7 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Tries ±¼ span about the best angle, since a symmetric target can make the stationary angle a local maximum.
+    /// Tries ±¼ span about the best angle. For a symmetric target, the stationary angle can be a local maximum.
     fn beside(&mut self) {
         let at = self.nodes[self.best()].at;
         let part = 0.25 * self.program.width(0);
@@ -235,8 +237,8 @@ impl Search {
         }
     }
 
-    /// Moves the touching angle of a node towards the minimum of its law while that improves the objective, first by the distance to it, then by
-    /// secant steps.
+    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective: first by the distance to the minimum,
+    /// then by secant steps.
     fn descend(&mut self, mut node: usize) {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {
@@ -300,7 +302,7 @@ impl Search {
         }
     }
 
-    /// The best node, with the total iterations.
+    /// Best node, with the total number of iterations.
     fn finished(mut self) -> Node {
         let mut best = self.nodes.swap_remove(self.best());
         let others = self.nodes.iter().map(|n| n.solution.iterations);

@@ -8,11 +8,11 @@ use crate::synth::families;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 
-/// The individual cam of one walker.
+/// Individual cam of one walker.
 pub struct Point {
     /// Force at the quadrature nodes, N.
     pub at: Vec<f64>,
-    /// Bound of its distance from the optimum, N.
+    /// Upper bound of the distance from the optimum, N.
     pub slack: f64,
     /// Factor γ of the walker, 1/N.
     pub scale: f64,
@@ -20,7 +20,7 @@ pub struct Point {
     pub least: f64,
 }
 
-/// The individual cam of each cycle; `None` if the sets of laws are not convex.
+/// Individual cam of each cycle; `None` if the sets of laws are not convex.
 pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
     let Some(walkers) = problem.walkers.as_deref() else {
         return Ok(Vec::new());

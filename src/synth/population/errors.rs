@@ -1,5 +1,5 @@
-//! Force errors of walkers under a law, as squares of distances: every walker's is (γ_w ψ − y_w)² in the mean, with ψ the force of
-//! the law on the reference machine less that at rest.
+//! Force errors of walkers for a law, as squared distances. The mean square error of walker w is the mean of (γ_w ψ − y_w)², where ψ is the force of
+//! the law in the reference machine minus the force at rest.
 
 use std::f64::consts::TAU;
 
@@ -9,30 +9,30 @@ use crate::poly::{Cells, gauss_legendre};
 use crate::problem::Served;
 use crate::scene::Robust;
 
-/// Number of ranges, and of nodes on each, for laws that are not polynomials.
+/// Number of ranges for laws that are not polynomials.
 const RANGES: usize = 256;
 const NODES: usize = 5;
-/// Maximum degree of the nearest polynomials of a target.
+/// Maximum degree of the least-squares polynomials of a target.
 const HIGHEST: usize = 9;
 
-/// Quadrature nodes of the turn for comparing forces; integrals of products of laws of one basis are exact.
+/// Quadrature nodes of the turn for comparing forces. Integrals of products of laws with the same basis are exact.
 pub struct Nodes {
     /// Cam angles of the nodes, rad.
     at: Vec<f64>,
-    /// Roots of the weights; the sum of their squares is 1.
+    /// Square roots of the weights; the sum of their squares is 1.
     roots: Vec<f64>,
     breaks: Vec<f64>,
     /// Degree of the polynomials between the breaks; `None` for harmonics.
     degree: Option<usize>,
 }
 
-/// A walker's target at the nodes.
+/// Target of a walker at the nodes.
 pub struct Aim {
     /// Factor γ = β/unit of the walker, 1/N.
     pub scale: f64,
-    /// Target (F − R)/unit, times the roots of the weights.
+    /// Target (F − R)/unit, multiplied by the square roots of the weights.
     pub towards: Vec<f64>,
-    /// Mean square of the residual under the best law of the basis.
+    /// Mean square of the residual for the best law of the basis.
     pub left: f64,
 }
 
@@ -65,7 +65,7 @@ impl Nodes {
         }
     }
 
-    /// Force of a law less that at rest, N, times the roots of the weights.
+    /// Force of a law minus the force at rest, N, multiplied by the square roots of the weights.
     pub fn force(&self, drive: &Drive, law: &Law) -> Vec<f64> {
         let rest = drive.rest_force;
         let at = self.at.iter().zip(&self.roots);
@@ -73,7 +73,7 @@ impl Nodes {
             .collect()
     }
 
-    /// The target of a walker at the nodes.
+    /// Target of a walker at the nodes.
     pub fn aim(&self, walker: &Served) -> Aim {
         let mut ends = walker.target.force_n.clone();
         ends.push(ends[0]);
@@ -96,7 +96,7 @@ impl Nodes {
 }
 
 impl Aim {
-    /// Mean square error under a law's force, in the square of the unit.
+    /// Mean square error for the force of a law, in the square of the unit.
     pub fn square(&self, force: &[f64]) -> f64 {
         let both = force.iter().zip(&self.towards);
         both.map(|(f, y)| (self.scale * f - y).powi(2)).sum::<f64>() + self.left
@@ -104,7 +104,7 @@ impl Aim {
 }
 
 impl Nodes {
-    /// Components of a walker's error under a law's force, as mean squares that add up: mean force, amplitude and shape.
+    /// Components of a walker's error for the force of a law, as mean squares: mean force, amplitude and shape. Their sum is the mean square error.
     pub fn parts(&self, aim: &Aim, force: &[f64]) -> [f64; 3] {
         let centred = |mut values: Vec<f64>| {
             let mean = dot(&values, &self.roots);
@@ -128,7 +128,7 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Objective over mean square errors of walkers with these shares.
+/// Objective over the mean square errors of walkers with the given shares.
 pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
     match robust {
         Robust::Mean => dot(squares, shares),
@@ -137,12 +137,12 @@ pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
     }
 }
 
-/// Mean of the largest values, those of the last 1 − `part` of the shares.
+/// Tail mean: mean of the largest values, whose shares sum to 1 − `part`.
 pub fn tail(part: f64, values: &[f64], shares: &[f64]) -> f64 {
     dot(&in_tail(part, values, shares), values)
 }
 
-/// Weight of each value in the mean of the largest.
+/// Weight of each value in the tail mean: the mean of the largest values, whose shares sum to 1 − `part`.
 pub fn in_tail(part: f64, values: &[f64], shares: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));

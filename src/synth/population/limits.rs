@@ -1,4 +1,4 @@
-//! Limits for every walker: combined into one set at the reference machine, and checked at the machine of each.
+//! Limits for every walker: combined into one set for the reference machine, and checked for the machine of each walker.
 
 use crate::cam::Check;
 use crate::criterion::{DependsOn, Direction, LimitKind};
@@ -7,7 +7,7 @@ use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
-/// The problem at its reference machine with the motion and force limits of the most critical walkers; `loads` is the fraction of the load limits
+/// The problem for its reference machine, with the motion and force limits of the most critical walkers. `loads` is the fraction of the load limits
 /// that the reference machine may use.
 pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     let (drive, mut limits) = (problem.drive, problem.limits.clone());
@@ -34,7 +34,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     problem.with_limits(limits)
 }
 
-/// A law on the largest cam that a walker needs, with each limit checked at the machine of its most critical walker.
+/// A law on the largest cam that any walker requires, with each limit checked for the machine of its most critical walker.
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
     let extremes = extremes(problem, walkers).into_iter();
     let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
@@ -59,13 +59,13 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Limits that no factor transfers between the machines of two walkers.
+/// Limits for which no factor relates the machines of two walkers.
 pub fn loads() -> impl Iterator<Item = LimitKind> {
     let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
     LimitKind::ALL.iter().copied().filter(is_load)
 }
 
-/// Usable fraction of the load limits after failed checks; `None` if none failed.
+/// Usable fraction of the load limits after failed checks; `None` if no check failed.
 pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     let failing = checks.iter().filter(|c| !c.pass);
     let of_loads = failing.filter(|c| loads().any(|kind| c.name == kind));
@@ -73,9 +73,9 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     parts.reduce(f64::min)
 }
 
-/// Walkers that contain the worst one for every checked quantity. Force, torque and its rate are linear in the force at rest R and in β, power in ωR
-/// and ωβ; pressure grows with the force, motion with ω. Each is linear in a pair of numbers, so its maximum over all walkers is at a corner of the
-/// convex hull of their pairs. For vibration in a dwell all walkers are checked.
+/// Walkers that include the worst one for every checked quantity. Force, torque and its rate are linear in the force at rest R and in β; power is
+/// linear in ωR and ωβ. Pressure increases with the force, motion with ω. Each quantity is linear in a pair of numbers, so its maximum over all
+/// walkers is at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are checked.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
     let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;

@@ -1,6 +1,7 @@
-//! One cam for many walkers. Mass and speed of the machine are adjusted for each, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is
-//! linear in the law. The mean of the squares is the design for one mean curve; the worst of them, and the mean of the worst tenth, is the design for
-//! another mean curve, with weights from a search ([`weights`]). Families, limits, proofs and checks are those of one walker (theory §8).
+//! One cam for many walkers. Mass and speed of the machine are adjusted for each walker, so that the force error of walker w, M_w (ω_w² a + g) − F_w,
+//! is linear in the law. Minimising the mean of the squares is equivalent to the design for one mean curve. Minimising the worst error, or the mean
+//! of the worst tenth, is the design for another mean curve, with weights from a search ([`weights`]). Families, limits, certificates and checks are
+//! those of a single walker (theory §8).
 
 pub mod alone;
 mod easing;
@@ -33,19 +34,20 @@ use weights::Weights;
 
 /// Maximum number of designs for one set of phases.
 const ROUNDS: usize = 80;
-/// Maximum number of designs with tightened load limits, and their margin.
+/// Maximum number of designs with tightened load limits.
 const LOAD_ROUNDS: usize = 12;
 const LOAD_ROOM: f64 = 1e-6;
-/// Maximum number of alternations of laws and phases, and the relative gain below which they end.
+/// Maximum number of alternations between laws and phases.
 const PHASE_ROUNDS: usize = 30;
 const PHASE_SETTLED: f64 = 1e-7;
 /// Relative tolerance of the required accuracy.
 const SLACK: f64 = 1e-9;
 
-/// The design for the walkers of a problem.
+/// Design for the walkers of a problem.
 ///
 /// # Errors
-/// A setting that does not support several walkers; those of one walker.
+///
+/// A setting that does not support several walkers; errors as for a single walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
     let phase = at_best_phase(&problem.of_mean(), search)?.phase;
@@ -67,12 +69,12 @@ pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result
     unreachable!("the last round returns")
 }
 
-/// Whether the force errors of several walkers are judged.
+/// Whether the force errors of several walkers are part of the verdict.
 pub fn is_judged(problem: &Problem) -> bool {
     problem.serves_several() && problem.accuracy.is_some()
 }
 
-/// The problem of the mean of the walkers under the limits of all, without a check of its error.
+/// Problem for the mean of the walkers with the limits of all, without a check of the error of the mean.
 pub fn of_mean(problem: &Problem) -> Problem {
     match problem.walkers.as_deref() {
         None => problem.clone(),
@@ -103,7 +105,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     }
 }
 
-/// The law for the walkers, with its proof.
+/// Law for the walkers, with its certificate.
 struct Found {
     attempt: Attempt,
     squares: Vec<f64>,
@@ -115,7 +117,7 @@ struct Found {
 }
 
 impl Found {
-    /// The law and, if adjustable, the phases of the walkers, by alternating optimisation.
+    /// Law and, if adjustable, phases of the walkers, by alternating optimisation.
     fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut phases = vec![0.0; walkers.each.len()];
         let mut found = Found::of_best_size(limited, search, walkers)?;
@@ -148,7 +150,7 @@ impl Found {
         Ok(found)
     }
 
-    /// The law for the walkers. An automatic size is that for their mean, or larger if the worst walkers count and gain by it.
+    /// Law for the walkers. An automatic size is the size for their mean, or a larger one if the worst walkers count and benefit from it.
     fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut best = Found::of(limited, search, walkers)?;
         let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
@@ -175,7 +177,7 @@ impl Found {
         Ok(best)
     }
 
-    /// The problem restricted to the family and size of a law.
+    /// The problem with the fixed family and size of a law.
     fn held(&self, limited: &Problem) -> Problem {
         let law = &self.attempt.law;
         match law.family {
@@ -227,7 +229,7 @@ impl Found {
         })
     }
 
-    /// The design of the law, judged for all walkers.
+    /// Design of the law, with the verdict for all walkers.
     fn judged(
         self,
         problem: &Problem,
@@ -274,7 +276,7 @@ impl Found {
     }
 }
 
-/// The combination of laws, with the evidence of its largest component.
+/// Combination of laws, with the certificate of the law that has the largest share.
 fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     let bearing: Vec<(f64, &SolvedLaw)> = parts
         .iter()
@@ -307,7 +309,7 @@ fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     out
 }
 
-/// The required accuracy of the objective over the walkers.
+/// Check of the required accuracy for the objective over the walkers.
 fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     let asked = problem.accuracy? * problem.target_mean();
     let value = square.sqrt() * problem.target_mean();
@@ -315,14 +317,14 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, asked, SLACK))
 }
 
-/// The problem for laws over a fixed basis, as in every iteration.
+/// The problem for laws with a fixed basis, as in every iteration.
 fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
     let mut spec = problem.law.clone();
     hold(&mut spec, law.family, &law.law, law.coefficients.len());
     problem.with_law(spec)
 }
 
-/// Sets a law's family and size.
+/// Fixes the family and size of a law.
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
@@ -332,7 +334,7 @@ pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) 
     }
 }
 
-/// Bound of the half mean square of a law above the minimum, N²; infinite if unknown.
+/// Upper bound of the difference between the half mean square of a law and the minimum, N²; infinite if unknown.
 fn gap(law: &SolvedLaw) -> f64 {
     let of = |c: &Certificate| {
         (c.global_gap).map_or(f64::INFINITY, |gap| c.duality_gap.max(gap * c.size))
@@ -340,7 +342,7 @@ fn gap(law: &SolvedLaw) -> f64 {
     law.solver.certificate.as_ref().map_or(0.0, of)
 }
 
-/// The problem of one curve whose mean square error is, up to factor and constant, the weighted sum of the walkers':
+/// Problem of one curve whose mean square error is, except for a factor and a constant, the weighted sum of the errors of the walkers.
 fn weighed(problem: &Problem, walkers: &Walkers, weights: &[f64]) -> Problem {
     let Some(target) = &problem.target else {
         return problem.clone();

@@ -1,6 +1,6 @@
-//! Adjustable phases of the walkers' cycles: the problem is not convex, so laws and phases are optimised alternately. For a lower bound every
-//! harmonic of every walker may shift separately, so that only amplitudes count, |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and with them the problem of the
-//! walkers in step, without limits.
+//! Adjustable phases of the walkers' cycles. The problem is not convex, so laws and phases are optimised alternately. For a lower bound, every
+//! harmonic of every walker may shift separately. Then only amplitudes count, |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and the bound is the optimum of a
+//! problem with equal phases and without limits.
 
 use std::f64::consts::TAU;
 
@@ -11,14 +11,14 @@ use crate::law::Law;
 use crate::poly::amplitudes;
 use crate::problem::{Served, Walkers};
 
-/// Number of equal angles of a law's force.
+/// Number of equal angles for the force of a law.
 const SAMPLES: usize = 1024;
-/// Number of harmonics that determine a phase.
+/// Number of harmonics that are used to determine a phase.
 const HARMONICS: usize = 100;
-/// Number of trial phases, and of Newton steps from the best of them.
+/// Number of trial phases.
 const TRIED: usize = 720;
 const STEPS: usize = 6;
-/// Maximum number of iterations of the bound.
+/// Maximum number of iterations for the bound.
 const ROUNDS: usize = 60;
 
 /// (cosine, sine) amplitudes of the harmonics 1, 2, …
@@ -30,13 +30,13 @@ fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The force of a law, N, at equal angles.
+/// Harmonics of the force of a law, N.
 pub fn of_law(drive: &Drive, law: &Law) -> Vec<(f64, f64)> {
     let at = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
     waves(&at.map(|x| drive.force(law.svaj(x))).collect::<Vec<_>>())
 }
 
-/// Delay of a walker's cycle with the best fit to the force, rad.
+/// Delay of a walker's cycle for which it fits the force best, rad.
 pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     let own = waves(&walker.target.force_n);
     let terms: Vec<[f64; 3]> = (1..)
@@ -69,7 +69,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     phase.0
 }
 
-/// The amplitudes of the walkers' harmonics, N, as targets independent of the phase.
+/// Amplitudes of the walkers' harmonics, N, as targets that do not depend on the phase.
 pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     let aim = |walker: &Served| {
         let own = waves(&walker.target.force_n);
@@ -83,7 +83,7 @@ pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     walkers.each.iter().map(aim).collect()
 }
 
-/// A lower bound of the measure over all phases, as a mean square.
+/// Lower bound of the measure over all phases, as a mean square.
 pub fn bound(walkers: &Walkers) -> f64 {
     let aims = amplitudes_of(walkers);
     let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();

@@ -5,10 +5,10 @@ use crate::problem::Walkers;
 use crate::scene::{ErrorMeasure, Robust};
 use crate::synth::report::walkers::{OfPopulation, WalkerError};
 
-/// Default fraction of the worst walkers whose errors are averaged.
+/// Default fraction of the walkers above which errors belong to the mean of the worst.
 const USUAL_TAIL: f64 = 0.9;
 
-/// Report of mean square errors.
+/// Report from the mean square errors of the walkers.
 pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
     let each = walkers.each.iter().zip(squares).zip(phases);
     let each = each.map(|((walker, square), phase)| {

@@ -1,7 +1,7 @@
-//! Weights of the walkers for which the cam of the weighted mean is optimal. For weights λ the sum Σ λ_w e_w² is, but for a constant, one mean square
-//! distance to one curve, (Σ λ γ y)/(Σ λ γ²). Its optimum less its duality gap is a lower bound of the worst error, and of the mean of the worst
-//! tenth where no weight exceeds its part of that tenth. The next weights are the multipliers of the same problem over the convex hull of the
-//! previous laws, all of which satisfy the convex limits (theory §8).
+//! Weights of the walkers for which the cam of the weighted mean is optimal. For weights λ the sum Σ λ_w e_w² is, except for a constant, one mean
+//! square distance from one curve, (Σ λ γ y)/(Σ λ γ²). Its optimum minus its duality gap is a lower bound of the worst error. It is also a lower
+//! bound of the mean of the worst tenth if no weight exceeds its share of this tenth. The next weights are the multipliers of the same problem over
+//! the convex hull of the previous laws, all of which satisfy the convex limits (theory §8).
 
 use splineqp::{Square, least_worst};
 
@@ -9,10 +9,10 @@ use super::errors::{Aim, dot, measure, norm};
 use crate::scene::Robust;
 use crate::synth::qp::PROVED;
 
-/// Fraction of a law's force below which it depends on the others.
+/// Fraction of the force of a law below which it is linearly dependent on the others.
 const DEPENDENT: f64 = 1e-9;
 
-/// The search for weights.
+/// State of the search for weights.
 pub struct Weights<'a> {
     robust: Robust,
     shares: &'a [f64],
@@ -25,9 +25,9 @@ pub struct Weights<'a> {
     pub upper: f64,
     /// Lower bound of the measure over all laws of the family.
     pub lower: f64,
-    /// Weighted sum of the squares of the combination that the last weights belong to.
+    /// Weighted sum of the squares for the combination to which the last weights belong.
     hull: f64,
-    /// Whether the last law is no better than that combination, so that the next weights would be the same.
+    /// Whether the last law is not better than this combination, so that the next weights would be the same.
     is_settled: bool,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Adds the law designed for some weights; `gap` bounds its half mean square above the minimum, N².
+    /// Adds the law designed for given weights. `gap` is an upper bound of the difference between its half mean square and the minimum, N².
     pub fn take(&mut self, weights: &[f64], force: Vec<f64>, gap: f64) {
         let squares = self.squares(&force);
         let both = weights.iter().zip(self.aims);
@@ -71,7 +71,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Force of a combination.
+    /// Force of a combination of laws.
     pub fn force(&self, parts: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.laws[0].len()];
         for (part, law) in parts.iter().zip(&self.laws) {
@@ -82,12 +82,12 @@ impl<'a> Weights<'a> {
         out
     }
 
-    /// Whether the best law is optimal to a millionth.
+    /// Whether the best law is optimal within 1e-6.
     pub fn is_proved(&self) -> bool {
         self.upper - self.lower <= PROVED * self.upper
     }
 
-    /// The maximum weight of each walker.
+    /// Maximum weight of each walker.
     fn caps(&self) -> Option<Vec<f64>> {
         match self.robust {
             Robust::Tail(part) => Some(self.shares.iter().map(|p| p / (1.0 - part)).collect()),
@@ -95,8 +95,8 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// The weights for the next law; `None` if the hull gives none. If combinations satisfy the limits, the best one of the hull is added too;
-    /// otherwise nothing will be proved, and the search ends with the first law that does not enlarge the hull.
+    /// Weights for the next law; `None` if the convex hull does not determine any. If combinations satisfy the limits, the best one of the hull is
+    /// added too. Otherwise nothing can be proved, and the search ends with the first law that does not enlarge the hull.
     pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
         if self.is_settled && !combines {
             return None;
@@ -135,7 +135,7 @@ pub fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Orthonormal axes of the differences from a centre.
+/// Orthonormal axes of the differences between laws and a centre.
 pub fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
     let mut out: Vec<Vec<f64>> = Vec::new();
     for law in laws {

@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// One condition on the law, as in its scene.
+/// A condition on the law, as in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -17,7 +17,7 @@ pub enum Demand {
         point: usize,
         /// Cam angle of the prescribed point.
         at: Quantity,
-        /// The quantity that is prescribed there.
+        /// Quantity that is prescribed at the point.
         given: Given,
     },
     /// A dwell of the law.
@@ -25,7 +25,7 @@ pub enum Demand {
         /// Position of the entry in the scene, counted from 1.
         dwell: usize,
     },
-    /// The law touches its base circle somewhere.
+    /// The law touches its base circle at some angle.
     OnBaseCircle,
 }
 
@@ -43,7 +43,7 @@ pub enum Given {
 }
 
 impl Demand {
-    /// Name in `summary.json`: its position in the scene.
+    /// Name of the condition in `summary.json`: its position in the scene.
     pub fn name(self) -> String {
         match self {
             Demand::AtPoint { point, at, given } => {

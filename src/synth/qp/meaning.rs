@@ -6,26 +6,26 @@ use crate::criterion::Criterion;
 /// Relation of a bound to the value of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Meaning {
-    /// Not a value of the scene: the base circle, a monotone flank, the objective.
+    /// The bound is not a value of the scene: the base circle, a monotone flank, the objective.
     #[default]
     Structure,
-    /// The scene's value is factor·bound + offset.
+    /// The value of the scene is factor·bound + offset.
     Value {
         /// Factor of the bound.
         factor: f64,
         /// Offset of the value.
         offset: f64,
     },
-    /// The scene's value is factor·bound²: a mean square whose root is limited.
+    /// The value of the scene is factor·bound²: a mean square whose root is limited.
     Square {
         /// Factor of the squared bound.
         factor: f64,
     },
-    /// A limit on a variable size, which cannot be relaxed.
+    /// A limit on a variable size; it cannot be relaxed.
     Sized,
-    /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
+    /// A pressure-angle limit for a given prime circle: bound = tan·D ± e. Its value is the prime radius.
     PrimeRadius {
-        /// Tangent of the allowed angle.
+        /// Tangent of the permitted angle.
         tan: f64,
         /// Offset of the follower with its sign in the bound, m.
         offset: f64,
@@ -33,7 +33,7 @@ pub enum Meaning {
 }
 
 impl Meaning {
-    /// The user's value is the bound times a factor.
+    /// The value of the scene is the bound times a factor.
     pub fn times(factor: f64) -> Meaning {
         Meaning::Value {
             factor,
@@ -41,7 +41,7 @@ impl Meaning {
         }
     }
 
-    /// The user's value for a bound; `None` if there is none.
+    /// Value of the scene for a bound; `None` if the bound is not such a value.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {
             Meaning::Structure | Meaning::Sized => None,
@@ -51,7 +51,7 @@ impl Meaning {
         }
     }
 
-    /// Derivative |d value / d bound|, for multipliers.
+    /// Derivative |d value / d bound|, to convert multipliers.
     pub fn slope(self, bound: f64) -> f64 {
         match self {
             Meaning::Structure | Meaning::Sized => 1.0,
@@ -64,8 +64,7 @@ impl Meaning {
         }
     }
 
-    /// The limit with this relation to the scene. A bound that is not a value of the scene has no margin, because a law at rest lies on its base
-    /// circle.
+    /// Attaches this relation to a limit. A bound that is not a value of the scene has no margin, because a dwell lies on the base circle.
     pub fn of(self, limit: Limit) -> Limit {
         Limit {
             meaning: self,
@@ -75,7 +74,7 @@ impl Meaning {
     }
 }
 
-/// A limit that is not a value of the scene, until a [`Meaning`] makes it one.
+/// A limit whose bound is not a value of the scene, until a [`Meaning`] is attached.
 pub fn structural(
     name: impl Into<Criterion>,
     side: impl Into<LeftSide>,

@@ -1,4 +1,4 @@
-//! The convex programs of `splineqp` with limits and equalities named as in scenes.
+//! Convex programs of `splineqp` with limits and equalities that are named as in scenes.
 
 mod demand;
 mod meaning;
@@ -32,8 +32,8 @@ pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
 
-/// Jerk, in typical lifts per rad³, whose mean square costs as much as one typical lift of radius if the size is minimised: large enough not to
-/// affect the size, small enough to keep the law smooth.
+/// Jerk, in typical lifts per rad³, whose mean square costs as much as a radius of one typical lift if the size is minimised. It is large enough not
+/// to affect the size, and small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
 
 /// Weight μ of ½ μ mean(j²), which smooths the law of the smallest cam.

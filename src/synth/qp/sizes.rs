@@ -1,4 +1,4 @@
-//! Further variables of a cam's program: the sizes of the cam, and the ranges of stroke and face.
+//! Further variables of a cam's program: sizes of the cam, and the ranges of stroke and face.
 
 use super::{Program, Solution, TOLERANCE, Values, Variable};
 
@@ -8,14 +8,14 @@ pub const RADIUS: Variable = Variable::nth(1);
 pub const RISE: Variable = Variable::nth(2);
 /// Offset e of the follower, m.
 pub const OFFSET: Variable = Variable::nth(3);
-/// Minimum lift, m, if the stroke counts from there and not from the base circle.
+/// Minimum lift, m, if the stroke is measured from it and not from the base circle.
 pub const LOWEST: Variable = Variable::nth(4);
-/// Minimum velocity, m/rad, where the range of a flat face of limited width begins.
+/// Minimum velocity, m/rad, at which the range of a flat face of limited length begins.
 pub const FACE_END: Variable = Variable::nth(5);
 /// Variables of the cam's size in the cone Rp ≥ ‖(D, e)‖.
 pub const SIZES: [Variable; 3] = [RADIUS, RISE, OFFSET];
 
-/// Declares the variables in a new program. Unused ones do not take part.
+/// Declares the variables in a new program. Unused variables have no effect.
 pub fn declare(program: &mut Program) {
     let length = program.length;
     for name in ["Rp", "D", "e"] {
@@ -25,7 +25,7 @@ pub fn declare(program: &mut Program) {
     program.least_value("face end", 1, length);
 }
 
-/// The program with its sizes fixed at the solution's, enlarged by `room`: without a cone the solver is accurate to rounding.
+/// The program with its sizes fixed at those of the solution, enlarged by `room`. Without a cone the solver is accurate to rounding.
 pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     let mut sizes = solution.extra;
     sizes[RISE] *= 1.0 + room;
@@ -36,14 +36,14 @@ pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     held.with_constant(&SIZES, &sizes)
 }
 
-/// Whether limits on the size alone hold.
+/// Whether the limits on the size alone are satisfied.
 pub fn keep(program: &Program, sizes: &Values) -> bool {
     let limits = program.limits.iter();
     let mut alone = limits.filter(|l| l.is_on_variables_alone());
     alone.all(|l| l.room(sizes) >= -program.settings.tolerance * l.size(l.bound))
 }
 
-/// The sizes clamped to the limits on the size alone.
+/// Sizes clamped to the limits on the size alone.
 pub fn within(program: &Program, sizes: &Values) -> Values {
     let mut out = *sizes;
     let limits = program.limits.iter();
@@ -61,7 +61,7 @@ pub fn within(program: &Program, sizes: &Values) -> Values {
     out
 }
 
-/// The program with limits on the size alone widened to these sizes, and a cost on each of them.
+/// The program with its limits on the size alone relaxed to the given sizes, and with a cost on each of them.
 pub fn priced(program: &Program, sizes: &Values, cost: f64) -> Program {
     let mut priced = program.clone();
     let limits = priced.limits.iter_mut();
@@ -88,7 +88,7 @@ mod tests {
         program
     }
 
-    /// Rp of at most 5 beside a cone.
+    /// A program with Rp of at most 5 and a cone.
     fn limited() -> Program {
         let mut program = program();
         let mut most = Limit::on(Criterion::BaseCircle, [0.0; 5]).at_most(5.0);

@@ -1,4 +1,4 @@
-//! Parallel searches on all cores, while the calling thread polls the halt.
+//! Parallel searches on all cores; meanwhile the calling thread polls the stop condition ([`Halt`]).
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -9,13 +9,13 @@ use gaitcam_base::threads;
 
 use crate::halt::Halt;
 
-/// Time between two polls of the caller's halt.
+/// Time between two polls of the caller's stop condition.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// The result of `search` for every item, in the order of the items; searches do not depend on each other.
+/// Results of `search` for all items, in the order of the items. The searches do not depend on each other.
 ///
-/// Searches poll their own halt. The caller's halt may work only on the caller's thread (as in Python), which polls it and sets the flag of the
-/// others.
+/// Each search polls its own stop condition. The stop condition of the caller may work only on the caller's thread (as in Python). This thread polls
+/// it and sets the flag of the others.
 pub fn beside<T: Sync, R: Send>(
     items: &[T],
     halt: &Halt,

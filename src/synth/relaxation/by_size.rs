@@ -1,5 +1,5 @@
-//! Relaxations of a scene whose smallest cam is too large: each trial computes the smallest cam with another value, and thus its excess over the
-//! limit on the prime radius.
+//! Relaxations of a scene whose smallest cam is too large. Each trial computes the smallest cam with another value, and its excess over the limit on
+//! the prime radius.
 
 use super::relaxable::Relaxable;
 use crate::cam::LimitKind;
@@ -11,25 +11,25 @@ use crate::synth::synthesis::kept;
 
 /// Maximum number of trials of one value.
 const TRIALS: usize = 12;
-/// Factor of the limit on the prime radius that makes it void.
+/// Factor by which the limit on the prime radius is multiplied to make it inactive.
 const NO_LIMIT: f64 = 10.0;
-/// Relative extension of a step beyond the slope, so that it ends inside the limit.
+/// Relative extension of a step beyond the step of the slope, so that it ends within the limit.
 const BEYOND: f64 = 0.02;
 /// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;
 
-/// The smallest cam of a scene that requires a smaller one.
+/// The smallest cam of a scene, which is larger than permitted.
 pub struct BySize<'a> {
-    /// The problem of the smallest cam.
+    /// Problem of the smallest cam.
     open: Problem,
     search: &'a Search,
-    /// The limit on the prime radius, m.
+    /// Limit on the prime radius, m.
     most: f64,
     smallest: Design,
 }
 
 impl<'a> BySize<'a> {
-    /// `None` if law and size are not variables of one program, or if the smallest cam satisfies the limit.
+    /// Creates the search; `None` if law and size are not variables of one program, or if the smallest cam satisfies the limit.
     pub fn of(problem: &Problem, search: &'a Search) -> Option<Self> {
         let kind = LimitKind::PrimeRadius;
         let most = problem.limits[kind]?;
@@ -47,8 +47,8 @@ impl<'a> BySize<'a> {
         })
     }
 
-    /// The value, in a range from one with a too large cam to one without effect, at which the smallest cam has the allowed size: by regula falsi,
-    /// started from the multipliers. `None` if none suffices.
+    /// Value for which the smallest cam has the permitted size, by regula falsi from the multipliers, in the range between a value with a cam that is
+    /// too large and a value without effect. `None` if no value is sufficient.
     pub fn value(
         &self,
         number: Relaxable,
@@ -108,7 +108,7 @@ impl<'a> BySize<'a> {
         works.map(|(value, _)| value)
     }
 
-    /// Decrease of the smallest cam's prime radius per unit of a value's relaxation.
+    /// Decrease of the smallest cam's prime radius per unit of relaxation of a value.
     fn worth(&self, number: Relaxable) -> f64 {
         let all = self.smallest.easing.iter();
         let own = all.filter(|easing| number.is_measured_by(easing.limit));

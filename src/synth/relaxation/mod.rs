@@ -1,6 +1,5 @@
-//! Suggested changes: for every limit the smallest change with which the whole design passes, found by designing it. The convex program (`iis`)
-//! includes only its rows; a size that follows the law, a check on the finished profile or the accuracy may still fail. Every value suggested here
-//! has passed a full design.
+//! Suggested changes: for every limit, the minimum change with which the whole design passes. Each is confirmed by a complete design. The convex
+//! program (`iis`) includes only its own rows. A size that follows the law, a check on the finished profile or the accuracy may still fail.
 
 mod beside;
 mod by_size;
@@ -25,30 +24,30 @@ use beside::beside;
 use by_size::BySize;
 use relaxable::{Relaxable, relaxables};
 
-/// Relative enlargements of a value, tried in turn, because at its own edge a design may fail.
+/// Relative margins of a sufficient value, tried in sequence, because a design may fail exactly at the edge.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
-/// Relative enlargements of a value that suffices for one motion of the machine, which changes with the cam.
+/// Relative margins of a value that is sufficient for one motion of the machine, because this motion changes with the cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
-/// Factor, and fraction, above which a change is not suggested.
+/// Factor above which a change is not suggested.
 const FAR: f64 = 10.0;
-/// Fraction that is tried first.
+/// Relative change that is tried first.
 const SMALL: f64 = 0.01;
 /// Relative tolerance of a value whose magnitude is unknown.
 const SMALLEST: f64 = 1e-7;
-/// Relative tolerance of a sufficient value on the machine.
+/// Relative tolerance of a sufficient value for a machine that responds to the cam.
 const ON_MACHINE: f64 = 5e-3;
-/// Minimum relative distance from the old value for which a better value is searched.
+/// Minimum relative distance from the old value at which a better value is searched.
 const BACK: f64 = 1e-3;
 
 impl Design {
-    /// The design with suggested changes: those of a conflict are tried and corrected, those of a failed check computed. A design that passes is
-    /// returned unchanged.
+    /// The design with suggested changes. Changes of a conflict are tested and corrected; changes for a failed check are computed. A design that
+    /// passes is returned unchanged.
     #[must_use]
     pub fn relaxed(self) -> Design {
         self.relaxed_with(&Search::default())
     }
 
-    /// The design with suggested changes, within the limits of a search.
+    /// The design with suggested changes, within the stop condition of a search.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
         // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed; and no
@@ -122,7 +121,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
 }
 
-/// A conflict with suggested changes; members without a sufficient change have no value.
+/// A conflict with suggested changes. Members for which no sufficient change was found have no value.
 fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
     let Infeasible {
         conflict,
@@ -148,7 +147,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// Midpoint of two values; for different magnitudes their geometric mean.
+/// Middle of two values; for different magnitudes their geometric mean.
 fn middle(works: f64, fails: f64) -> f64 {
     if fails > 0.0 && works / fails > 4.0 {
         (works * fails).sqrt()
@@ -157,10 +156,10 @@ fn middle(works: f64, fails: f64) -> f64 {
     }
 }
 
-/// Values of a problem, with trial values for them.
+/// Values that may be relaxed, with trial values.
 type Values = [(Relaxable, f64)];
 
-/// The problem with these values.
+/// The problem with the given values.
 fn changed(problem: &Problem, values: &Values) -> Problem {
     let start = problem.clone();
     (values.iter()).fold(start, |problem, (number, value)| {
@@ -168,7 +167,7 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// A complete design that passes. If the accuracy is a limit, the law of minimum force error is tried, because it is found fastest.
+/// A complete design that passes. If the accuracy is a limit, the law with minimum force error is tried, because it is computed fastest.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));
@@ -178,7 +177,7 @@ fn passing(problem: &Problem, search: &Search) -> Option<Design> {
 
 struct Relaxing<'a> {
     problem: &'a Problem,
-    /// The problem with the machine motion of each design; the other one has the motion of the given design.
+    /// The problem in which each design has its own machine motion; in the other problem the motion of the given design is fixed.
     asked: &'a Problem,
     search: &'a Search,
     /// Magnitude of the force, N.
@@ -199,7 +198,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// The smallest sufficient change of each single value.
+    /// Minimum sufficient change of each single value.
     fn each(&self, numbers: &Values, design: &Design) -> Vec<Relaxation> {
         let known = || design.infeasible.iter().flat_map(|i| &i.relaxations);
         let is_hinted = known().any(|r| r.to.is_some());
@@ -234,8 +233,8 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, with which the optimum passes. The search for passing designs ends at another law where limits are not
-    /// convex or the walkers are many, and minimises the force error where the accuracy is a limit.
+    /// The value, or a slightly weaker one, for which the optimum passes. The search for passing designs ends at a different law for non-convex
+    /// limits or many walkers, and minimises the force error if the accuracy is a limit.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
         let problem = self.problem;
         let is_same = NonconvexLimits::of(problem).is_none()
@@ -249,19 +248,19 @@ impl<'a> Relaxing<'a> {
         values.find(|to| self.passes_as_asked(&[(number, *to)]))
     }
 
-    /// Whether the optimum on the machine with another inertia passes.
+    /// Whether the optimum in the machine with another inertia passes.
     fn passes_on(&self, machine: &Relaxation) -> bool {
         let inertia = machine.to.map(|to| self.asked.with(machine.limit, to));
         let kept = inertia.and_then(|problem| synthesis::kept(&problem, self.search).ok());
         kept.flatten().is_some()
     }
 
-    /// Whether the optimum with these values passes on its machine.
+    /// Whether the optimum with the given values passes in its machine.
     fn passes_as_asked(&self, values: &Values) -> bool {
         synthesis::kept(&changed(self.asked, values), self.search).is_ok_and(|d| d.is_some())
     }
 
-    /// The reason with the changes of which one suffices.
+    /// Reason that lists the changes, of which one is sufficient.
     fn cure(&self, found: &[Relaxation]) -> Reason {
         let measures = self.problem.cam.measures();
         if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
@@ -271,12 +270,12 @@ impl<'a> Relaxing<'a> {
         smallest_relaxations(found, measures)
     }
 
-    /// The design with one changed value, if it passes.
+    /// Design with one changed value, if it passes.
     fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
         passing(&number.with(self.problem, value), self.search)
     }
 
-    /// The value of the convex program, or a slightly larger change, with which the design passes.
+    /// The value of the convex program, or a slightly larger change, for which the design passes.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
         let [none, less, most, _] = ROOMS;
@@ -294,7 +293,7 @@ impl<'a> Relaxing<'a> {
         Some(weakest)
     }
 
-    /// The rounded value nearest to a failing one with which the design passes, up to a rounded passing one.
+    /// Rounded value nearest to `fails` with which the design passes, found by bisection from the rounded value `works`.
     fn edge(&self, number: Relaxable, works: f64, fails: f64) -> f64 {
         let (mut works, mut fails) = (works, fails);
         // Towards zero the steps become ever smaller.
@@ -318,7 +317,8 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// A value, or a slightly larger change, with which the design passes on its machine, starting from the motion of the design relaxed.
+    /// A value, or a slightly larger change, for which the design passes in its machine. The iteration starts from the motion of the design to be
+    /// relaxed.
     fn on_machine(&self, number: Relaxable, to: f64) -> Option<f64> {
         if self.problem.on_shaft.is_none() {
             return Some(to);
@@ -336,7 +336,7 @@ impl<'a> Relaxing<'a> {
         Some(number.rounded(edge))
     }
 
-    /// The value nearest to `from` with which the design passes, rounded towards the weaker limit.
+    /// Value nearest to `from` for which the design passes, rounded towards the weaker limit.
     fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
         if let Some(to) = hint.and_then(|hint| self.near(number, hint)) {
             return Some(to);
@@ -366,14 +366,14 @@ impl<'a> Relaxing<'a> {
         Some(self.edge(number, works, fails))
     }
 
-    /// A value with which the design passes, from one at its edge: rounded towards the weaker limit, with the necessary margin.
+    /// A value for which the design passes, from one at its edge: rounded towards the weaker limit, with the necessary margin.
     fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         let mut rounded = ROOMS.map(|room| number.with_room(works, room)).into_iter();
         rounded.find(|to| self.tried(number, *to).is_some())
     }
 
-    /// The passing end of a range between a passing and a failing value, once the range is `precise` enough.
+    /// Passing end of a range between a passing and a failing value, when the range is `precise` enough.
     fn bisected(
         &self,
         mut works: f64,
@@ -392,8 +392,8 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// With a given number of spans the minimised error does not depend on the accuracy, so that only the accuracy of the design itself suffices, if
-    /// nothing else fails. The outer `None` means that a search is needed.
+    /// Accuracy that is sufficient with a given number of spans. The minimised error does not depend on the accuracy, so only the accuracy of the
+    /// design itself is sufficient, if nothing else fails. The outer `None` means that a search is necessary.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;

@@ -5,11 +5,11 @@ use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::report::named::criterion_of;
 
-/// Factor of the first relaxation of a limit, to test whether it suffices alone …
+/// Factor of the first relaxation of a limit; it tests whether this limit alone suffices.
 const AWAY: f64 = 1e4;
-/// … and of a size of the cam.
+/// Factor of the first relaxation of a size of the cam.
 const FAR_LARGER: f64 = 30.0;
-/// Pressure angle that counts as no limit, rad.
+/// Pressure angle that has the effect of no limit, rad.
 const STEEPEST: f64 = 1.55;
 
 /// A value of the scene that may be relaxed.
@@ -21,7 +21,7 @@ pub struct Relaxable {
     criterion: Criterion,
 }
 
-/// The relaxable values of a problem, in the order of the report.
+/// Relaxable values of a problem, in the order of the report.
 pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
     let of = |key: &'static Key| {
         let relax = key.relax?;
@@ -43,17 +43,17 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
 }
 
 impl Relaxable {
-    /// Name among conflicts and suggested changes.
+    /// Name of the value among conflicts and suggested changes.
     pub fn criterion(self) -> Criterion {
         self.criterion
     }
 
-    /// Whether it is the accuracy, which is relative to the mean force while its check is in newtons.
+    /// Whether the value is the accuracy. It is relative to the mean force, while its check is in newtons.
     pub fn is_accuracy(self) -> bool {
         self.key.section() == "accuracy"
     }
 
-    /// Whether a check measures it.
+    /// Whether a check measures the value.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         match self.key.limit {
             Some(kind) => kind.is_measured_by(check),
@@ -66,17 +66,17 @@ impl Relaxable {
         problem.with(self.criterion, value)
     }
 
-    /// Whether a larger value is the weaker limit.
+    /// Whether a larger value is a weaker limit.
     pub fn grows(self) -> bool {
         self.relax == Relax::Up
     }
 
-    /// +1 where a larger value is the weaker limit.
+    /// +1 if a larger value is a weaker limit, otherwise −1.
     pub fn sign(self) -> f64 {
         if self.grows() { 1.0 } else { -1.0 }
     }
 
-    /// A value without effect.
+    /// A value for which the limit has no effect.
     pub fn away(self, from: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => STEEPEST,
@@ -88,7 +88,7 @@ impl Relaxable {
         }
     }
 
-    /// The value relaxed by a fraction of it.
+    /// The value relaxed by a fraction.
     pub fn eased(self, from: f64, share: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => (from * (1.0 + share)).min(STEEPEST),
@@ -98,7 +98,7 @@ impl Relaxable {
         }
     }
 
-    /// The value relaxed by this fraction, rounded.
+    /// The value relaxed by a fraction and rounded.
     pub fn with_room(self, value: f64, room: f64) -> f64 {
         self.rounded(value + room * value.abs() * self.sign())
     }
@@ -108,12 +108,12 @@ impl Relaxable {
         self.on_step(value, 1e-9)
     }
 
-    /// The next rounded value that is weaker.
+    /// Next rounded value that is weaker.
     pub fn after(self, value: f64) -> f64 {
         self.on_step(value + 1e-3 * self.step(value) * self.sign(), 0.0)
     }
 
-    /// The distance between rounded values.
+    /// Distance between rounded values.
     pub fn step(self, value: f64) -> f64 {
         match self.key.range {
             Range::Acute => 1e-2_f64.to_radians(),
@@ -121,7 +121,7 @@ impl Relaxable {
         }
     }
 
-    /// Number of decimals of a value with four digits; negative above 10 000. A force is rounded to micronewtons at most.
+    /// Number of decimals of a value with four digits; negative above 10 000. A force is rounded at most to micronewtons.
     fn decimals(self, value: f64) -> i32 {
         let least = if self.key.range == Range::Any {
             1e-3
@@ -131,7 +131,7 @@ impl Relaxable {
         3 - value.abs().max(least).log10().floor() as i32
     }
 
-    /// The value rounded to whole steps, towards the weaker limit; values within this fraction of a step remain.
+    /// The value rounded to whole steps, towards the weaker limit. Values within the fraction `same` of a step are unchanged.
     fn on_step(self, value: f64, same: f64) -> f64 {
         let steps = value / self.step(value);
         let whole = if self.grows() {

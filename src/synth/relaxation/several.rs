@@ -1,4 +1,4 @@
-//! Changes of several limits, if no single change suffices.
+//! Suggested changes of several limits, if no single change is sufficient.
 
 use std::mem::discriminant;
 
@@ -11,7 +11,7 @@ use crate::synth::report::reason::Reason;
 use crate::synth::synthesis;
 
 impl Relaxing<'_> {
-    /// Reasons and values for changes of several limits, if no single change suffices.
+    /// Reasons and values for changes of several limits, if no single change is sufficient.
     pub fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
         if let Some(all) = self.together(numbers) {
             let changes = changes(&all, self.problem.cam.measures());
@@ -31,7 +31,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// The changes if some limits are infeasible even without the others: these, or all, are relaxed together from there.
+    /// Changes if some limits are infeasible even without the others. These limits, or all, are relaxed together from their feasible values.
     fn with_those_out_of_reach(
         &self,
         numbers: &Values,
@@ -75,7 +75,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// Limits that are infeasible even if the others are `free`, with the values at which they become feasible.
+    /// Limits that are infeasible even if the limits in `free` have no effect, with the values at which they become feasible.
     fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
         let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
@@ -101,7 +101,7 @@ impl Relaxing<'_> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The values of all limits after the smallest common relative change that suffices.
+    /// Values of all limits after the minimum common relative change that is sufficient.
     fn together(&self, numbers: &Values) -> Option<Vec<Relaxation>> {
         let eased = |share: f64| -> Vec<(Relaxable, f64)> {
             let by =
@@ -130,7 +130,7 @@ impl Relaxing<'_> {
         Some(all.collect())
     }
 
-    /// A relative change, or a slightly larger one, with which the optimum passes on its machine.
+    /// A relative change, or a slightly larger one, for which the optimum passes in its machine.
     fn share_on_machine(
         &self,
         share: f64,
@@ -141,7 +141,7 @@ impl Relaxing<'_> {
     }
 }
 
-/// Whether two reasons are the same but for their values.
+/// Whether two reasons differ only in their values.
 fn tells_the_same(one: &Reason, other: &Reason) -> bool {
     match (one, other) {
         (Reason::LimitBroken { limit: one, .. }, Reason::LimitBroken { limit: other, .. }) => {

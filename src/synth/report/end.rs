@@ -1,4 +1,4 @@
-//! The end of a compliant follower with a polydyne cam.
+//! End of a compliant follower with a polydyne cam.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::problem::Note;
 use crate::units::{Dimension, Quantity};
 
-/// Behaviour of the output end of a flexible follower with a polydyne cam (`law.polydyne`).
+/// Motion of the end of a flexible follower with a polydyne cam (`law.polydyne`).
 ///
 /// ```
 /// use gaitcam::scene;
@@ -24,20 +24,20 @@ use crate::units::{Dimension, Quantity};
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct End {
-    /// Law of the end; the cam's own differs from it by the follower's deflection.
+    /// Law of the end. The law of the cam differs by the deflection of the follower.
     pub law: Law,
-    /// Stiffness of the follower train, N/m (an arm: N·m/rad).
+    /// Stiffness of the follower train, N/m (for an arm N·m/rad).
     pub stiffness: f64,
-    /// Damping of the output end, N·s/m.
+    /// Damping at the end of the follower, N·s/m.
     pub damping: f64,
     /// Deviation of the end from its law with this cam; `None` without a steady state.
     pub miss: Option<Miss>,
-    /// Deviation of the end with a cam that has the law itself.
+    /// Deviation of the end from its law with a cam that has this law without the polydyne correction.
     pub plain_miss: Option<Miss>,
 }
 
 impl End {
-    /// The note on speed, stiffness and deviation.
+    /// Notes on speed, stiffness and deviation.
     pub fn notes(&self, speed: f64) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {
             speed: Quantity::new(speed, Dimension::AngularSpeed),

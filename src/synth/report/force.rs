@@ -1,10 +1,10 @@
-//! The force of a cam against its target.
+//! Comparison of the force of a cam with the target.
 
 use serde::Serialize;
 
 use crate::drive::Drive;
 
-/// Force of the cam against the target, N; all values belong to the continuous law.
+/// Comparison of the cam's force with the target, N. All values are those of the continuous law.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -23,7 +23,7 @@ pub struct ForceReport {
     pub rms_error_n: f64,
     /// Maximum absolute error, N.
     pub max_error_n: f64,
-    /// RMS error as percentage of the mean target.
+    /// RMS error in percent of the mean target.
     pub rms_error_percent_of_mean: f64,
     /// Mean of the target, N.
     pub target_mean_n: f64,
@@ -36,7 +36,7 @@ pub struct ForceReport {
 }
 
 impl ForceReport {
-    /// The report in N: forces at the lever of an arm instead of moments about its pivot.
+    /// Converts the report to N: forces at the lever of an arm instead of moments about its pivot.
     #[must_use]
     pub fn newtons(self, drive: &Drive) -> ForceReport {
         ForceReport {

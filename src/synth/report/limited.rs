@@ -11,7 +11,7 @@ use crate::units::Dimension;
 use crate::wording::{self, Language};
 
 impl Infeasible {
-    /// The names of conflicting limits, as in `summary.json`.
+    /// Names of the conflicting limits, as in `summary.json`.
     pub fn names(&self) -> Vec<String> {
         self.conflict.iter().map(|c| c.name()).collect()
     }
@@ -21,13 +21,13 @@ impl Infeasible {
         sentences(&self.reasons, language)
     }
 
-    /// The conflict as the fault of a scene without a result.
+    /// The conflict as an error, for a scene without a result.
     pub(in crate::synth) fn no_law(&self) -> NoDesignError {
         let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
         NoDesignError::NoLaw { reason }
     }
 
-    /// The key of the conditions at fault; that of the law for points and dwells.
+    /// Key of the invalid conditions; for points and dwells the key of the law.
     pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
         let named = |of: fn(&Demand) -> bool| {
             let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));
@@ -43,7 +43,7 @@ impl Infeasible {
     }
 }
 
-/// An active limit of the law.
+/// Active limit of the law.
 ///
 /// ```
 /// use gaitcam::{LimitKind, scene};
@@ -62,7 +62,7 @@ pub struct Binding {
     pub limit: Criterion,
     /// Multiplier: gain of the objective per unit of the limit (SI).
     pub multiplier: f64,
-    /// Angles at which it is active, rad.
+    /// Cam angle at which the limit is active, rad.
     #[serde(rename = "at_rad")]
     pub at: f64,
 }
@@ -83,13 +83,13 @@ pub struct Binding {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Easing {
-    /// The limit, or the scene's own value if that differs.
+    /// Name of the limit, or key of the scene if they differ.
     pub limit: Criterion,
-    /// Present value of the limit, SI.
+    /// Present value of the limit, in SI units.
     pub from: f64,
-    /// The relaxed value, SI.
+    /// Relaxed value of the limit, in SI units.
     pub to: f64,
-    /// The quantity that the design minimises.
+    /// Quantity that the design minimises.
     pub objective: Minimised,
     /// Present value of the objective.
     pub before: f64,
@@ -97,7 +97,7 @@ pub struct Easing {
     pub after: f64,
 }
 
-/// The objective of a scene.
+/// Objective of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimised {
@@ -116,7 +116,7 @@ pub enum Minimised {
 }
 
 impl Minimised {
-    /// Its name in `summary.json`.
+    /// Name of the quantity in `summary.json`.
     pub fn name(self) -> String {
         match self {
             Minimised::RmsError => "rms_error_n".to_string(),
@@ -135,7 +135,7 @@ impl Serialize for Minimised {
     }
 }
 
-/// A member of an irreducible infeasible set.
+/// Member of an irreducible infeasible set.
 ///
 /// ```
 /// use gaitcam::synth::{Conflicting, Infeasible};
@@ -157,7 +157,7 @@ pub enum Conflicting {
 }
 
 impl Conflicting {
-    /// Its name in `summary.json`.
+    /// Name of the member in `summary.json`.
     pub fn name(self) -> String {
         match self {
             Conflicting::Limit(limit) => limit.name().to_string(),
@@ -175,7 +175,7 @@ impl Conflicting {
 }
 
 impl Easing {
-    /// The displayed name of the objective, its unit, and the factor from SI.
+    /// Displayed name of the objective, its unit, and the factor from SI.
     pub fn in_words(&self, measures: Measures, language: Language) -> (String, &'static str, f64) {
         let unit = match self.objective {
             Minimised::RmsError | Minimised::WeightedRmsError | Minimised::MaxError => {
@@ -191,7 +191,7 @@ impl Easing {
     }
 }
 
-/// Reason why no such cam exists.
+/// Reason for which no such cam exists.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -213,13 +213,13 @@ impl Easing {
 pub struct Infeasible {
     /// Conflicting limits or conditions.
     pub conflict: Vec<Conflicting>,
-    /// For each of them, the smallest change that makes the rest feasible.
+    /// Minimum change of each conflicting limit that makes the other limits feasible.
     pub relaxations: Vec<Relaxation>,
     /// The conflict as reasons, with suggested changes.
     pub reasons: Vec<Reason>,
 }
 
-/// The smallest change of one limit for which the others are feasible.
+/// Minimum change of one limit for which the other limits are feasible.
 ///
 /// ```
 /// use gaitcam::synth::synthesise;
@@ -238,11 +238,11 @@ pub struct Infeasible {
 pub struct Relaxation {
     /// Name of the limit.
     pub limit: Criterion,
-    /// Key of the limit, as typed after `--set`.
+    /// Key of the limit, as used with `--set`.
     pub key: &'static str,
-    /// Present value of the relaxation, SI.
+    /// Present value of the limit, in SI units.
     pub from: f64,
-    /// Sufficient value, SI; `None` if no value of this limit alone suffices.
+    /// Sufficient value, in SI units; `None` if no value of this limit alone is sufficient.
     pub to: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Method of a law, and shortcomings of simpler families; the messages are in `wording/en/solver.ftl`.
+//! Method of a law, and reasons against simpler families. The messages are in `wording/en/solver.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// Method of a solver.
+/// Method by which a law was computed.
 ///
 /// ```
 /// use gaitcam::synth::Method;
@@ -28,9 +28,9 @@ use crate::wording::{self, Language};
 pub enum Method {
     /// A given programme, without a solution step.
     Programme,
-    /// As many conditions as coefficients: one linear system.
+    /// Interpolation: the number of conditions equals the number of coefficients, so the law is the solution of one linear system.
     Interpolation,
-    /// Harmonics inverted one by one, with the RMS force of the rest.
+    /// Harmonics inverted one by one, with the RMS force of the omitted harmonics.
     Spectral { harmonics: usize, rest: Quantity },
     /// Harmonics with limits, by exchange iterations.
     Harmonics {
@@ -38,7 +38,7 @@ pub enum Method {
         rounds: usize,
         violation: f64,
     },
-    /// A search for rise and fall.
+    /// A search for the angles of rise and fall.
     Search {
         rise: Quantity,
         from: Quantity,
@@ -48,7 +48,7 @@ pub enum Method {
     },
     /// Least squares without active limits.
     NoLimitActive,
-    /// Exchange: rows added at the extrema until no limit is exceeded.
+    /// Exchange method: rows are added at the extrema until no limit is exceeded.
     Exchange { rounds: usize, violation: f64 },
     /// A sequence of convex programs.
     Sequence {
@@ -58,7 +58,7 @@ pub enum Method {
     },
 }
 
-/// Reasons why a sequence of convex programs ended.
+/// Reason for which a sequence of convex programs ended.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -89,7 +89,7 @@ pub enum Ended {
     SmallGain,
 }
 
-/// Shortcomings of the harmonics in closed form.
+/// Reason for which the harmonics in closed form were not used.
 ///
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};
@@ -117,19 +117,19 @@ pub enum Ended {
 #[non_exhaustive]
 #[allow(missing_docs)]
 pub enum PassedOver {
-    /// The accuracy of the force.
+    /// They do not reach the accuracy of the force.
     Accuracy {
         family: &'static str,
         excess: Quantity,
     },
-    /// A limit of the finished cam.
+    /// Their cam violates a limit.
     Check {
         family: &'static str,
         check: Criterion,
         value: Quantity,
         limit: Quantity,
     },
-    /// The closed form does not apply.
+    /// The closed form does not apply to the problem.
     Fault { family: &'static str, fault: String },
 }
 
@@ -148,7 +148,7 @@ impl Ended {
 }
 
 impl PassedOver {
-    /// Clause that describes the shortcoming.
+    /// Clause that describes the reason.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "passed-over", self)
     }

@@ -15,7 +15,7 @@ const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Band, "gait.band"),
 ];
 
-/// The key of a row or of a suggested change, as typed after `--set`; empty if there is none.
+/// Key of a row or of a suggested change, as used with `--set`; empty if there is no key.
 pub fn key_of(criterion: Criterion) -> &'static str {
     if let Some(key) = criterion.limit().and_then(keys::of_limit) {
         return key.path;
@@ -24,7 +24,7 @@ pub fn key_of(criterion: Criterion) -> &'static str {
     found.map_or("", |k| k.1)
 }
 
-/// The name of a relaxable key among conflicts and suggested changes.
+/// Name of a relaxable key among conflicts and suggested changes.
 pub fn criterion_of(key: &Key) -> Option<Criterion> {
     let beside = || KEYS.iter().find(|k| k.1 == key.path).map(|k| k.0);
     key.limit.map(Criterion::Limit).or_else(beside)
@@ -61,7 +61,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     }
 }
 
-/// Customary unit of a limit or check.
+/// Common unit of a limit or check.
 pub fn unit(measures: Measures, criterion: Criterion) -> Unit {
     Unit::of(dimension(measures, criterion))
 }

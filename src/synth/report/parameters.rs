@@ -1,4 +1,4 @@
-//! Basis functions of the coefficients of a law, so that others can evaluate it.
+//! Basis functions of the coefficients of a law, so that other programs can evaluate it.
 
 use serde::Serialize;
 
@@ -24,19 +24,19 @@ use crate::synth::qp::Basis;
 pub enum Functions {
     /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, with tᵢ₊ₙ = tᵢ + 2π.
     BSpline {
-        /// Knots of one turn, rad, in JSON `knots_rad`; multiple knots repeated.
+        /// Knots of one turn, rad, in JSON `knots_rad`. Multiple knots are repeated.
         #[serde(rename = "knots_rad")]
         knots: Vec<f64>,
     },
     /// Harmonics 1, cos θ, sin θ, cos 2θ, sin 2θ …
     Fourier,
-    /// Powers 1, u, u² … with u from 0 to 1 on a range; the law is constant outside.
+    /// Powers 1, u, u² … with u from 0 to 1 over a range; the law is constant outside the range.
     Monomial {
         /// Range of the powers, rad, in JSON `range_rad`.
         #[serde(rename = "range_rad")]
         range: [f64; 2],
     },
-    /// Level and lift of a double harmonic, m, start and angle of its rise, and angle of its fall, rad.
+    /// Double harmonic: level and lift, m; start and angle of the rise, and angle of the fall, rad.
     DoubleHarmonic,
     /// Lifts of the segments of a programme.
     Segments,
@@ -53,7 +53,7 @@ impl Functions {
         }
     }
 
-    /// The coefficients of the law with its lift changed by a constant.
+    /// Changes the coefficients so that the lift of the law changes by a constant.
     pub(in crate::synth) fn raise(&self, coefficients: &mut [f64], by: f64) {
         match self {
             Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),

@@ -1,4 +1,4 @@
-//! Whether a law is proved optimal within its family, and if not, the reason.
+//! Whether a law is proved optimal within its family, and the reason if it is not.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 use crate::synth::qp::Certificate;
 use crate::wording::{self, Language};
 
-/// Reasons why a law is not certified to be the optimum.
+/// Reason for which a law is not certified as the optimum.
 ///
 /// ```
 /// use gaitcam::synth::Doubt;
@@ -24,13 +24,13 @@ pub enum Doubt {
     Limits,
     /// The duality gap or the gradient of the Lagrangian is above 1e-6.
     Gap,
-    /// The touching angle on the base circle was searched, not proved.
+    /// The touching angle on the base circle results from a search, without a proof.
     TouchingAngle,
-    /// A sequence of convex programs ends at a local optimum.
+    /// A sequence of convex programs ends in a local optimum.
     Local,
-    /// No law was found that satisfies the nonconvex limits, so that they are omitted.
+    /// No law was found that satisfies the non-convex limits, so they are omitted.
     LeftOut,
-    /// The motion of shaft or floor was fixed; laws with other machine motions are not compared.
+    /// The motion of shaft or floor was fixed. Laws with other machine motions were not compared.
     FixedMotion,
 }
 
@@ -41,7 +41,7 @@ impl Doubt {
     }
 }
 
-/// Reason why a certificate is not a proof.
+/// Reason for which a certificate is not a proof.
 pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
     if !certificate.keeps_limits() {
         Some(Doubt::Limits)

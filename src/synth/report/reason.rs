@@ -1,4 +1,4 @@
-//! Reasons for the verdict on a design, and suggested changes; the messages are in `wording/en/synth.ftl`.
+//! Reasons for the verdict on a design, and suggested changes. The messages are in `wording/en/synth.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -10,7 +10,7 @@ use crate::synth::qp::{Demand, Stop};
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// One reason for a verdict.
+/// Reason for a verdict.
 ///
 /// ```
 /// use gaitcam::synth::Reason;
@@ -67,47 +67,47 @@ pub enum Reason {
     VelocityJumps { at: Quantity },
     /// The acceleration has a jump, and so has the force.
     AccelerationJumps { at: Quantity },
-    /// The follower would need a pull to stay on the cam.
+    /// A negative contact force would be necessary to keep the follower on the cam.
     LiftsOff {
         at: Quantity,
         pull: Quantity,
         speed: Quantity,
     },
-    /// The follower of a prescribed law would need a pull, which no limit can change.
+    /// A negative contact force would be necessary for a prescribed law, which no limit can change.
     LiftsOffAsPrescribed {
         at: Quantity,
         pull: Quantity,
         speed: Quantity,
     },
-    /// The follower would need a pull although a spring, a preload or a mass is present.
+    /// A negative contact force would be necessary although there is a spring, a preload or a mass.
     ContactLost { at: Quantity, pull: Quantity },
-    /// The follower loses contact in the run of the emitted cam.
+    /// The follower loses contact in the simulation of the emitted cam.
     ContactLostInRun { share: Quantity },
     /// The profile has a cusp.
     Cusp { at: Quantity },
-    /// The profile cuts itself.
+    /// The profile intersects itself.
     Undercut { at: Quantity, radius: Quantity },
-    /// The profile is sharper than allowed.
+    /// The convex radius of the profile is below the permitted minimum.
     TooSharp {
         at: Quantity,
         radius: Quantity,
         allowed: Quantity,
     },
-    /// The second cam of a pair is sharper than allowed.
+    /// The convex radius of the second cam is below the permitted minimum.
     SecondTooSharp {
         at: Quantity,
         radius: Quantity,
         allowed: Quantity,
     },
-    /// The minimum base radius that removes the undercut.
+    /// Minimum base radius that removes the undercut.
     BaseRadiusWorks { radius: Quantity },
-    /// General remedy for the profile.
+    /// General suggestion for the profile.
     EnlargeBaseCircle,
-    /// General remedy for the profile of a translating cam.
+    /// General suggestion for the profile of a translating cam.
     LengthenTravel,
-    /// The follower interferes with another part of the cam.
+    /// The follower interferes with the cam away from the contact.
     Interference { at: Quantity, depth: Quantity },
-    /// A wall of a groove is sharper than allowed.
+    /// The convex radius of a wall of a groove is below the permitted minimum.
     SharpWall {
         at: Quantity,
         radius: Quantity,
@@ -119,20 +119,20 @@ pub enum Reason {
         roller: Quantity,
         hollow: Quantity,
     },
-    /// The force error of a spring whose preload is above the target.
+    /// The preload of a spring is above the minimum of the target, which causes a force error.
     PreloadAboveTarget {
         error: Quantity,
         allowed: Quantity,
         preload: Quantity,
         least: Quantity,
     },
-    /// The pressure angle is larger than allowed.
+    /// The pressure angle is larger than permitted.
     PressureAngle {
         at: Quantity,
         angle: Quantity,
         allowed: Quantity,
     },
-    /// The pressure angle is larger than usual, where nothing limits it.
+    /// The pressure angle is larger than usual, on a side without a limit.
     LargePressureAngle {
         at: Quantity,
         angle: Quantity,
@@ -140,13 +140,13 @@ pub enum Reason {
     },
     /// The force error exceeds the required accuracy.
     ForceError { error: Quantity, allowed: Quantity },
-    /// The force error in the run of the emitted cam exceeds the required accuracy.
+    /// In the simulation of the emitted cam, the force error exceeds the required accuracy.
     ForceErrorInRun { error: Quantity, allowed: Quantity },
-    /// The law falls below its base circle.
+    /// The lift is below the base circle.
     BelowBaseCircle { at: Quantity, depth: Quantity },
-    /// The prime radius is larger than allowed.
+    /// The prime radius is larger than permitted.
     PrimeRadius { needed: Quantity, allowed: Quantity },
-    /// The force leaves its band.
+    /// The force is outside its band.
     OutsideBand { at: Quantity, excess: Quantity },
     /// Another limit is violated.
     LimitBroken {
@@ -155,47 +155,48 @@ pub enum Reason {
         value: Quantity,
         allowed: Quantity,
     },
-    /// A limit on a derivative that is infinite, since the one below it jumps.
+    /// A derivative with a limit is infinite, because the derivative of the next lower order jumps.
     LimitUnbounded { limit: Criterion, at: Quantity },
-    /// Conditions that contradict each other as equations.
+    /// The conditions contradict each other as equations.
     DemandsContradict { demands: Vec<Demand> },
-    /// Conditions that are infeasible on or above the base circle.
+    /// The conditions are infeasible on or above the base circle.
     DemandsInfeasible { demands: Vec<Demand> },
-    /// One limit that is infeasible with the conditions.
+    /// One limit is infeasible together with the conditions.
     LimitInfeasible { limit: Criterion },
-    /// A minimum contact force, although the drive has neither a spring nor a force at rest.
+    /// A minimum contact force is required, although the drive has neither a spring nor a force at rest.
     NothingPresses,
-    /// Limits that are infeasible together.
+    /// The limits are infeasible together.
     LimitsInfeasible { limits: Vec<Criterion> },
-    /// Limits for which no common law was found; some are nonconvex, so this does not prove infeasibility.
+    /// No law was found that satisfies these limits. Some are non-convex, so this does not prove infeasibility.
     NoLawFound { limits: Vec<Criterion> },
-    /// The solver stopped, so that nothing is proved.
+    /// The solver stopped early, so nothing is proved.
     SolverStopped { stop: Stop },
-    /// One limit whose change suffices.
+    /// A sufficient change of one limit.
     Relaxation { changes: Vec<Change> },
-    /// Several limits of which one change suffices.
+    /// Changes of several limits, of which one is sufficient.
     Relaxations { changes: Vec<Change> },
-    /// No change of a single limit suffices.
+    /// No change of a single limit is sufficient.
     NoRelaxation,
-    /// Changes of which one suffices, all of them by more than a factor of ten.
+    /// Changes of which one is sufficient; each of them is larger than a factor of ten.
     FarRelaxations { changes: Vec<Change> },
-    /// Values that suffice together, where no change of a single limit suffices.
+    /// Values that are sufficient together, because no change of a single limit is.
     AllTogether { changes: Vec<Change> },
-    /// Values that suffice together, if some limits are infeasible alone.
+    /// Values that are sufficient together, because some limits are infeasible even without the others.
     FarTogether { changes: Vec<Change> },
-    /// Limits of which each is infeasible alone, with the values at which it is feasible; with these values the other limits still fail.
+    /// Limits that are infeasible even without the others, with the values at which they become feasible. With these values the other limits still
+    /// fail.
     OutOfReach { changes: Vec<Change> },
-    /// The design fails without any limit too; the failed checks follow.
+    /// The design also fails without any limit; the failed checks follow.
     NotTheLimits,
 }
 
-/// A sufficient change of one limit.
+/// Sufficient change of one limit.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
 pub enum Change {
-    /// Key as typed, present value and sufficient value.
+    /// Key as used with `--set`, present value and sufficient value.
     Change {
         key: &'static str,
         limit: Criterion,
@@ -216,7 +217,7 @@ impl Reason {
     }
 }
 
-/// Several reasons as one text.
+/// Joins several reasons to one text.
 pub fn sentences<'a>(reasons: impl IntoIterator<Item = &'a Reason>, language: Language) -> String {
     let all: Vec<String> = reasons.into_iter().map(|r| r.sentence(language)).collect();
     all.join(" ")
@@ -230,7 +231,7 @@ pub fn place(measures: Measures, at: f64) -> Quantity {
     }
 }
 
-/// A limit's value with its unit, on a cam of these measures.
+/// Value of a limit with its unit, for a cam with these measures.
 pub fn quantity(measures: Measures, limit: Criterion, value: f64) -> Quantity {
     Quantity::new(value, dimension(measures, limit))
 }

@@ -1,10 +1,10 @@
-//! Behaviour of the shaft under its motor.
+//! Motion of the motor-driven shaft, and its effect on the force.
 
 use serde::Serialize;
 
 use crate::dynamics::{InTime, Shaft};
 
-/// Report of a shaft under its motor.
+/// Report on a motor-driven shaft.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -29,11 +29,11 @@ use crate::dynamics::{InTime, Shaft};
 pub struct OnShaft {
     /// Motion of the shaft.
     pub shaft: Shaft,
-    /// Force error over time under the motor.
+    /// Force error over time, with the varying speed of the motor.
     pub force_time: Option<InTime>,
-    /// Force error of the law for constant speed under this motor.
+    /// Force error over time of the law for constant speed, driven by this motor.
     pub at_constant_speed: Option<InTime>,
-    /// Number of programs solved besides the one at constant speed.
+    /// Number of programs solved in addition to the one at constant speed.
     pub rounds: usize,
     /// Ratio of the last two changes of the target between iterations; `None` for fewer than two changes.
     pub contraction: Option<f64>,
@@ -42,12 +42,12 @@ pub struct OnShaft {
     /// Shaft speed at equal cam angles, rad/s.
     #[serde(skip)]
     pub speed: Vec<f64>,
-    /// Time since cam angle 0 at these angles, s.
+    /// Time since cam angle 0 at equal cam angles, s.
     #[serde(skip)]
     pub time: Vec<f64>,
 }
 
-/// Ripple and change of the force by a varying speed, estimated from inertia and alternating energy.
+/// Estimate of the speed ripple and of the force change that it causes, from inertia and alternating energy.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -65,11 +65,11 @@ pub struct OnShaft {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Forecast {
-    /// Maximum less minimum speed, relative to the mean.
+    /// Difference of maximum and minimum speed, relative to the mean.
     pub ripple: f64,
-    /// RMS change of the force, as percentage of its mean.
+    /// RMS change of the force, in percent of its mean.
     pub force_change_percent_of_mean: f64,
-    /// Neglected change, as percentage of the mean.
+    /// Change that is neglected, in percent of the mean.
     pub neglected_percent_of_mean: f64,
     /// Whether constant speed is sufficiently accurate.
     pub is_negligible: bool,

@@ -7,7 +7,7 @@ use super::proof::Doubt;
 use crate::synth::qp::Certificate;
 use crate::wording::Language;
 
-/// One accepted convex program of a sequence.
+/// Accepted convex program of a sequence.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -26,13 +26,13 @@ pub struct Step {
     pub prime_radius: f64,
     /// Objective after the step.
     pub merit: f64,
-    /// Minimum relative distance from undercut or from the curvature limit; not negative.
+    /// Minimum relative distance from undercut or from the curvature limit, not negative.
     pub clearance: f64,
     /// Accepted fraction of the step.
     pub taken: f64,
 }
 
-/// Solution methods.
+/// Method of solution.
 ///
 /// ```
 /// use gaitcam::synth::Tier;
@@ -90,22 +90,22 @@ pub struct SolverReport {
     pub tier: Tier,
     /// Details of the solution method.
     pub method: Method,
-    /// Shortcomings of the harmonics in closed form, if they were tried first.
+    /// Reason for which the harmonics in closed form were not used, if they were tried first.
     pub passed_over: Option<PassedOver>,
-    /// Total iterations of all solves.
+    /// Total number of iterations of all solves.
     pub iterations: usize,
-    /// Whether the limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
+    /// Whether the limits hold for the continuous law, and no law of the family is better by more than 1e-6 of the objective.
     pub certified: bool,
-    /// Reason why it is not certified.
+    /// Reason for which the law is not certified.
     pub doubt: Option<Doubt>,
     /// Proved distance from the optimum; `None` if nothing was minimised.
     pub certificate: Option<Certificate>,
-    /// The sequence of convex programs, if one was needed.
+    /// Steps of the sequence of convex programs, if one was necessary.
     pub steps: Vec<Step>,
 }
 
 impl SolverReport {
-    /// The report of an exact method.
+    /// Report of an exact method.
     pub(crate) fn of(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         SolverReport {
             tier,
@@ -119,7 +119,7 @@ impl SolverReport {
         }
     }
 
-    /// Message on the method, and on shortcomings of simpler families.
+    /// Message on the method, and on the reason against simpler families.
     pub fn status(&self, language: Language) -> String {
         let missed = self.passed_over.iter().map(|p| p.sentence(language));
         let all: Vec<String> = std::iter::once(self.method.sentence(language))
@@ -128,7 +128,7 @@ impl SolverReport {
         all.join("; ")
     }
 
-    /// Reason why the sequence of convex programs ended; `None` without one.
+    /// Reason for which the sequence of convex programs ended; `None` without a sequence.
     pub fn ended(&self) -> Option<Ended> {
         match self.method {
             Method::Sequence { ended, .. } => Some(ended),

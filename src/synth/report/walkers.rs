@@ -19,22 +19,22 @@ use crate::scene::ErrorMeasure;
 /// ```
 #[derive(Debug, Clone, Serialize)]
 pub struct OfPopulation {
-    /// Number of walkers, whatever the number of their cycles.
+    /// Number of walkers, regardless of the number of their cycles.
     pub walkers: usize,
     /// Number of cycles of all walkers.
     pub cycles: usize,
     /// Name of the objective.
     pub robust: String,
-    /// Measure of the errors: relative, absolute.
+    /// Measure of the errors: relative or absolute.
     pub error: &'static str,
-    /// Root of the minimised value, in percent of each walker's mean force, or of the mean of all for absolute errors. `accuracy.rms` is compared
-    /// with it.
+    /// Root of the minimised value, in percent of each walker's mean force; for absolute errors in percent of the mean over all. It is compared with
+    /// `accuracy.rms`.
     pub objective_percent: f64,
-    /// Maximum RMS force error, percent of the walker's mean force.
+    /// Maximum RMS force error, in percent of the walker's mean force.
     pub worst_percent: f64,
-    /// Mean of the RMS force errors, weighted.
+    /// Weighted mean of the RMS force errors, in percent of each mean force.
     pub mean_percent: f64,
-    /// Mean of the largest errors: of the last tenth, or of the fraction in the objective.
+    /// Mean of the largest errors, in percent: of the worst tenth, or of the fraction in the objective.
     pub cvar_percent: f64,
     /// Maximum RMS force error, N.
     pub worst_n: f64,
@@ -42,15 +42,15 @@ pub struct OfPopulation {
     pub mean_n: f64,
     /// Mean of the largest errors, N.
     pub cvar_n: f64,
-    /// Walker with the largest error.
+    /// Name of the walker with the maximum error.
     pub worst_walker: String,
-    /// The objective less its proved lower bound, relative to the objective (a mean square).
+    /// Objective minus its proved lower bound, relative to the objective (a mean square).
     pub gap: f64,
     /// Lower bound of `objective_percent` over all laws and phases; `None` if the phases are given.
     pub bound_percent: Option<f64>,
     /// Number of computed designs.
     pub rounds: usize,
-    /// Index of the cycle with the largest error.
+    /// Index of the cycle with the maximum error.
     #[serde(skip)]
     pub worst: usize,
     /// Errors of each cycle.
@@ -79,7 +79,7 @@ pub struct WalkerError {
     pub speed_rad_per_s: f64,
     /// Phase of the walker's cycle at cam angle 0, rad.
     pub phase_rad: f64,
-    /// RMS force error, percent of the mean force.
+    /// RMS force error, in percent of the mean force.
     pub rms_error_percent: f64,
     /// RMS force error, N.
     pub rms_error_n: f64,
@@ -90,7 +90,7 @@ pub struct WalkerError {
 }
 
 impl WalkerError {
-    /// The RMS force error in percent or in newtons, according to the measure.
+    /// RMS force error in percent or in newtons, depending on the measure.
     pub fn measured(&self, error: ErrorMeasure) -> f64 {
         match error {
             ErrorMeasure::Relative => self.rms_error_percent,

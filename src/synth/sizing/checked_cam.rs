@@ -1,4 +1,4 @@
-//! A law on its cam with force and checks, for every family, every iterate of a polydyne cam and the finished design.
+//! A law on its cam, with force and checks; for every family, every iterate of a polydyne cam and the finished design.
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, PrimeCircle};
 use crate::error::Result;
@@ -8,27 +8,30 @@ use crate::synth::limits::{ENLARGED, Finished, force_report};
 use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
-/// A law on its cam, with its force and every check.
+/// A law on its cam, with its force and all checks.
 #[derive(Clone)]
 pub struct CheckedCam {
-    /// The cam of the law, with its minimum on the base circle unless something else fixes the level.
+    /// Cam of the law. The minimum lift is on the base circle unless the drive or a condition determines the level.
     pub cam: Cam,
     /// Shift of the law to the base circle, in units of its lift.
     pub raised: f64,
-    /// The law of a compliant follower's end, with the same shift.
+    /// Law of the end of a compliant follower, with the same shift.
     pub end: Option<Law>,
-    /// The second cam of a conjugate pair, if any.
+    /// Second cam of a conjugate pair, if any.
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel.
     pub groove: Option<BarrelGroove>,
-    /// Force against the target, N.
+    /// Comparison of force and target, N.
     pub force: ForceReport,
     /// Checks of every limit of the problem, and of general requirements.
     pub checks: Vec<Check>,
 }
 
-/// The cam of a law; `end` is the law of the compliant follower's end, `circle` a size for which the law is known to satisfy its limits. # Errors
-/// Dimensions that do not determine a cam.
+/// Cam of a law. `end` is the law of the end of a compliant follower; `circle` is a size for which the law satisfies its limits.
+///
+/// # Errors
+///
+/// The dimensions do not determine a cam.
 pub fn checked_cam(
     problem: &Problem,
     law: &Law,
@@ -43,7 +46,7 @@ pub fn checked_cam(
     checked(problem, cam, raised, end)
 }
 
-/// The checks of a problem on a cam.
+/// Checks of a problem for a cam.
 fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result<CheckedCam> {
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
@@ -73,24 +76,25 @@ impl CheckedCam {
     /// The cam with the force and the checks of another problem.
     ///
     /// # Errors
-    /// Dimensions that do not determine a second cam or groove.
+    ///
+    /// The dimensions do not determine a second cam or a groove.
     pub fn at(&self, problem: &Problem) -> Result<CheckedCam> {
         checked(problem, self.cam.clone(), self.raised, self.end.clone())
     }
 
-    /// The law that determines the force.
+    /// Law that determines the force.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().unwrap_or(&self.cam.law)
     }
 
-    /// The first failed check.
+    /// First failed check.
     pub fn broken(&self) -> Option<&Check> {
         self.checks.iter().find(|check| !check.pass)
     }
 }
 
-/// The cam of a law with limits satisfied near a circle: its offset is tried too, because the best offset for the pressure angle may not be best for
-/// the curvature.
+/// Cam of a law that satisfies its limits near a given circle. The offset of this circle is tried too, because the best offset for the pressure angle
+/// may not be the best one for the curvature.
 fn cam_about(
     problem: &Problem,
     law: Law,
@@ -108,7 +112,7 @@ fn cam_about(
     Ok(if radius(&other) < smaller { other } else { own })
 }
 
-/// The law, shifted so that its minimum is on the base circle unless something else fixes the level.
+/// The law, shifted so that its minimum is on the base circle unless the drive or a condition determines the level.
 fn on_base_circle(problem: &Problem, law: &Law) -> Law {
     if problem.level_is_known() {
         return law.clone();

@@ -1,4 +1,4 @@
-//! The cam of a law: with the size of the scene, or with the smallest feasible size.
+//! Cam of a law, with the size in the scene or with the minimum feasible size.
 
 pub mod checked_cam;
 mod notes;
@@ -17,26 +17,28 @@ use crate::problem::Problem;
 use crate::synth::limits::{self, NEARLY_RIGHT};
 use crate::units::Quantity;
 
-/// Relative accuracy of a prime radius found by bisection.
+/// Relative accuracy of a prime radius from bisection.
 const BISECTION: f64 = 1e-12;
-/// Growth factor of the prime circle in the search for a feasible size, and maximum number of steps.
+/// Growth factor of the prime circle in the search for a feasible size.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
-/// Relative enlargement of a size found by bisection, so that its own limits hold in spite of rounding.
+/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding.
 const ROUNDING: f64 = 1e-9;
-/// Fraction of the follower's travel that counts as zero.
+/// Fraction of the travel of the follower that counts as zero.
 const NOTHING: f64 = 1e-4;
-/// Variation of s(θ) + s(θ + π), relative to the stroke, that counts as constant.
+/// Variation of s(θ) + s(θ + π), relative to the stroke, below which the breadth is constant.
 const BREADTH: f64 = 1e-9;
 /// Number of angles at which the breadth is compared.
 const BREADTH_POINTS: usize = 720;
 
-/// The cam for a law whose zero is the base circle.
+/// Cam of a law whose zero is the base circle.
 ///
-/// `pressing` is the law that determines the force: the cam's own, or that of a polydyne follower's end.
+/// `pressing` is the law that determines the force: the law of the cam, or of the end of a polydyne follower.
 ///
 /// # Errors
-/// A missing dimension of the follower, or impossible dimensions: an arm too short, a pivot inside the cam, a breadth that the law does not have.
+///
+/// A missing dimension of the follower; impossible dimensions, such as an arm that is too short, a pivot inside the cam, or a breadth that the law
+/// does not have.
 pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     let follower = match (problem.cam.follower, problem.cam.breadth) {
         (FollowerKind::FlatTranslating, None) => flat(problem, &law, pressing),
@@ -49,7 +51,7 @@ pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     Ok(Cam { law, follower })
 }
 
-/// The second cam of a conjugate pair, if the scene has one.
+/// Second cam of a conjugate pair, if the scene has one.
 pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem
         .cam
@@ -66,7 +68,7 @@ pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
         .map_err(|e| e.at_key("cam.conjugate"))
 }
 
-/// The groove of a barrel cam, with both walls; `None` for other cams.
+/// Groove of a barrel cam, with both walls; `None` for other cams.
 pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
     let Follower::Barrel {
         radius,
@@ -89,8 +91,8 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
         .map_err(|e| e.at_key("cam.depth"))
 }
 
-/// Minimum base radius for which the law satisfies the scene's curvature limit without undercut, with the other dimensions of `cam`; `None` if no
-/// size suffices.
+/// Minimum base radius for which the law satisfies the curvature limit of the scene without undercut, with the other dimensions of `cam`; `None` if
+/// no size is sufficient.
 pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
         rho_min: problem.limits[LimitKind::Curvature].unwrap_or(0.0),
@@ -100,7 +102,7 @@ pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     smallest_for(cam, &limits).ok()
 }
 
-/// Depth of a barrel's groove; the default is a roller's diameter.
+/// Depth of the groove of a barrel; the default is the diameter of the roller.
 fn depth(problem: &Problem) -> f64 {
     problem.cam.depth.unwrap_or(2.0 * problem.cam.roller_radius)
 }
@@ -115,7 +117,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     Follower::FlatTranslating { base_radius }
 }
 
-/// The base (prime) circle of a constant breadth: half of the breadth less the lift, if the law has a constant breadth.
+/// Cam of constant breadth, if the law has a constant breadth. Its base (prime) radius is half the difference of breadth and lift.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at_key("cam.breadth");
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + PI).s;
@@ -189,7 +191,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(distance.hypot(offset), offset)
 }
 
-/// A default radius if nothing determines one.
+/// Default radius if nothing determines the size.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
@@ -199,7 +201,7 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     }
 }
 
-/// A follower of any other kind, on the given base circle or the smallest feasible one.
+/// Cam with a follower of any other kind, with the given base radius or the minimum feasible one.
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
@@ -235,7 +237,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     fitting(problem, cam.law, follower.with_base_radius(base))
 }
 
-/// The cam of a law with a follower that fits it.
+/// Cam of a law with a follower that fits the law.
 fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     let new = if problem.cam.pivot_beside {
         Cam::beside
@@ -245,10 +247,11 @@ fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     new(law, follower).map_err(|e| e.at_key("cam"))
 }
 
-/// Checks that an arm of given lengths reaches the prime circle, for any law.
+/// Checks that an arm of the given lengths reaches the prime circle, for any law.
 ///
 /// # Errors
-/// The length at fault.
+///
+/// The invalid length.
 pub fn check_arm(problem: &Problem) -> Result<()> {
     let Some(base) = problem
         .base_radius()
@@ -263,13 +266,13 @@ pub fn check_arm(problem: &Problem) -> Result<()> {
     cam.check_beside().map_err(|e| e.at_key("cam"))
 }
 
-/// The scene's follower on a base circle of the given radius.
+/// Follower of the scene with the given base radius.
 fn on_base_circle(problem: &Problem, base: f64) -> Result<Follower> {
     let (radius, offset) = (problem.cam.roller_radius, problem.cam.offset);
     follower(problem, base, base + radius, offset.unwrap_or(0.0))
 }
 
-/// The follower of the scene on a base circle, where it has no roller or arc, or else on a prime circle.
+/// Follower of the scene for a radius: the base radius if it has no roller or arc, otherwise the prime radius.
 fn follower(
     problem: &Problem,
     base_radius: f64,
@@ -330,7 +333,7 @@ mod tests {
     use super::*;
     use crate::synth::samples::{FLAT, amplitude, one_wave};
 
-    /// s = A (1 − cos θ), on its base circle.
+    /// Law s = A (1 − cos θ), which is on its base circle.
     fn wave(problem: &Problem) -> Law {
         let a = amplitude(problem);
         Law::harmonic(a, &[(-a, 0.0)])
@@ -341,7 +344,7 @@ mod tests {
         cam(problem, law.clone(), &law).unwrap()
     }
 
-    /// tan φ = A sin θ/(D + A − A cos θ) is largest where D = A (1/sin φ − 1).
+    /// tan φ = A sin θ/(D + A − A cos θ) is maximum for D = A (1/sin φ − 1).
     #[test]
     fn the_smallest_roller_cam_of_one_wave_has_the_pressure_angle_that_is_allowed() {
         let follower =

@@ -11,7 +11,7 @@ use crate::units::{Dimension, Quantity};
 
 /// Design shear stress of a shaft of mild steel, Pa.
 const SHEAR: f64 = 40e6;
-/// Ratio of the hole to the required shaft above which a wrong unit is likely.
+/// Ratio of the hole and the minimum shaft diameter above which a wrong unit is likely.
 const WIDE_HOLE: f64 = 8.0;
 
 /// All notes on the size.
@@ -22,7 +22,7 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     [size, wall, shaft, roller].into_iter().flatten().collect()
 }
 
-/// Note on a roller larger than the cam, which suggests a wrong unit.
+/// Note on a roller that is larger than the cam, which suggests a wrong unit.
 fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     let follower = &cam.follower;
     let largest = follower.base_radius() + problem.lever() * cam.law.stroke();
@@ -33,7 +33,7 @@ fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on a thin wall around the hole for the shaft; a hole that cuts the profile is a failed check.
+/// Note on a thin wall around the hole for the shaft. A hole that intersects the profile is a failed check.
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let hole = problem.cam.hole()?;
     let wall = cam.follower.base_radius() - hole.reach();
@@ -45,7 +45,7 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on the base circle, or the given hole, compared with the steel shaft for the cam's torque.
+/// Note on the base circle, or the given hole, compared with the steel shaft that the torque requires.
 fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;
@@ -75,7 +75,7 @@ fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     }
 }
 
-/// Note on defaults of the size.
+/// Note on default values of the size.
 fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;

@@ -1,9 +1,9 @@
-//! The double-harmonic family: one rise, one fall and a rest (Campillo de Blas 2017) that approximate the force best.
+//! Double-harmonic family: one rise, one fall and a dwell (Campillo de Blas 2017), with the best approximation of the force.
 //!
-//! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start
-//! and the angles of rise and fall are searched: on a grid over the whole turn, then by Nelder and Mead's method from the best
-//! grid points. The last digits of a sine differ between platforms. So the number of steps is fixed and the resulting angles
-//! are rounded: the same scene gives the same law on every platform.
+//! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start and the angles of rise
+//! and fall are searched: on a grid over the whole turn, then by the Nelder–Mead method from the best grid points. The last digits of a sine differ
+//! between platforms. The number of steps is therefore fixed and the resulting angles are rounded, so that a scene gives the same law on every
+//! platform.
 
 mod projection;
 
@@ -27,31 +27,33 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 use projection::Projection;
 
-/// Minimum duration of rise and fall, rad; shorter ones are impacts.
+/// Minimum duration of rise and fall, rad; shorter ones would be impacts.
 const SHORTEST: f64 = 0.2;
 /// Number of grid points from which the angles are searched.
 const STARTS: usize = 6;
-/// Iterations of the search from each of them, enough to compare the best places.
+/// Number of iterations of the search from each grid point, sufficient to compare the best candidates.
 const ROUGH: u64 = 25;
-/// Number of places whose search is continued: without a rest rise and fall can change places.
+/// Number of candidates whose search is continued. Without a dwell, rise and fall can be exchanged.
 const FINALISTS: usize = 2;
-/// Iterations of the continued searches.
+/// Number of iterations of the continued searches.
 const ITERATIONS: u64 = 60;
-/// Parts of a turn to which the angles are rounded: 6 µrad, more than the search's rounding errors, less than a machine cuts.
+/// Number of parts of a turn to which the angles are rounded: 6 µrad, more than the rounding errors of the search and less than the accuracy of
+/// manufacturing.
 const PARTS: f64 = 1_048_576.0;
-/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall:
-/// without a rest both are the same law.
+/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell both are
+/// the same law.
 const TIE: f64 = 1e-9;
-/// Size of the first simplex, rad: one step of the grid.
+/// Initial size of the simplex, rad: one step of the grid.
 const SIMPLEX: f64 = 0.065;
 /// Size of the simplex with which a search is continued, rad.
 const FINE_SIMPLEX: f64 = 0.01;
 /// Number of iterations of all searches.
 const STEPS: usize = STARTS * ROUGH as usize + FINALISTS * ITERATIONS as usize;
 
-/// The problem's double harmonic with its search statistics; its lift is within the allowed stroke.
+/// Double harmonic of a problem, with the statistics of the search. Its lift is within the permitted stroke.
 ///
 /// # Errors
+///
 /// The search finds no lift that changes the force.
 pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
@@ -95,7 +97,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Phase, rise and fall, rad, with the arithmetic of Nelder and Mead's method.
+/// Phase, rise and fall, rad, with the arithmetic operations of the Nelder–Mead method.
 #[derive(Clone, Copy)]
 struct Angles([f64; 3]);
 
@@ -121,13 +123,13 @@ impl CostFunction for &Projection {
     type Param = Angles;
     type Output = f64;
 
-    /// Mean square distance of the force at the best lift and level.
+    /// Mean square difference of the force at the best lift and level.
     fn cost(&self, p: &Self::Param) -> std::result::Result<f64, argmin::core::Error> {
         Ok(self.nearest(admissible(p.0)).square)
     }
 }
 
-/// Start, rise and fall of the nearest force, rad.
+/// Start, rise and fall of the best approximation, rad.
 fn best(force: &Projection) -> Result<[f64; 3]> {
     let mut found = Vec::new();
     for start in force.starts(SHORTEST, STARTS) {
@@ -152,7 +154,7 @@ fn best(force: &Projection) -> Result<[f64; 3]> {
     Ok(angles)
 }
 
-/// The best angles of a search from a place, rad; `None` if it evaluates nothing.
+/// Best angles of a search from given angles, rad; `None` if the search evaluates no angles.
 fn searched(
     force: &Projection,
     start: [f64; 3],
@@ -174,13 +176,13 @@ fn searched(
     Ok(done.state().get_best_param().map(|p| p.0))
 }
 
-/// Admissible angles at whole parts of a turn.
+/// Rounds angles to whole parts of a turn, within the permitted range.
 fn rounded(angles: [f64; 3]) -> [f64; 3] {
     let part = |angle: f64| (angle / TAU * PARTS).round() / PARTS * TAU;
     admissible(admissible(angles).map(part))
 }
 
-/// Angles clamped to the allowed range: minimum rise and fall, sum at most a turn.
+/// Clamps angles to the permitted range: minimum rise and fall, and a sum of at most one turn.
 fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
     let (mut rise, mut fall) = (rise.max(SHORTEST), fall.max(SHORTEST));
     let both = rise + fall;
@@ -192,7 +194,7 @@ fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
     [phase.rem_euclid(TAU), rise, fall]
 }
 
-/// Unit rise, fall and rest, the rise starting at the phase.
+/// Unit rise, fall and dwell, with the rise starting at the phase.
 fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
     let segment = |motion: Rise, lift: f64, angle: f64| Segment {
         motion,
@@ -217,7 +219,7 @@ mod tests {
     use crate::force::{Feet, ForceCurve, model};
     use crate::scene::built_in;
 
-    /// The machine of the footbridge, which feels accelerations, and that of the heel tester, which feels lifts.
+    /// Problem for the machine of the footbridge, whose force depends on the acceleration, or of the heel tester, whose force depends on the lift.
     fn problem(machine: &str, force: impl Fn(&Drive, f64) -> f64) -> Problem {
         let scene = built_in(machine).unwrap().scene().unwrap();
         let scene = scene.with("law.family", "double-harmonic").unwrap();
@@ -270,8 +272,8 @@ mod tests {
         }
     }
 
-    /// Mean square distance from a force at equal angles: by its normal equation without a spring; with one for the best of
-    /// many levels, the law above its base circle.
+    /// Mean square difference from a force at equal angles: without a spring by the normal equation; with a spring for the best of many levels, with
+    /// the law above its base circle.
     fn distance(problem: &Problem, wanted: &[f64], shape: &Law, ahead: usize) -> f64 {
         let w = problem.drive.weights();
         let n = wanted.len();

@@ -9,17 +9,17 @@ use crate::poly::{Cells, amplitudes};
 
 /// Number of samples of the force for its harmonics.
 const SAMPLES: usize = 512;
-/// Number of harmonics that are kept.
+/// Number of harmonics that are used.
 const HARMONICS: usize = 64;
 /// Fraction of the force below which an amplitude is a rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Number of harmonics in the choice of starts.
+/// Number of harmonics that are used to choose the starts.
 const COARSE: usize = 32;
-/// Number of steps of a turn in this choice.
+/// Number of steps of a turn in the choice of the starts.
 const STEPS: usize = 96;
-/// Sines of smaller angles h are h − h³/6.
+/// Angle h below which its sine is computed as h − h³/6.
 const SMALL: f64 = 1e-4;
-/// Powers of i: turns by 0°, 90°, 180°.
+/// Powers of i: rotations by 0°, 90° and 180°.
 const QUARTERS: [Complex<f64>; 3] = [
     Complex::new(1.0, 0.0),
     Complex::new(0.0, 1.0),
@@ -29,9 +29,9 @@ const QUARTERS: [Complex<f64>; 3] = [
 /// Start of the rise, and angles of rise and fall, rad.
 pub(super) type Angles = [f64; 3];
 
-/// The harmonics of a force without its static part, and the weights of a drive.
+/// Harmonics of a force without its static part, and the weights of a drive.
 pub(super) struct Projection {
-    /// Complex harmonics a − ib, from 1 on, of the force a cos kθ + b sin kθ.
+    /// Complex harmonics a − ib of the force a cos kθ + b sin kθ, from the first on.
     waves: Vec<Complex<f64>>,
     mean: f64,
     square: f64,
@@ -40,17 +40,17 @@ pub(super) struct Projection {
     stroke: f64,
 }
 
-/// The best double harmonic for given angles.
+/// Best double harmonic for given angles.
 pub(super) struct Nearest {
-    /// Lift of its rise, m, at most the stroke; negative if it falls first.
+    /// Lift of the rise, m, at most the stroke; negative if the law falls first.
     pub lift: f64,
-    /// Lift at rest, m; 0 if the force does not depend on it.
+    /// Level of the dwell, m; 0 if the force does not depend on the level.
     pub level: f64,
     /// Mean square error of the force, N².
     pub square: f64,
 }
 
-/// Means of a unit shape's force over a turn, and its product with the harmonics of the force.
+/// Means of the force of a unit shape over a turn, and its product with the harmonics of the target.
 struct Means {
     mean: f64,
     square: f64,
@@ -58,7 +58,7 @@ struct Means {
 }
 
 impl Projection {
-    /// Projection of a force in N over a turn, on a drive, for lifts up to a stroke.
+    /// Projection of a force, N, over a turn, for a drive and for lifts up to a stroke.
     pub fn new(force: &Cells, drive: &Drive, stroke: Option<f64>) -> Projection {
         let at = |i| force.at(TAU * i as f64 / SAMPLES as f64) - drive.rest_force;
         let samples: Vec<f64> = (0..SAMPLES).map(at).collect();
@@ -80,8 +80,8 @@ impl Projection {
         }
     }
 
-    /// The best double harmonic for these angles: lift and, with a spring, level from two linear equations; on the base circle if it would fall
-    /// below.
+    /// Best double harmonic for given angles. Lift and, with a spring, level follow from two linear equations. If the law would be below the base
+    /// circle, it is placed on it.
     pub fn nearest(&self, angles: Angles) -> Nearest {
         self.fit(&self.means(angles))
     }
@@ -124,7 +124,7 @@ impl Projection {
         }
     }
 
-    /// The best law whose level is a multiple of its lift.
+    /// Best law whose level is a multiple of its lift.
     fn along(&self, product: f64, square: f64, level: f64, lifts: [f64; 2]) -> Nearest {
         let lift = best(product, square, lifts);
         Nearest {
@@ -148,7 +148,7 @@ impl Projection {
         }
     }
 
-    /// The force of a unit rise (sign 1) or a unit fall (sign −1), the same motion reversed.
+    /// Force of a unit rise (sign 1) or of a unit fall (sign −1), which is the same motion reversed.
     fn motion(&self, angle: f64, sign: f64) -> Motion {
         let [s, v, a] = self.weights;
         let rate = PI / angle;
@@ -203,7 +203,7 @@ impl Projection {
             .collect()
     }
 
-    /// Products of a motion that begins at each step.
+    /// Products of a motion that begins at each step of the turn.
     fn row(&self, motion: Motion) -> Row {
         let step = TAU / STEPS as f64;
         let waves: Vec<Complex<f64>> = (1..)
@@ -225,7 +225,7 @@ impl Projection {
     }
 }
 
-/// The lift with the minimum square within two bounds.
+/// Lift between two bounds with the minimum mean square error.
 fn best(product: f64, square: f64, [low, high]: [f64; 2]) -> f64 {
     let free = if square > 0.0 { product / square } else { 0.0 };
     free.clamp(low, high)
@@ -244,7 +244,7 @@ fn are_neighbours(a: [usize; 3], b: [usize; 3]) -> bool {
     around.max(apart(1)).max(apart(2)) < 3
 }
 
-/// Force c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx over an angle, x from 0 to 1.
+/// Force c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx over an angle, with x from 0 to 1.
 struct Motion {
     angle: f64,
     terms: [(f64, f64); 3],
@@ -271,7 +271,7 @@ impl Motion {
         self.transform(0.0).re
     }
 
-    /// Mean square over a turn, N².
+    /// Mean square of the force over a turn, N².
     fn square(&self) -> f64 {
         let [(c0, _), (c1, d1), (c2, d2)] = self.terms;
         // Over half a wave the products of sines with cosines stay.
@@ -281,7 +281,7 @@ impl Motion {
     }
 }
 
-/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h, of e^{ih}.
+/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h. `wave` is e^{ih}.
 fn mean_of_wave(h: f64, wave: Complex<f64>) -> Complex<f64> {
     wave * if h.abs() < SMALL {
         1.0 - h * h / 6.0

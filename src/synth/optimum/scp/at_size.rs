@@ -1,10 +1,10 @@
-//! Nonconvex limits at the size of a program's solution.
+//! Non-convex limits at the size of a program's solution.
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
 use crate::synth::qp::{ByVariable, Limit, OFFSET, Program, RADIUS, RISE, Solution, Variable};
 
-/// The nonconvex limits of a program, with the sizes among its variables.
+/// Non-convex limits of a program that has sizes among its variables.
 pub struct AtSize {
     limits: NonconvexLimits,
     /// Sizes among the variables of the program.
@@ -14,7 +14,7 @@ pub struct AtSize {
 }
 
 impl AtSize {
-    /// The limits of a program: if it has the size among its variables, the size in `limits` is ignored.
+    /// Creates the limits for a program. If the size is a variable of the program, the size in `limits` is ignored.
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
         let mut present = program.present();
         // An offset that a limit holds is given.
@@ -36,12 +36,12 @@ impl AtSize {
         }
     }
 
-    /// The sizes that a step may change.
+    /// Sizes that a step may change.
     pub fn free(&self) -> ByVariable<bool> {
         self.free
     }
 
-    /// The limits at a solution.
+    /// Limits at the size of a solution.
     pub fn of(&self, solution: &Solution) -> NonconvexLimits {
         let given = self.limits.size();
         let of = |k: Variable, given: f64| {
@@ -59,7 +59,7 @@ impl AtSize {
         })
     }
 
-    /// Minimum clearance h/w of each limit over a solution's law.
+    /// Minimum clearance h/w of each limit over the law of a solution.
     pub fn clear(&self, program: &Program, solution: &Solution) -> Vec<f64> {
         clearances(&Law::of(&program.basis, &solution.x), &self.of(solution))
     }

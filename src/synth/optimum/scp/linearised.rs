@@ -1,4 +1,4 @@
-//! Linear rows for nonconvex limits, about a law.
+//! Linearisation of the non-convex limits about a law.
 
 use super::at_size::AtSize;
 use super::trial::ROOM;
@@ -8,20 +8,20 @@ use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
-/// Number of rows per piece of the law.
+/// Number of rows per span of the law.
 const ROWS_PER_PIECE: usize = 4;
-/// Clearance relative to the largest term above which a point gets no row; the line search checks it.
+/// Clearance, relative to the largest term, above which a point has no row. The line search checks such points.
 const FAR: f64 = 0.6;
-/// Clearance h/w below which minima become rows.
+/// Clearance h/w below which minima of h become rows.
 const NEAR: f64 = 0.05;
-/// Distance (in units of its piece) below which two points coincide.
+/// Distance, in units of the span, below which two points coincide.
 const COINCIDENT: f64 = 1e-6;
 /// Relative slack below which a limit may become active in the next step.
 const SOON: f64 = 0.03;
-/// Violation relative to w below which the margin is enlarged.
+/// Violation, relative to w, below which the margin is increased.
 pub const NEARLY: f64 = 1e-3;
 
-/// Margins of h, relative to w, for each of the limits.
+/// Margin of h, relative to w, for each limit.
 pub struct Room {
     /// Minimum margin of all limits.
     level: f64,
@@ -41,8 +41,8 @@ impl Room {
         self.each.get(limit).map_or(least, |own| own.max(least))
     }
 
-    /// Minima shift between iterations, so each violated limit is tightened by slightly more than its violation; limits
-    /// that hold are not.
+    /// Increases the margin of each violated limit by slightly more than its violation, because minima shift between iterations. Margins of satisfied
+    /// limits are unchanged.
     pub fn widen(&mut self, clear: &[f64]) {
         self.each.resize(clear.len(), f64::NEG_INFINITY);
         for (own, clear) in self.each.iter_mut().zip(clear) {
@@ -54,12 +54,12 @@ impl Room {
     }
 }
 
-/// The smallest of the clearances of several limits.
+/// Minimum of the clearances of several limits.
 pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// Initial rows of the next program: contacts of the last solution, and maxima of limits near their bound.
+/// Initial rows of the next program: contacts of the last solution, and maxima of limits near their bounds.
 pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     let mut out = program.seeds_of(&solution.active);
     let soon = |limit: &Limit| {
@@ -75,7 +75,7 @@ pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     out
 }
 
-/// Rows h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter, after the program's own.
+/// Rows h₀ + ∇h·(step) ≥ room·w at points where h can become zero in one step, after the rows of the program.
 pub fn linearised(
     program: &Program,
     current: &Solution,
@@ -116,7 +116,7 @@ pub fn linearised(
     out
 }
 
-/// Points of linearisation of a law: a grid, minima of h between its points, and the contacts of the last program.
+/// Points of linearisation of a law: a grid, minima of h between the grid points, and the contacts of the last program.
 fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLimits) -> Vec<Peak> {
     let mut places = grid(program);
     // The rows of the grid bound h between them only to second order; its own low points are rows too.
@@ -138,7 +138,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
     places
 }
 
-/// Points of linearisation for every law of the program.
+/// Points of linearisation that every law of the program has.
 fn grid(program: &Program) -> Vec<Peak> {
     let mut out = Vec::new();
     for (piece, ends) in program.basis.breaks().windows(2).enumerate() {
@@ -150,7 +150,7 @@ fn grid(program: &Program) -> Vec<Peak> {
     out
 }
 
-/// A row that belongs to no limit of the program.
+/// A row that does not belong to a limit of the program.
 fn row(
     program: &Program,
     name: Criterion,
@@ -171,7 +171,7 @@ fn row(
     }
 }
 
-/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
+/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 over the whole turn. X₀ is at least 4ρ/3, so that the restriction is sufficient.
 pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
     let present = program.present();
     let law = Law::of(&program.basis, &current.x);

@@ -1,12 +1,14 @@
-//! Limits that are not convex in the law, by a sequence of convex programs that stays feasible: a roller's
-//! curvature, and curvature and pressure angle of followers on an arm.
+//! Non-convex limits of a law, by a sequence of convex programs with feasible iterates: curvature of a roller cam, and curvature and pressure angle
+//! of followers on an arm.
 //!
-//! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f the pitch curve is nowhere sharper than ρ where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0
-//! (theory §6). That is not convex. It is linearised about the last law at the places where it is near zero, the convex program is solved again, and
-//! the step is shortened until the true h holds all around: every limit that is convex holds along the whole step. If a whole step violates h, it is
-//! linearised again at its end (second-order correction), and shortened only if that fails. The first steps use the restriction a ≥ X − X²/ρ with X²
-//! ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3 and e = 0 and needs no linearisation. Followers on an arm use the h of their own geometry. A
-//! concave profile needs no row: its radius is the pitch curve's plus the roller's, so the roller always fits.
+//! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f, the radius of curvature of the pitch curve is nowhere below ρ if h = w^{3/2}/ρ −
+//! (w + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero, and the convex
+//! program is solved again. The step is then shortened until h ≥ 0 over the whole turn; convex limits hold along the whole step. If a full step
+//! violates h, the limit is first linearised again at its end (second-order correction), and the step is shortened only if this fails.
+//!
+//! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀². It is sufficient for X ≥ 4ρ/3 and e = 0 and needs no linearisation.
+//! Followers on an arm have a different h for their geometry. A concave profile needs no row: its radius is the radius of the pitch curve plus that
+//! of the roller, so the roller always fits.
 
 mod at_size;
 mod last;
@@ -29,15 +31,13 @@ use crate::synth::qp::{Program, Solution, TOLERANCE};
 use crate::synth::report::method::Ended;
 use crate::synth::report::solver::Step;
 
-/// Tolerance of the limits between steps; the last law is solved to rounding.
+/// Tolerance of the limits between steps. The final law is solved to rounding.
 const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 
-/// Sequence of convex programs from the best feasible point that the `starts` lead to, until no step improves the
-/// objective or the law is good `enough`. Starts keep the convex limits, except those on the size. Where the size is among the variables of the
-/// program, the size in `limits` is ignored.
+/// Sequence of convex programs from the best feasible point that the `starts` lead to, until no step improves the objective or the law is good
+/// `enough`. Starts satisfy the convex limits, except those on the size. If the size is a variable of the program, the size in `limits` is ignored.
 ///
-/// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
-/// feasible start was found.
+/// Returns the last solution with its size, the steps, and the reason for the end; `None` if no feasible start was found.
 pub fn refine(
     program: &Program,
     starts: &[Solution],
@@ -66,13 +66,13 @@ pub fn refine(
     Some((current, steps, ended))
 }
 
-/// Whether a solution keeps the nonconvex limits at its size.
+/// Whether a solution satisfies the non-convex limits at its size.
 pub fn keeps(program: &Program, solution: &Solution, limits: &NonconvexLimits) -> bool {
     let at_size = AtSize::new(limits.clone(), program);
     least_of(&at_size.clear(program, solution)) >= 0.0
 }
 
-/// A solution that keeps the nonconvex limits too, from a solution of the program; `None` on failure.
+/// A solution that also satisfies the non-convex limits, from a solution of the program; `None` on failure.
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;

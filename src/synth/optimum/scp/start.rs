@@ -8,19 +8,19 @@ use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
 use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, Values, sizes, smoothing};
 
-/// Maximum number of tightening steps and of linearisations per step, and the minimum step.
+/// Maximum number of tightening steps.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 2e-3;
-/// Maximum number of optima under the restriction, and of consecutive ones without improvement.
+/// Maximum number of optima with the restriction.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
-/// Weight of the distance term against a minimised peak.
+/// Weight of the distance term relative to a minimised peak.
 const HEAVY: f64 = 1e3;
-/// Fractions of a step that are examined.
+/// Fractions of a step that are tried.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
 
-/// The best feasible point reached from the `starts`; they satisfy the convex limits, except those on the size.
+/// Best feasible point reached from the `starts`. They satisfy the convex limits, except those on the size.
 pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<Solution> {
     let each = starts.iter();
     let each = each.filter_map(|start| feasible(program, start, at_size));
@@ -35,8 +35,8 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible; otherwise the optimum under the sufficient restriction, tightened about its own X a few times. Followers on an
-/// arm have no such restriction; their linearised limits are solved until they hold.
+/// The start itself if it is feasible; otherwise the optimum with the sufficient restriction, tightened a few times about its own X. There is no such
+/// restriction for followers on an arm; their linearised limits are solved until they hold.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
@@ -79,9 +79,9 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
     None
 }
 
-/// A feasible start by continuation: the nonconvex limits and the limits on the size are relaxed by the violation of
-/// the given law, then tightened to their values in steps. Each step takes the law nearest to the one before, because
-/// minimising the objective could leave the region where the linearisation is valid.
+/// Feasible start by continuation. The non-convex limits and the limits on the size are relaxed by the violation of the given law, then tightened
+/// stepwise to their values. Each step selects the law nearest to the previous one, because minimising the objective could leave the region in which
+/// the linearisation is valid.
 pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let first = least_of(&at_size.clear(program, start)).min(ROOM);
     let asked = sizes::within(program, &start.extra);
@@ -124,7 +124,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
     None
 }
 
-/// The nearest law to the previous one, with its size, and h ≥ level · w by repeated linearisation.
+/// Law nearest to the previous one, with its size, that satisfies h ≥ level · w, by repeated linearisation.
 fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -> Option<Solution> {
     let mut near = nearest_to(program, before);
     let at_size = at_size.held();
@@ -158,7 +158,7 @@ fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -
     None
 }
 
-/// The program of the nearest law in the mean square of the acceleration, with the same size.
+/// Program for the law nearest to the previous one in the mean square of the acceleration, with the same size.
 fn nearest_to(program: &Program, before: &Solution) -> Program {
     let mut near = program.clone();
     near.limits.retain(|l| !l.is_on_variables_alone());
@@ -176,7 +176,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near
 }
 
-/// A start by shrinking a cam that is too large, until its size is allowed.
+/// Start by reducing a cam that is too large until its size is permitted.
 pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
     let smallest = of_least_size(program, &large.extra);
     let convex = solved(&smallest);
@@ -190,7 +190,7 @@ pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<S
     small(&found).then_some(found)
 }
 
-/// The program of the smallest feasible cam, without the limits on its size that these sizes exceed.
+/// Program of the smallest feasible cam, without the limits on its size that the given sizes exceed.
 pub fn of_least_size(program: &Program, large: &Values) -> Program {
     let mut smooth = Quadratic::zero(&program.basis);
     smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));

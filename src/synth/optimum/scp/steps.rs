@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 40;
 const IMPROVEMENT: f64 = 1e-7;
 /// Maximum number of second-order corrections of a step before it is shortened.
 const CORRECTIONS: usize = 5;
-/// Fraction of the predicted gain below which a corrected step is compared with shorter ones.
+/// Fraction of the predicted gain below which a corrected step is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
 /// Minimum length of a step.
 pub const SHORTEST: f64 = 1e-4;
@@ -50,18 +50,18 @@ pub fn descended(
 
 /// Outcome of a step.
 pub enum Outcome {
-    /// The step was taken; the solution after it.
+    /// The step was accepted; the new solution and the step.
     Taken(Solution, Step),
     /// The step failed; a shorter one may succeed.
     Failed(Ended),
-    /// No further step is worthwhile, or the time is over.
+    /// No further step is worthwhile, or the time limit is reached.
     Finished(Ended),
 }
 
-/// One step: the optimum under the limits linearised about the last law, corrected or shortened until they hold.
+/// One step: the optimum with the limits linearised about the last law, corrected or shortened until the limits hold.
 ///
-/// `reach` is the trust region: the largest relative reduction of the size in one step, because an objective of the size alone exploits the linear
-/// rows fully.
+/// `reach` is the trust region: the maximum relative reduction of the size in one step. It is necessary because an objective that contains only the
+/// size uses the linear rows to their limit.
 pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Outcome {
     if program.halt.is_asked() {
         return Outcome::Finished(Ended::OutOfTime);
@@ -113,8 +113,8 @@ pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut
     Outcome::Taken(trial, one)
 }
 
-/// Second-order correction: linearises again at the step's end until the nonconvex limits hold; returns the corrected end with its clearance, or
-/// `None` if that fails.
+/// Second-order correction: linearises again at the end of the step until the non-convex limits hold. Returns the corrected end with its clearance;
+/// `None` if this fails.
 pub fn corrected(
     program: &Program,
     target: &Solution,
@@ -148,7 +148,7 @@ pub fn corrected(
     None
 }
 
-/// The longest fraction of a step, by halving, that satisfies every limit and gains more than `least`; its clearance and the fraction.
+/// Longest fraction of a step, by halving, that satisfies every limit and gains more than `least`, with its clearance.
 pub fn shortened(
     program: &Program,
     current: &Solution,
@@ -169,12 +169,12 @@ pub fn shortened(
     None
 }
 
-/// Whether a shorter trust region gives another step: a size has a cost, and the region is not too small.
+/// Whether a smaller trust region gives another step: a size has a cost, and the region is not too small.
 pub fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
 
-/// The program with the sizes in its cost bounded below, by this relative decrease.
+/// Program with lower bounds on the sizes that have a cost; `part` is their maximum relative decrease.
 pub fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     let mut out = program.clone();
     if part.is_finite() {

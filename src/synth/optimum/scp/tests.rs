@@ -1,8 +1,8 @@
-//! Steps of the sequence on laws of two numbers, s = a cos θ + b sin θ, under a roller on its line of motion.
+//! Steps of the sequence for laws of two numbers, s = a cos θ + b sin θ, with a roller on its line of motion.
 //!
-//! With A² = a² + b² and w = D² + A² + 2D·s the curvature of the pitch curve is 3/(2√w) − (D² − A²)/(2 w^{3/2}). It is
-//! largest at w = D² − A², where its radius is √(D² − A²). So a radius of ρ allows A² ≤ D² − ρ², and the clearance h/w is
-//! smallest at w³ = ρ²(D² − A²)², where it is 3/2 (((D² − A²)/ρ²)^{1/3} − 1).
+//! With A² = a² + b² and w = D² + A² + 2D·s, the curvature of the pitch curve is 3/(2√w) − (D² − A²)/(2 w^{3/2}). It is maximum at w = D² − A², where
+//! its radius is √(D² − A²). A radius of ρ therefore permits A² ≤ D² − ρ². The clearance h/w is minimum at w³ = ρ²(D² − A²)², where it is 3/2 (((D² −
+//! A²)/ρ²)^{1/3} − 1).
 
 use super::linearised::{NEARLY, Room, linearised, restricted};
 use super::start::shrunk;
@@ -19,21 +19,20 @@ use crate::synth::qp::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// D, ρ and the greatest A, m.
+/// Height D, m.
 const RISE_HEIGHT: f64 = 0.05;
 const RHO: f64 = 0.04;
 const GREATEST: f64 = 0.03;
-/// A of the law that the objective draws to, m, and its phase, rad.
+/// Amplitude A of the law with the minimum objective, m.
 const DRAWN: f64 = 0.045;
 const PHASE: f64 = 0.7;
 
-/// Spans and degree of the splines. Coefficients that are a cosine make a cosine, but for waves that are 47 times as short
-/// and 2e-12 times as high.
+/// Number of spans. Coefficients that follow a cosine give a cosine law, except for waves that are 47 times as short and have an amplitude of 2e-12.
 const SPANS: usize = 48;
 const DEGREE: usize = 6;
 
-/// Half the squared distance from a law of two numbers: Σ (xᵢ − tᵢ)²/N · (A/A of the coefficients)². The recurrence of a
-/// cosine, xᵢ₋₁ − 2 cos(2π/N) xᵢ + xᵢ₊₁ = 0, leaves two numbers free.
+/// Half the squared distance from a law of two numbers: Σ (xᵢ − tᵢ)²/N · (A/A of the coefficients)². The recurrence of a cosine, xᵢ₋₁ − 2 cos(2π/N)
+/// xᵢ + xᵢ₊₁ = 0, leaves two free numbers.
 fn program(to: f64) -> Program {
     let space = SplineSpace::periodic_uniform(DEGREE, SPANS, TAU);
     let basis = Basis::Spline {
@@ -59,20 +58,20 @@ fn program(to: f64) -> Program {
     program
 }
 
-/// A of a law over that of its coefficients.
+/// Ratio of the amplitude A of a law and the amplitude of its coefficients.
 fn height() -> f64 {
     let half = PI / SPANS as f64;
     (half.sin() / half).powi(DEGREE as i32 + 1)
 }
 
-/// The program with a price on D.
+/// The program with a cost on D.
 fn priced(to: f64, price: f64) -> Program {
     let mut program = program(to);
     program.cost[RISE] = price;
     program
 }
 
-/// The coefficients of a law.
+/// Coefficients of a law with an amplitude.
 fn law(amplitude: f64) -> Vec<f64> {
     let at = |i: usize| TAU * i as f64 / SPANS as f64 - PHASE;
     (0..SPANS)
@@ -110,13 +109,13 @@ fn at_size(program: &Program) -> AtSize {
     AtSize::new(limits(RISE_HEIGHT), program)
 }
 
-/// Smallest h/w of a law.
+/// Minimum h/w of a law.
 fn clearance(amplitude: f64, rise: f64) -> f64 {
     let square = (rise * rise - amplitude * amplitude) / (RHO * RHO);
     1.5 * (square.cbrt() - 1.0)
 }
 
-/// a and b in the frame of the law that the objective draws to.
+/// a and b in the frame of the law with the minimum objective.
 fn numbers(x: &[f64]) -> [f64; 2] {
     let at = |i: usize| TAU * i as f64 / SPANS as f64 - PHASE;
     let part = |f: fn(f64) -> f64| -> f64 {
@@ -148,7 +147,7 @@ fn clearances_of_one_wave_are_those_of_its_sharpest_place() {
     }
 }
 
-/// By rotation of the cam the limit depends on A alone, so its rows at a law that touches it are tangents of a circle.
+/// By rotation of the cam, the limit depends only on A. Its rows at a law that touches it are therefore tangents of a circle.
 #[test]
 fn rows_at_a_contact_are_tangents_of_the_circle_of_laws() {
     let program = program(DRAWN);
@@ -170,7 +169,7 @@ fn rows_at_a_contact_are_tangents_of_the_circle_of_laws() {
     }
 }
 
-/// h is of first order in the numbers of the law: rows of a law beside another differ by the square of the distance.
+/// h is of first order in the numbers of the law: linearised rows at a neighbouring law differ from the limit by the square of the distance.
 #[test]
 fn rows_miss_the_limit_by_the_square_of_a_step() {
     let program = program(DRAWN);
@@ -206,7 +205,7 @@ fn a_limit_that_is_missed_gets_twice_the_room_and_others_none() {
     }
 }
 
-/// Where X ≥ 4ρ/3 the rows of the restriction are sufficient: at D = 0.1 a law that keeps them has A² ≤ D² − ρ².
+/// For X ≥ 4ρ/3 the rows of the restriction are sufficient: for D = 0.1, a law that satisfies them has A² ≤ D² − ρ².
 #[test]
 fn the_restriction_leaves_only_laws_that_keep_the_curvature() {
     let rise = 0.1;
@@ -371,7 +370,7 @@ fn the_sequence_ends_where_a_law_is_good_enough() {
     near(amplitude(&found), 0.01, 1e-9);
 }
 
-/// p D + ½ (A − A₀)² with D² = A² + ρ² is least where p A/D = A₀ − A.
+/// p D + ½ (A − A₀)² with D² = A² + ρ² is minimum for p A/D = A₀ − A.
 #[test]
 fn the_sequence_weighs_size_against_law() {
     let price = (DRAWN - GREATEST) * RISE_HEIGHT / GREATEST;
@@ -394,7 +393,7 @@ fn a_cam_smaller_than_its_sharpest_radius_has_no_start() {
     assert!(feasible(&program, &starts[0], limits(RISE_HEIGHT)).is_some());
 }
 
-/// A cam of limited size is found on the way to the smallest one, A = 0 on D = ρ.
+/// A cam of permitted size is found on the way to the smallest one, A = 0 with D = ρ.
 #[test]
 fn a_cam_that_is_too_large_is_shrunk_to_its_limit() {
     let mut program = priced(DRAWN, 1e-6);

@@ -7,12 +7,12 @@ const BROKEN: f64 = 1e-4;
 /// Margin of h, relative to w, for the finished cam's check.
 pub const ROOM: f64 = 1e-9;
 
-/// The solution of a program, if it has one.
+/// Solution of a program, if it has one.
 pub fn solved(program: &Program) -> Option<Solution> {
     program.solve().ok().filter(|s| s.violation <= BROKEN)
 }
 
-/// A point between two solutions; convex limits that hold at both ends hold there.
+/// A point between two solutions. Convex limits that hold at both solutions hold there.
 pub fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
