@@ -1,4 +1,4 @@
-//! The library's messages in English and Spanish, one Fluent file per area (see [`gaitcam_base::wording`]).
+//! Messages of the library in English and Spanish, one Fluent file per area (see [`gaitcam_base::wording`]).
 
 #[cfg(test)]
 mod tests;
@@ -15,7 +15,7 @@ pub use gaitcam_base::wording::{
 pub(crate) use gaitcam_base::wording::{InLanguages, code, degrees};
 pub use words::Words;
 
-/// The messages of the library, one file an area.
+/// Messages of the library, one file per area.
 const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
@@ -66,14 +66,14 @@ const SENTENCES: Sentences = Sentences {
     ],
 };
 
-/// The messages of the library and of the crates below it.
+/// Messages of the library and of the crates below it.
 pub(crate) static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::SENTENCES,
     gaitcam_gait::wording::SENTENCES,
     SENTENCES,
 ]);
 
-/// Spanish words for values of a scene beside their names in the messages.
+/// Spanish words for values of a scene, in addition to their names in the messages.
 const SPANISH: [(&str, &str); 6] = [
     ("reposo", "dwell"),
     ("rodillo", "roller-translating"),
@@ -83,14 +83,14 @@ const SPANISH: [(&str, &str); 6] = [
     ("trapecio modificado", "modified-trapezoid"),
 ];
 
-/// The one of some words that Spanish calls so, whatever its accents and capitals.
+/// The word that has this Spanish name, ignoring accents and capitals.
 pub(crate) fn called_in_spanish(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     let typed = without_accents(typed);
     let mut names = spanish_names(known).into_iter();
     names.find_map(|(name, word)| (name == typed).then_some(word))
 }
 
-/// The Spanish names of some words, in small letters without accents, each with its word.
+/// Spanish names of the given words, in lower case without accents, each with its word.
 fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     let name = |word: &&'static str| (without_accents(&catalogue(Language::Es).name(word)), *word);
     let others = SPANISH.iter().filter(|(_, word)| known.contains(word));
@@ -98,7 +98,7 @@ fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     known.iter().map(name).chain(others).collect()
 }
 
-/// The one of some words whose name is nearest to a typed one: its own, then by its parts in both languages, then the Spanish one.
+/// The word whose name is nearest to a typed one. The name itself is compared first, then its parts in both languages, then the Spanish name.
 pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some(word) = nearest(typed, known.iter().copied()) {
         return Some(word);
@@ -130,13 +130,13 @@ pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Optio
         .map(|(_, word)| word)
 }
 
-/// The parts of a name that distinguish it.
+/// Parts of a name that distinguish it.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
     let apart = name.split([' ', '-', '_']);
     apart.filter(|part| part.chars().count() > 4)
 }
 
-/// Small letters without accents.
+/// The text in lower case without accents.
 fn without_accents(text: &str) -> String {
     let plain = |c: char| match c {
         'á' => 'a',
@@ -150,27 +150,27 @@ fn without_accents(text: &str) -> String {
     text.trim().to_lowercase().chars().map(plain).collect()
 }
 
-/// The library's messages in a language.
+/// Messages of the library in a language.
 pub fn catalogue(language: Language) -> &'static Messages {
     WORDS.of(language)
 }
 
-/// What a key of the scene file means; `path` as the key table has it.
+/// Description of a key of the scene file; `path` as in the key table.
 pub fn key_doc(language: Language, path: &str) -> String {
     catalogue(language).text(&format!("key-{}", path.replace('.', "-")))
 }
 
-/// Label of the field that sets a limit; `path` as the key table has it.
+/// Label of the field that sets a limit; `path` as in the key table.
 pub fn limit_label(language: Language, path: &str) -> String {
     catalogue(language).text(&format!("label-{}", path.replace('.', "-")))
 }
 
-/// What a built-in scene is.
+/// Description of a built-in scene.
 pub fn scene_doc(language: Language, name: &str) -> String {
     catalogue(language).text(&format!("built-in-{name}"))
 }
 
-/// The sentence of a message of the library.
+/// Text of a message of the library.
 pub fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
     catalogue(language).sentence(area, message)
 }

@@ -1,4 +1,4 @@
-//! Every code has its sentence, and every sentence its code.
+//! Every code has a message, and every message has a code.
 
 use std::collections::BTreeSet;
 

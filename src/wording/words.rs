@@ -1,10 +1,10 @@
-//! The texts of one catalogue in one language.
+//! Texts of one catalogue in one language.
 
 use serde_json::{Map, Value};
 
 use super::{Language, Messages, catalogue, degrees, number, range};
 
-/// The texts of a catalogue, and numbers and names in its language.
+/// Texts of a catalogue, and formatting of numbers and names in its language.
 ///
 /// ```
 /// use gaitcam::wording::{Language, Words, catalogue};
@@ -16,7 +16,7 @@ use super::{Language, Messages, catalogue, degrees, number, range};
 pub struct Words(&'static Messages);
 
 impl Words {
-    /// The words of a catalogue.
+    /// Creates the words of a catalogue.
     pub fn new(own: &'static Messages) -> Self {
         Words(own)
     }
@@ -31,7 +31,7 @@ impl Words {
         self.language().tag()
     }
 
-    /// A formatted number with the decimal sign of the language.
+    /// A formatted number with the decimal separator of the language.
     pub fn decimal(&self, written: String) -> String {
         match self.language() {
             Language::En => written,
@@ -39,7 +39,7 @@ impl Words {
         }
     }
 
-    /// A number with a fixed count of decimals, with the decimal sign of the language; zero has no sign.
+    /// A number with a fixed number of decimals and the decimal separator of the language; zero has no sign.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         self.0.fixed(value, decimals)
     }
@@ -67,13 +67,13 @@ impl Words {
         range(self.language(), low, high)
     }
 
-    /// A length given in m, in mm; values below a picometre are 0.
+    /// A length in m, displayed in mm; values below a picometre are 0.
     pub fn millimetres(&self, length: f64) -> String {
         let length = if length.abs() < 1e-12 { 0.0 } else { length };
         format!("{} mm", self.number(1e3 * length))
     }
 
-    /// An angle given in rad, in degrees to one decimal.
+    /// An angle in rad, displayed in degrees with one decimal.
     pub fn degrees(&self, theta: f64) -> String {
         degrees(self.language(), theta)
     }
@@ -83,7 +83,7 @@ impl Words {
         self.0.text(key)
     }
 
-    /// A sentence with its arguments, inserted unchanged.
+    /// A text with its arguments, which are inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
             // Whole numbers choose plural forms.
@@ -96,7 +96,7 @@ impl Words {
         self.0.sentence(area, &Value::from(message))
     }
 
-    /// The name of a follower, law, limit or machine in the language, otherwise as typed but with spaces.
+    /// Name of a follower, law, limit or machine in the language; otherwise the typed name with spaces.
     pub fn name(&self, typed: &str) -> String {
         let name = catalogue(self.language()).name(typed);
         if name == typed {
