@@ -1,16 +1,17 @@
-//! One cycle of force from arrays of a caller, without guesses.
+//! One cycle of force from arrays of the caller, without assumptions.
 
 use super::cycle_file::sampled;
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 
-/// One cycle from its times, s, and forces, N; the first sample may be repeated at the end. Without a `period`, s, the
-/// cycle ends one step after its last sample.
+/// One cycle from times, s, and forces, N. The first sample may be repeated at the end. Without a `period`, s, the cycle ends one step after its last
+/// sample.
 ///
 /// # Errors
-/// Arrays of unequal length, fewer than four samples, values that are not finite, times that do not increase, samples
-/// beyond the period; at the keys `t_s`, `f_n` and `period_s`.
+///
+/// Arrays of different lengths; fewer than four samples; values that are not finite; times that do not increase; samples after the end of the period.
+/// The keys in the errors are `t_s`, `f_n` and `period_s`.
 pub fn of_arrays(
     name: &str,
     t_s: &[f64],

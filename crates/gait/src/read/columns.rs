@@ -1,5 +1,5 @@
-//! Meaning of the columns of a table, from their names. Names are split into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`, `left
-//! total force[N]` all give force, component and owner in some order.
+//! Meaning of the columns of a table, from their names. Names are split into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
+//! `left total force[N]` all contain force, component and plate or foot in some order.
 
 use super::vocabulary::{
     CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,
@@ -15,7 +15,7 @@ pub(super) enum Role {
     Phase {
         of_stance: bool,
     },
-    /// Running number of sample or frame.
+    /// Running number of the sample or frame.
     Frame,
     Force {
         axis: Axis,
@@ -24,7 +24,7 @@ pub(super) enum Role {
     Other,
 }
 
-/// Words of a name, lower case, unit in brackets left out; `ForY1` gives `for`, `y`, `1`.
+/// Words of a name in lower case, without a unit in brackets; `ForY1` gives `for`, `y`, `1`.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut word = String::new();
@@ -56,13 +56,13 @@ pub(super) fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// Text in the brackets of a name: `N` and `left` of `Fz [N] (left)`.
+/// Texts in the brackets of a name: `N` and `left` for `Fz [N] (left)`.
 pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     let opened = name.split(['[', '(']).skip(1);
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Interprets one column name.
+/// Interprets the name of a column.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
@@ -123,7 +123,7 @@ pub(super) fn says_vertical(name: &str) -> bool {
     words(name).iter().any(says)
 }
 
-/// The side stated by a name.
+/// Side that a name states.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     match (has(LEFT), has(RIGHT)) {
@@ -142,7 +142,7 @@ fn axis_letter(word: &str) -> Option<Axis> {
     }
 }
 
-/// The component, if the words name a force.
+/// Component of the force, if the words denote a force.
 fn force_axis(words: &[String]) -> Option<Axis> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     let is_force = |w: &String| is(w, STRONG_FORCE) || is(w, WEAK_FORCE);

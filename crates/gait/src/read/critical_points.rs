@@ -1,4 +1,4 @@
-//! A cycle from its critical points: horizontal tangent at each, without overshoot between them.
+//! A cycle from its critical points, with a horizontal tangent at each point and without overshoot between them.
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{ReadError, Result};
@@ -26,7 +26,7 @@ pub(super) fn critical(
 
 /// Piecewise cubic through points of one period, sampled at equal phases.
 ///
-/// Slopes are those of Fritsch and Butland (monotone between points, zero at extrema), periodic.
+/// The slopes follow Fritsch and Butland (monotone between points, zero at extrema) and are periodic.
 pub(super) fn through(name: &str, mut points: Vec<(f64, f64)>, period: f64) -> Result<ForceCurve> {
     let (last, first) = (points[points.len() - 1], points[0]);
     if last.0 > period * (1.0 + 1e-9) {

@@ -1,26 +1,26 @@
-//! Cross-talk: a small share of the force on one plate that the amplifier of another plate reads too.
+//! Cross-talk: a small share of the force on one plate that also appears in the readings of another plate.
 //!
-//! While nothing stands on a plate, its readings follow the force on the other one: level + share · force. Least squares give
-//! both; the share is subtracted.
+//! While a plate is unloaded, its readings follow the force on the other plate: level + share · force. Least squares determine both; the share is
+//! subtracted.
 
 use crate::quantity::share;
 use crate::recording::{Channel, Note};
 use crate::statistics::{ends, mean_and_deviation};
 
-/// Fraction of the highest force below which nothing stands on a plate, and time about a contact that is left out, s.
+/// Fraction of the maximum force below which a plate is unloaded, and time about a contact that is omitted, s.
 const UNLOADED: (f64, f64) = (0.15, 0.06);
-/// Shares that are cross-talk.
+/// Range of shares that count as cross-talk.
 const SHARES: std::ops::RangeInclusive<f64> = 0.012..=0.15;
-/// Minimum part of the variation that the share explains, and minimum duration of the readings that show it, s.
+/// Minimum fraction of the variation that the share explains.
 const EXPLAINED: f64 = 0.3;
 const SHORTEST_S: f64 = 0.5;
-/// Minimum variation of the disturbing force, as a fraction of its highest value: that of single support.
+/// Minimum variation of the disturbing force, as a fraction of its maximum: the variation in single support.
 const VARIES: f64 = 0.03;
-/// Maximum number of plates whose pairs are examined, and of readings of each.
+/// Maximum number of plates whose pairs are examined.
 const MOST_PLATES: usize = 12;
 const MOST_READINGS: usize = 1 << 15;
 
-/// The share of a disturbing plate in the readings of another one, and the unloaded level that remains.
+/// Share of the force on a disturbing plate in the readings of another plate, and the remaining unloaded level.
 struct Share {
     of: usize,
     share: f64,
@@ -28,7 +28,7 @@ struct Share {
     readings: usize,
 }
 
-/// Subtracts cross-talk from channels; a note names each share.
+/// Subtracts cross-talk from channels. A note states each share.
 pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Note>) {
     let live: Vec<usize> = (0..channels.len())
         .filter(|&i| channels[i].idle.is_none())
@@ -91,7 +91,7 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
     }
 }
 
-/// Samples at which nothing stands on a plate.
+/// Samples at which a plate is unloaded.
 fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     let force = &channel.force_n;
     let top = ends(force).map_or(0.0, |(_, top)| top);
@@ -106,7 +106,7 @@ fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     quiet
 }
 
-/// The share of plate `j` in the readings of plate `i`, if the readings follow its force while nothing stands on the others.
+/// Share of plate `j` in the readings of plate `i`, if the readings follow the force on `j` while the other plates are unloaded.
 fn found(
     channels: &[Channel],
     unloaded: &[Vec<bool>],
@@ -152,7 +152,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// Stances of 0.6 s in strides of 1 s at 200 Hz, from a time, peak 800 N.
+    /// Stances of 0.6 s in strides of 1 s at 200 Hz, from a given time, with a peak of 800 N.
     fn foot(from_s: f64) -> Vec<f64> {
         let at = |i: i32| {
             let t = (f64::from(i) / 200.0 - from_s).rem_euclid(1.0) / 0.6;

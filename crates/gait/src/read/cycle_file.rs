@@ -1,7 +1,7 @@
-//! Texts that hold exactly one cycle: equal or unequal samples, or the critical points of a curve.
+//! Texts that contain exactly one cycle: equally or unequally spaced samples, or the critical points of a curve.
 //!
-//! A comment line marks it, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
-//! table below has a time and a force column and perhaps one of spread.
+//! A comment line marks such a text, `# cycle` or `# critical points`, and a comment gives the period, `period_s = 0.5`. The table below has a time
+//! column and a force column, and optionally a column of the spread.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -17,10 +17,10 @@ use crate::error::{Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::{Note, ReadOptions};
 
-/// Number of lines at the start of a text that may hold the mark.
+/// Number of lines at the start of a text in which the mark is searched.
 const HEAD: usize = 40;
 
-/// Content of a text, by its mark.
+/// Kind of content of a text, from its mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Cycle,
@@ -133,7 +133,7 @@ fn kind(comment: &str) -> Option<Kind> {
     (rest.is_empty() || rest.starts_with([',', ' ', ':'])).then_some(Kind::Cycle)
 }
 
-/// `period_s = 0.5` or `period 0.5 s` in a comment.
+/// Period from a comment such as `period_s = 0.5` or `period 0.5 s`.
 fn period(comment: &str) -> Option<f64> {
     let lower = comment.to_lowercase();
     let rest = &lower[lower.find("period")? + "period".len()..];
@@ -143,7 +143,7 @@ fn period(comment: &str) -> Option<f64> {
     keys::number(rest, false).filter(|period| *period > 0.0)
 }
 
-/// A cycle from samples: unchanged if uniform in time, otherwise resampled at equal phases.
+/// A cycle from samples: unchanged if they are uniform in time, otherwise resampled at equal phases.
 pub(super) fn sampled(
     name: &str,
     times: &[f64],
@@ -185,7 +185,7 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration by the clock of a file, if the given period (or the fraction covered by the span) differs from it by more than a sample.
+/// Duration according to the times in a file, if the given period (or the fraction that the span covers) differs from it by more than a sample.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
@@ -197,7 +197,7 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Times of a file that is one cycle regardless of its clock: its rows fill the period, or the fraction covered by the span.
+/// Scales the times of a file that is one cycle: its rows fill the period, or the fraction that the span covers.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;
@@ -215,7 +215,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     times.iter().map(|t| (t - first) * factor).collect()
 }
 
-/// A force over a fraction of the turn, zero in the rest.
+/// A force over a fraction of the turn, with zero force in the rest.
 fn spanned(
     name: &str,
     times: &[f64],

@@ -1,4 +1,4 @@
-//! The samples of a file of one cycle: its one force, its spread, and its times or phases.
+//! Samples of a file of one cycle: its force, its spread, and its times or phases.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use crate::recording::{ForceUnit, ReadOptions};
 /// Value above which a phase is in percent of the cycle.
 pub(super) const LARGEST_PART: f64 = 1.5;
 
-/// A cycle's samples in the units of the file, with the seconds per unit of their times. The first column is the force; a second one is its spread.
+/// Samples of a cycle in the units of the file, with the seconds per unit of their times. The first column is the force, a second one its spread.
 /// Every row must be complete.
 pub(super) fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     let options = file.options;
@@ -60,10 +60,11 @@ fn is_spread(name: &str) -> bool {
     words(name).first().is_some_and(word)
 }
 
-/// The samples with the seconds per unit of their times.
+/// Samples with the seconds per unit of their times.
 ///
 /// # Errors
-/// Several forces.
+///
+/// There are several forces.
 pub(super) fn one_force(
     file: &TextFile,
     table: &Table,
@@ -93,7 +94,7 @@ pub(super) fn one_force(
     Ok((samples, unit))
 }
 
-/// Times of phases in percent or parts of a cycle.
+/// Times from phases in percent or in fractions of a cycle.
 pub(super) fn of_phase(
     column: String,
     phases: Vec<f64>,
@@ -110,7 +111,7 @@ pub(super) fn of_phase(
         .collect())
 }
 
-/// Newtons per unit of the force column.
+/// Factor from the unit of the force column to newtons.
 pub(super) fn newtons(
     file: &TextFile,
     table: &Table,

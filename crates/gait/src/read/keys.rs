@@ -1,9 +1,9 @@
-//! Keys in the lines above a table: sampling rate, mass of the walker, announced rows.
+//! Keys in the lines above a table: sampling rate, mass of the walker, announced number of rows.
 
 use super::number::value;
 use crate::units::G;
 
-/// Facts found above a table.
+/// Values found above a table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Keys {
     pub rate_hz: Option<f64>,
@@ -18,14 +18,14 @@ pub(super) struct Keys {
 const RATE: &str = "rate freq abtast hz frecuencia fréquence sampling";
 /// Whole keys of a sampling rate, lower case.
 const RATES: [&str; 3] = ["fs", "sf", "fsample"];
-/// Words that denote another rate than that of the samples, lower case.
+/// Words (lower case) that mark a rate as something other than the sampling rate.
 const NOT_SAMPLING: &str = "heart factor cutoff cut-off cut_off filter pass";
 /// Words that denote a mass or weight.
 const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
 ///
-/// A line that is a bare number below a line `Devices` is the rate of a Nexus export.
+/// A line that contains only a number below a line `Devices` is the rate of a Nexus export.
 pub(super) fn read(head: &[String], comma: bool) -> Keys {
     let mut keys = Keys::default();
     for (i, line) in head.iter().enumerate() {
@@ -65,7 +65,7 @@ fn trimmed(line: &str) -> &str {
     line.trim_matches(|c: char| c.is_whitespace() || ",;\"".contains(c))
 }
 
-/// Key and value of a line, separated by `=`, `:`, a separator, or the last blank.
+/// Key and value of a line, separated by `=`, `:`, a separator, or the last space.
 fn split(line: &str) -> Option<(&str, &str)> {
     for mark in ["=", ":", "\t", ";", ","] {
         if let Some((key, value)) = line.split_once(mark) {
@@ -75,7 +75,7 @@ fn split(line: &str) -> Option<(&str, &str)> {
     line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
 }
 
-/// The number at the start of a value; a unit may follow.
+/// Number at the start of a value; a unit may follow.
 pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
     let first = typed.split(['\t', ';', ' ']).next().unwrap_or("");
     let end = first
@@ -85,7 +85,7 @@ pub(super) fn number(typed: &str, comma: bool) -> Option<f64> {
     Some(value(digits.as_bytes(), comma)).filter(|x| x.is_finite())
 }
 
-/// Mass of a walker, kg, from a key of mass or weight; `None` if implausible.
+/// Mass of a walker, kg, from a key for mass or weight; `None` if implausible.
 pub(super) fn mass(key: &str, value: &str, x: f64) -> Option<f64> {
     let all = format!("{key} {value}").to_lowercase();
     let unit = |u: &str| {

@@ -1,7 +1,7 @@
-//! Readers: bytes of a file in, [`Recording`] out.
+//! Readers that convert the bytes of a file to a [`Recording`].
 //!
-//! The kind of file is recognised by its bytes, never by its name. Counts in a file are not trusted: memory is reserved
-//! only for what its bytes can hold.
+//! The kind of file is recognised by its bytes, not by its name. Counts in a file are not trusted: memory is reserved only for data that the file can
+//! contain.
 
 mod arrays;
 mod baseline;
@@ -31,10 +31,11 @@ pub use text::{Cell, NumberTable, PlateFile, joined_plates, metadata_name, plate
 
 /// Reads a recording of vertical force.
 ///
-/// `path` is used in messages only.
+/// `path` is used only in messages.
 ///
 /// # Errors
-/// With file and line (or byte): a file without vertical force, decreasing time, or samples without a time base.
+///
+/// A file without vertical force; decreasing time; samples without a time base. The error contains file and line (or byte).
 pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     check(options)?;
     if bytes.is_empty() {
@@ -88,10 +89,11 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
 
 pub use cycle_file::is_marked as is_marked_cycle;
 
-/// A text marked as one cycle, or any text if a period or a span is given; `None` for any other file.
+/// Reads a text marked as one cycle, or any text if a period or a span is given; `None` for other files.
 ///
 /// # Errors
-/// A line that is not a number, or too few samples.
+///
+/// A line is not a number; there are too few samples.
 pub fn marked_cycle(
     path: &Path,
     bytes: &[u8],

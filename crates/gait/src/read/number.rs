@@ -1,17 +1,17 @@
 //! Numbers of recordings, parsed from bytes.
 
-/// Content of one field of a delimited text.
+/// Content of a field in a delimited text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
     /// A finite number, as written.
     Number(f64),
-    /// Empty, or a word for a missing value: `NaN`, `-`, `n/a`, `1.#QNAN`.
+    /// An empty field, or a word for a missing value: `NaN`, `-`, `n/a`, `1.#QNAN`.
     Missing,
     /// Any other text, such as a name.
     Text,
 }
 
-/// Maximum length of a numeric field; longer ones are text.
+/// Maximum length of a numeric field; a longer field is text.
 const LONGEST: usize = 64;
 
 /// Powers of ten up to the decimal places that [`short`] accepts.
@@ -22,9 +22,9 @@ const TEN: [f64; DIGITS + 1] = [
 /// Maximum number of digits that form an exact integer in f64.
 const DIGITS: usize = 15;
 
-/// Reads one field, blanks and quotes around it ignored.
+/// Reads one field, ignoring spaces and quotes around it.
 ///
-/// `comma` takes `,` for the decimal mark (then `.` groups thousands).
+/// If `comma`, `,` is the decimal mark and `.` groups thousands.
 pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
     let b = trim(bytes);
     match b.first() {
@@ -42,8 +42,8 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
     }
 }
 
-/// The number of at most 15 digits, without exponent, at the start of some bytes, and its length. It is a quotient of two exact numbers and so
-/// correctly rounded.
+/// Number with at most 15 digits and without exponent at the start of the bytes, and its length. It is the quotient of two exact numbers and
+/// therefore correctly rounded.
 #[inline]
 pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     let mark = if comma { b',' } else { b'.' };
@@ -69,7 +69,7 @@ pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     Some((if first == b'-' { -size } else { size }, at))
 }
 
-/// The number of a field; NaN if it holds none.
+/// Number in a field; NaN if it contains no number.
 pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     match field(bytes, comma) {
         Field::Number(x) => x,
@@ -77,7 +77,7 @@ pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     }
 }
 
-/// Trims blanks and one pair of quotes from both ends.
+/// Removes spaces and one pair of quotes from both ends.
 pub(super) fn trim(b: &[u8]) -> &[u8] {
     let kept = |c: &u8| !matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
     let start = b.iter().position(kept).unwrap_or(b.len());
@@ -85,10 +85,10 @@ pub(super) fn trim(b: &[u8]) -> &[u8] {
     &b[start..end]
 }
 
-/// Marks that group thousands besides the point and the comma: apostrophe, blank, and their typographic forms.
+/// Marks that group thousands, in addition to point and comma: apostrophe, space, and their typographic forms.
 const GROUPS: [&str; 5] = ["\u{2019}", "\u{202f}", "\u{a0}", "'", " "];
 
-/// Numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
+/// Reads numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
 fn long(b: &[u8], comma: bool) -> Field {
     let Ok(text) = std::str::from_utf8(b) else {
         return Field::Text;
@@ -121,7 +121,7 @@ fn long(b: &[u8], comma: bool) -> Field {
     }
 }
 
-/// Whether thousands separators, if any, group three digits each and end before the decimal mark.
+/// Whether thousands separators, if any, separate groups of three digits and occur only before the decimal mark.
 fn is_grouped(text: &str, mark: &str) -> bool {
     let mut groups = text.split(mark);
     let _leading = groups.next();

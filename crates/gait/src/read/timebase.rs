@@ -1,11 +1,11 @@
-//! The time base: rate from a time column, resampling of uneven samples, gaps.
+//! Time base: rate from a time column, resampling of uneven samples, gaps.
 
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::ClockSource;
 use crate::statistics::ranked;
 
-/// An even time base for the samples of a file.
+/// Uniform time base for the samples of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TimeBase {
     pub rate_hz: f64,
@@ -13,22 +13,22 @@ pub(super) struct TimeBase {
     pub start_s: f64,
     /// Source of the time base.
     pub source: ClockSource,
-    /// Times in samples from the first, if they are too uneven to be treated as even.
+    /// Times in samples since the first, if they are too uneven to be treated as uniform.
     uneven: Option<Vec<f64>>,
-    /// Spans without samples, s from the first.
+    /// Spans without samples, s from the first sample.
     pub gaps_s: Vec<(f64, f64)>,
-    /// Single missing samples: their number, and time of the first, s from the first sample.
+    /// Single missing samples: their number, and the time of the first one, s from the first sample.
     pub missed: Option<(usize, f64)>,
 }
 
-/// Maximum deviation of a sample from its even position, in steps, without resampling.
+/// Maximum deviation of a sample from its uniform position, in steps, without resampling.
 const SLACK: f64 = 0.75;
 
-/// Ratio to the usual step above which a step is a gap.
+/// Ratio of a step to the usual step above which it is a gap.
 const GAP: f64 = 2.5;
 
 impl TimeBase {
-    /// An even time base of known rate.
+    /// Uniform time base with a known rate.
     pub fn even(rate_hz: f64, source: ClockSource) -> Self {
         TimeBase {
             rate_hz,
@@ -40,18 +40,19 @@ impl TimeBase {
         }
     }
 
-    /// An even time base with the first sample at another time of the file's clock, s.
+    /// The time base with the first sample at another time, as in the file, s.
     #[must_use]
     pub fn starting_at(self, start_s: f64) -> Self {
         TimeBase { start_s, ..self }
     }
 
-    /// From non-decreasing times in seconds; the rate is (n − 1)/duration, since single steps are rounded.
+    /// Time base from non-decreasing times in seconds. The rate is (n − 1)/duration, because single steps are rounded.
     ///
-    /// With a gap the rate is that of the samples outside gaps.
+    /// If there are gaps, the rate is that of the samples outside the gaps.
     ///
     /// # Errors
-    /// Fewer than two samples; a time that does not increase.
+    ///
+    /// There are fewer than two samples; the time does not increase.
     pub fn from_times(times: &[f64]) -> Result<Self> {
         let n = times.len();
         let [first, .., last] = times else {
@@ -103,7 +104,7 @@ impl TimeBase {
         self.uneven.is_some()
     }
 
-    /// Values at even times, by linear interpolation; missing ones stay missing.
+    /// Values at uniform times, by linear interpolation. Missing values stay missing.
     pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
         let Some(at) = &self.uneven else {
             return values;
@@ -115,8 +116,8 @@ impl TimeBase {
     }
 }
 
-/// Linear interpolation between two or more samples, at non-decreasing positions. At a sample its own value is returned, since its neighbours may be
-/// missing.
+/// Linear interpolation between two or more samples at non-decreasing positions. At a sample the value of the sample is returned, because its
+/// neighbours may be missing.
 pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     let mut i = 0;
     move |place| {
@@ -133,7 +134,7 @@ pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     }
 }
 
-/// Steps twice as long as all the others; `None` if the steps are too unequal.
+/// Number and position of steps that are twice as long as all the others; `None` if the steps are too unequal.
 fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     let steps = || times.windows(2).map(|w| (w[1] - w[0]) / usual);
     let even = |s: &f64| (0.75..1.25).contains(s);
@@ -148,7 +149,7 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
 }
 
-/// Median step of a thinned set of neighbours; the mean if rounding makes it zero.
+/// Median step of a thinned set of adjacent times; the mean if rounding makes the median zero.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
     let neighbours = times.windows(2).step_by(thin);

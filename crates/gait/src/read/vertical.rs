@@ -13,10 +13,10 @@ use crate::statistics::{ends, sample};
 
 /// Maximum plausible ground reaction force in walking, N.
 const HARDEST_N: f64 = 8000.0;
-/// Minimum plausible peak of a walking force, N.
+/// Minimum plausible maximum of a walking force, N.
 const SOFTEST_N: f64 = 60.0;
 
-/// Maximum relative difference of a copy from its original (root mean squares), and of a column with a similar name.
+/// Maximum relative difference between a copy and its original (root mean squares).
 const COPY: f64 = 0.003;
 const FILTERED: f64 = 0.05;
 
@@ -30,7 +30,7 @@ pub(super) struct RawForce {
     pub values: Vec<f64>,
 }
 
-/// Data of a file besides its force columns.
+/// Data of a file in addition to its force columns.
 pub(super) struct Facts {
     pub format: Format,
     /// Whether the forces are those of pressure insoles.
@@ -43,7 +43,7 @@ pub(super) struct Facts {
     pub notes: Vec<Note>,
 }
 
-/// Converts raw columns on their time base to a recording.
+/// Converts raw columns with their time base to a recording.
 pub(super) fn recording(
     mut raw: Vec<RawForce>,
     base: TimeBase,
@@ -111,7 +111,7 @@ pub(super) fn recording(
     })
 }
 
-/// Excludes channels that repeat an earlier one: a copy of it, or the same readings filtered.
+/// Excludes channels that repeat an earlier one: a copy, or the same readings after filtering.
 fn leave_copies(channels: &mut Vec<Channel>, notes: &mut Vec<Note>) {
     let mut kept: Vec<Channel> = Vec::with_capacity(channels.len());
     for channel in channels.drain(..) {
@@ -142,7 +142,7 @@ fn is_copy(channel: &Channel, original: &Channel) -> bool {
     a.len() == b.len() && differences < least * least * all
 }
 
-/// OpenSim's example recordings call the right foot `ground_force` and the left one `1_ground_force`.
+/// Whether the columns are named as in OpenSim's examples: the right foot is `ground_force`, the left foot `1_ground_force`.
 fn is_opensim_pair(raw: &[RawForce]) -> bool {
     raw.len() == 2 && raw.iter().all(|r| r.foot.is_none()) && {
         let is = |name: &str| raw.iter().any(|r| r.name.to_lowercase().starts_with(name));
@@ -150,7 +150,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
     }
 }
 
-/// Keeps one component: the one named vertical, else the one that carries the load.
+/// Keeps one component: the one named vertical, otherwise the one that carries the load.
 pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
     if raw.iter().any(|r| r.axis != Axis::Vertical) {
@@ -179,13 +179,13 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     raw.retain(|r| r.axis == keep);
 }
 
-/// Sum over the plates of a component's deviation from its median.
+/// Sum over the plates of the range of a component about its median.
 fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
     let columns = raw.iter().filter(|r| r.axis == axis);
     columns.map(|r| swing(&r.values)).sum()
 }
 
-/// Extent of the values from their resting level, ignoring single outliers: 98th percentile.
+/// Range of the values about their resting level, ignoring single outliers: 98th percentile.
 fn swing(values: &[f64]) -> f64 {
     let mut thin = sample(values, 8192);
     let Some((low, high)) = ends(&thin) else {
@@ -200,7 +200,7 @@ fn swing(values: &[f64]) -> f64 {
     reach(0.99).max(reach(0.01))
 }
 
-/// The unit of the columns: the user's, then a plausible label, then the one suggested by the magnitude.
+/// Unit of the columns: the unit given by the user, otherwise a plausible unit in the file, otherwise the unit that the magnitude suggests.
 fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (ForceUnit, UnitSource) {
     if let Some(unit) = options.unit {
         return (unit, UnitSource::User);

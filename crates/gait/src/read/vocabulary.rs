@@ -1,29 +1,29 @@
-//! Words in column names of laboratory software, lower case and separated by blanks, in several languages.
+//! Words in column names of laboratory software, in lower case and separated by spaces, in several languages.
 
 pub(super) const LEFT: &str = "left l lfx lfy lfz lf lt lgr lgrf links linker linke gauche izquierda izquierdo \
     lhs lfs sinistra sinistro esquerda esquerdo";
 pub(super) const RIGHT: &str = "right r rfx rfy rfz rf rt rgr rgrf rechts rechter rechte droit droite derecha derecho \
     destra destro direita direito rhs rfs";
-/// A side as a complete name: the column of an insole or a belt.
+/// Words for a side that are a complete name: the column of an insole or a belt.
 pub(super) const SIDE: &str = "left l right r";
-/// Words that mean a force regardless of the other words.
+/// Words that denote a force regardless of the other words.
 pub(super) const STRONG_FORCE: &str = "force forces grf vgrf grfs reaction kraft fuerza forza força forca \
     bodenreaktionskraft load lgrf rgrf";
-/// Words that mean a force if the rest of the name is a number or a side.
+/// Words that denote a force if the rest of the name is a number or a side.
 pub(super) const WEAK_FORCE: &str = "for f";
 pub(super) const VERTICAL: &str = "vertical vert vertikal verticale v normal up";
 pub(super) const VERTICAL_FORCE: &str = "vgrf fv grfv fvert vforce";
 /// Words for the force of a whole plate or foot.
 pub(super) const WHOLE: &str = "total gesamt sum plate";
-/// Pressure insoles and their makes.
+/// Words for pressure insoles and their makes.
 pub(super) const INSOLE: &str = "insole insoles pedar loadsol opengo moticon fscan plantilla plantillas \
     einlegesohle einlegesohlen sohle sohlen semelle semelles soletta palmilha";
 pub(super) const TIME: &str = "time zeit temps tiempo tempo";
-/// Words for time at the start of a name only.
+/// Words for a time, only at the start of a name.
 pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";
 pub(super) const FRAME: &str =
     "frame frames sample samples field bild index nr no item row point framenumber";
-/// Words for a share in hundredths, for a cycle and for a stance.
+/// Words for a percentage.
 pub(super) const PERCENT: &str = "percent percentage pct perc prozent porcentaje pourcentage";
 pub(super) const CYCLE: &str =
     "gait cycle gc stride gang gangzyklus zyklus ciclo marcha zancada marche";

@@ -1,25 +1,26 @@
-//! Clipping: the amplifier or converter stops at a level below the peaks of the force.
+//! Clipping: the amplifier or converter is limited to a level below the peaks of the force.
 //!
-//! After noise, gain, resampling and drift removal, clipping shows as many readings at one level, none above, and few just below.
+//! After noise, gain, resampling and removal of drift, clipping appears as many readings at one level, none above it, and few just below it.
 
 use super::crowd;
 use crate::statistics::median;
 
-/// Fraction of the highest reading above which readings are examined.
+/// Fraction of the maximum reading above which readings are examined.
 const UPPER: f64 = 0.6;
-/// Half width of the level: fraction of the highest reading, and standard deviations of the noise.
+/// Half width of the level: as a fraction of the maximum reading, and in standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);
-/// Maximum number of readings above the level, as a fraction of those at it.
+/// Maximum number of readings above the level, as a fraction of the number of readings at it.
 const ABOVE: f64 = 0.03;
-/// Ratio of readings at the level to those just below, in an equal width. A parabola has 2.4, and synthetic walkers, runners and jumpers stay below
-/// 3.3. For one or two contacts a flat top has more: 5.3 for a fall with the fourth power of time.
+/// Minimum ratio of the numbers of readings at the level and just below it, in an equal width. A parabola has 2.4, and synthetic walkers, runners and
+/// jumpers have less than 3.3. For one or two contacts the minimum is larger, because a flat peak has more: 5.3 for a decrease with the fourth power
+/// of time.
 const CROWDED: (f64, f64) = (3.5, 6.0);
 /// Minimum number of readings at the level.
 const FEWEST: usize = 8;
-/// Minimum time at the level in a contact that reaches it, s.
+/// Minimum time at the level within a contact, s.
 const HELD_S: f64 = 0.03;
 
-/// The level at which readings without drift stop, N; `None` without clipping. `unloaded_n`: standard deviation of the unloaded reading, N.
+/// Level at which readings without drift are clipped, N; `None` without clipping. `unloaded_n` is the standard deviation of the unloaded reading, N.
 pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f64> {
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
@@ -31,7 +32,7 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
         .find_map(|half| stops_at(force, rate_hz, top, half))
 }
 
-/// The level, with the given half width, at which readings stop.
+/// Level, with the given half width, at which the readings are clipped.
 fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     let (level, at) = crowd(force, UPPER * top, top, 2.0 * half);
     let within = |low: f64, high: f64| force.iter().filter(|x| **x > low && **x <= high).count();
@@ -46,7 +47,7 @@ fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
 }
 
-/// Smallest difference of unequal readings above a level.
+/// Minimum difference of unequal readings above a level.
 fn resolution(force: &[f64], least: f64) -> f64 {
     let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
     upper.sort_unstable_by(f64::total_cmp);
@@ -57,7 +58,7 @@ fn resolution(force: &[f64], least: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Standard deviation of white noise, N, in readings above a level, from second differences, in which the force is small.
+/// Standard deviation of white noise, N, in readings above a level, from second differences, in which the contribution of the force is small.
 fn noise(force: &[f64], least: f64) -> f64 {
     let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
     let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());

@@ -1,18 +1,18 @@
-//! Drift: an unloaded reading that rises or falls steadily through a recording.
+//! Drift: an unloaded reading that increases or decreases steadily during a recording.
 
 use crate::statistics::{median, ranked};
 
-/// Duration in which a walker's foot leaves the plate at least once, s; a fraction suffices for a shorter record.
+/// Duration in which a walker's foot leaves the plate at least once, s. For a shorter recording a fraction is sufficient.
 const WINDOW_S: f64 = 2.0;
 /// Minimum number of windows that show a drift.
 const FEWEST: usize = 4;
 /// Maximum deviation of the unloaded level from a straight line, N.
 const STRAIGHT_N: f64 = 6.0;
 
-/// Total change below which the baseline absorbs the drift, N.
+/// Total change, N, below which the drift is treated as part of the baseline.
 pub(super) const SMALLEST_N: f64 = 15.0;
 
-/// Slope of the unloaded level, N per sample, of readings of either sign; 0 without a steady drift.
+/// Slope of the unloaded level, N per sample, for readings of either sign; 0 without a steady drift.
 pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     let even = |sign: f64, slope: f64| -> Vec<f64> {
         let all = force.iter().enumerate();
@@ -34,10 +34,10 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     slope + rest.unwrap_or(0.0)
 }
 
-/// The slope where the load is positive.
+/// Slope of the unloaded level if the load is positive.
 ///
-/// Level of a window: its 10th percentile. Slope: the median over pairs of windows (Theil and Sen), so that windows in
-/// which the plate is loaded throughout do not matter while they are few.
+/// The level of a window is its 10th percentile. The slope is the median over pairs of windows (Theil–Sen estimator), so that a few windows in which
+/// the plate is loaded throughout have no effect.
 fn upwards(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).min(force.len() / (FEWEST + 1));
     let level = |window: &[f64]| ranked(window.to_vec(), length / 10);

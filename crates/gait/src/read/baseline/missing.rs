@@ -1,41 +1,41 @@
-//! Missing samples: between contacts they mean an unloaded plate, elsewhere they are bridged. Single samples, or a
-//! few, far from both neighbours count as missing, and so do zeros in the middle of a load: lost packets.
+//! Missing samples. Between contacts they mean an unloaded plate; elsewhere they are interpolated. Single samples, or a few, that differ strongly
+//! from both neighbours count as missing. Zeros in the middle of a load also count as missing: they are lost packets.
 
 use std::ops::Range;
 
-/// Minimum duration of missing samples that means an unloaded plate, s; no swing is shorter.
+/// Minimum duration of missing samples that mean an unloaded plate, s; a swing phase is not shorter.
 const UNLOADED_S: f64 = 0.1;
-/// Maximum reading beside such a run, as a fraction of the highest of all.
+/// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading.
 const LOW: f64 = 0.3;
-/// Time, s, beside such a run within which a landing or a lift-off changes the force by more than this, N.
+/// Time next to a run of missing samples, s, within which a heel strike or toe-off changes the force by more than the second value, N.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Minimum rate at which a sample must be near one of its neighbours, Hz: an impact lasts 10 ms or more.
+/// Minimum sampling rate, Hz, at which a sample must be similar to one of its neighbours, because an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// Minimum difference of a spike from both neighbours, as a fraction of the highest level that lasts longer than a spike, and in N.
+/// Minimum difference between a spike and both neighbours: as a fraction of the maximum level that lasts longer than a spike, and in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
-/// Maximum duration of a spike, s, and number of its samples; at a low rate one sample.
+/// Maximum duration of a spike, s, and maximum number of its samples; at a low rate one sample.
 const LASTS: (f64, usize) = (0.0061, 6);
-/// Maximum fraction of spikes among the samples; more are noise.
+/// Maximum fraction of spikes among the samples; a larger fraction is noise.
 const RARE: f64 = 0.005;
 
-/// Maximum duration of zeros, s, between loaded readings that is not a swing, and minimum rate, Hz, that shows it.
+/// Maximum duration of zeros between loaded readings that cannot be a swing phase, s, and minimum sampling rate, Hz, to detect them.
 const DROP_OUT: (f64, f64) = (0.08, 90.0);
 
-/// Samples that were filled in.
+/// Samples that were filled.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Filled {
-    /// Number of runs bridged by straight lines.
+    /// Runs that were interpolated linearly: first sample and number of samples.
     pub bridged: Vec<(usize, usize)>,
     /// Whether runs were interpreted as an unloaded plate.
     pub unloaded: bool,
-    /// Number of spikes, and the first of them.
+    /// Number of spikes, and the index of the first one.
     pub spikes: Option<(usize, usize)>,
-    /// Number of runs of lost samples, and the first of them.
+    /// Number of runs of lost samples, and the start of the first one.
     pub drop_outs: Option<(usize, usize)>,
 }
 
-/// Fills missing samples: zero where the plate is unloaded, otherwise linearly and constant at the ends.
+/// Fills missing samples: with zero where the plate is unloaded, otherwise linearly, and constant at the ends.
 pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     let spikes = remove_spikes(force, rate_hz);
     let reach = force.iter().copied().filter(|x| x.is_finite());
@@ -62,7 +62,7 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether a foot leaves before a run and lands after it, as far as recorded.
+/// Whether a foot leaves the plate before a run and lands after it, if both are recorded.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {
@@ -90,7 +90,7 @@ fn bridge(force: &mut [f64], run: &Range<usize>) {
     }
 }
 
-/// Marks short runs of zeros between loaded readings as missing; returns their number and the start of the first.
+/// Marks short runs of zeros between loaded readings as missing. Returns their number and the start of the first run.
 fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DROP_OUT.1 {
         return None;
@@ -114,7 +114,7 @@ fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usi
     found
 }
 
-/// Marks spikes as missing; returns their number and the first.
+/// Marks spikes as missing. Returns their number and the index of the first one.
 fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DENSE_HZ {
         return None;
@@ -152,7 +152,8 @@ fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     Some((places.len(), first))
 }
 
-/// Number of samples of a spike that follows the first of some samples: all lie far from it and from the one behind them.
+/// Number of samples of a spike that follows the first of the given samples. All samples of the spike differ strongly from the samples before and
+/// after it.
 fn spike(samples: &[f64], least: f64, longest: usize) -> Option<usize> {
     let rises = samples[1] > samples[0];
     let is_far = |x: f64, level: f64| (if rises { x - level } else { level - x }) > least;
@@ -177,7 +178,7 @@ mod tests {
         assert_eq!(v, [1.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
     }
 
-    /// A stance of 0.6 s every second at 200 Hz, peak 700 N, over an unloaded level.
+    /// A stance of 0.6 s every second at 200 Hz, with a peak of 700 N, above an unloaded level.
     fn walk(level: f64) -> Vec<f64> {
         let foot = |i: usize| {
             let t = (i % 200) as f64 / 120.0;

@@ -11,36 +11,36 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// Range below which a channel was never loaded, N.
+/// Range of readings, N, below which a channel was never loaded.
 const TOUCHED_N: f64 = 30.0;
 
 /// Duration below which a constant reading may be a load, s.
 const STEP_S: f64 = 0.4;
 
-/// Fraction of the highest reading above which a level is a load.
+/// Fraction of the maximum reading above which a level is a load.
 const LOADED: f64 = 0.15;
 
-/// Ratio of readings within twice the unloaded band to those within it, above which the band is too narrow.
+/// Ratio of the numbers of readings within twice the unloaded band and within the band above which the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Minimum duration of a span that shows the unloaded level, and duration of its ends that are left out, s; minimum
-/// difference of their mean from the densest level, N.
+/// Minimum duration, s, of a span that shows the unloaded level; duration, s, of its ends that are omitted; minimum difference, N, between its mean
+/// and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Duration of both ends of a recording that show the unloaded level, s, and the minimum difference, N.
+/// Duration of both ends of a recording that show the unloaded level, s, and minimum difference from it, N.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Number of values examined for baseline and sign; more are thinned evenly.
+/// Maximum number of values examined for baseline and sign; more values are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
-/// Number of readings examined for clipping, and their rate, Hz.
+/// Maximum number of readings examined for clipping, and the rate, Hz, to which faster readings are thinned.
 const CLIPPED: (usize, f64) = (1 << 14, 200.0);
 
-/// Makes a channel of raw readings in newtons of either sign (NaN where samples are missing).
+/// Converts raw readings in newtons, of either sign, to a channel; NaN means a missing sample.
 ///
-/// The sign is such that the load is positive; the unloaded baseline is the densest level at the unloaded end of the readings; without one, `zero`
-/// may name unloaded samples (first, one past the last) of the file, which count if they are quiet. A constant channel is marked idle and keeps its
-/// readings.
+/// The sign is chosen so that the load is positive. The unloaded baseline is the most frequent level at the unloaded end of the readings. Without
+/// such a level, `zero` may name unloaded samples of the file (first, one past the last); they are used if they vary little. A constant channel is
+/// marked as idle, and its readings are unchanged.
 pub(super) fn channel(
     name: String,
     mut raw: Vec<f64>,
@@ -130,7 +130,7 @@ pub(super) fn channel(
     out
 }
 
-/// Subtracts a drift, N per sample, from readings.
+/// Subtracts a drift, N per sample, from the readings.
 fn without(readings: &mut [f64], slope: f64) {
     if slope != 0.0 {
         for (i, x) in readings.iter_mut().enumerate() {
@@ -159,8 +159,8 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// A large value that most samples share exactly and none exceeds: a saturated amplifier. Quiet standing does not count, because the landing or rise
-/// before it exceeds it. Majority vote of Boyer and Moore (1991).
+/// Large value that most samples have exactly and none exceeds, as for a saturated amplifier. Quiet standing does not count, because the landing or
+/// rise before it exceeds the value. Method: majority vote of Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
@@ -172,8 +172,8 @@ fn stuck_level(thin: &[f64]) -> Option<f64> {
     (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len() && !exceeded()).then_some(most)
 }
 
-/// Whether the loaded readings are negative. Clear if the readings extend much further to one side of zero; otherwise the unloaded end has the higher
-/// density of readings.
+/// Whether the loaded readings are negative. This is clear if the readings extend much further to one side of zero. Otherwise the unloaded end has
+/// the higher density of readings.
 fn loads_downwards(thin: &[f64]) -> bool {
     let (low, high) = ends(thin).unwrap_or_default();
     if low >= 0.0 || low.abs() < 0.2 * high.abs() {
@@ -186,7 +186,7 @@ fn loads_downwards(thin: &[f64]) -> bool {
     crowd(thin, high - part, high, band).1 > crowd(thin, low, low + part, band).1
 }
 
-/// The level between `from` and `to` around which most samples lie within half a `band`, with their count.
+/// Level between `from` and `to` with the maximum number of samples within half a `band`, and this number.
 fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
     let is_near = |x: &f64| (from..=to + band).contains(x);
     let mut sorted: Vec<f64> = thin.iter().copied().filter(is_near).collect();
@@ -204,10 +204,9 @@ fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
     best
 }
 
-/// Unloaded level and its standard deviation, N, of readings whose load is positive.
+/// Unloaded level and its standard deviation, N, for readings whose load is positive; `None` if the plate was never unloaded.
 ///
-/// The level must hold 4 % of the samples; far from zero it must also last a fifth of a second, longer than under a loaded foot. `None` if the plate
-/// was never unloaded.
+/// The level must contain 4 % of the samples. If it is far from zero, it must also last a fifth of a second, longer than under a loaded foot.
 fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     let (low, high) = ends(thin)?;
     let range = high - low;
@@ -244,7 +243,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * ranked(off, middle)?))
 }
 
-/// Mean reading of the spans that stay near a level for a fifth of a second, without their ends, where a foot lands or leaves; `None` without one.
+/// Mean reading of the spans that stay near a level for a fifth of a second, without their ends, where a foot lands or leaves; `None` if there is no
+/// such span.
 fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f64> {
     let edge = (REST.1 * rate_hz) as usize;
     let spans = force.chunk_by(|a, b| (a - level).abs() <= band && (b - level).abs() <= band);
@@ -256,7 +256,7 @@ fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f
     (!quiet.is_empty()).then(|| mean_and_deviation(&quiet).0)
 }
 
-/// Level and standard deviation of samples expected to be unloaded; `None` if they vary.
+/// Level and standard deviation of samples that should be unloaded; `None` if they vary.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
@@ -285,7 +285,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// Ten stances of 0.6 s in strides of 1 s at 100 Hz, peak 800 N.
+    /// Ten stances of 0.6 s in strides of 1 s at 100 Hz, with a peak of 800 N.
     fn walk() -> Vec<f64> {
         let foot = |i: usize| {
             let t = (i % 100) as f64 / 60.0;

@@ -1,10 +1,10 @@
-//! Markers of a C3D file: the heels.
+//! Heel markers of a C3D file.
 
 use super::parameters::Parameters;
 use super::storage::Analog;
 use crate::recording::Foot;
 
-/// Names of the heel in marker sets, letters and digits only (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
+/// Names of the heel in marker sets, only letters and digits (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
 const HEEL: [&str; 8] = [
     "HEE",
     "HEEL",
@@ -22,7 +22,7 @@ const SIDES: [(&str, Foot); 4] = [
     ("RIGHT", Foot::Right),
 ];
 
-/// Paths of the left and the right heel, NaN where a marker was not visible; `None` unless the file has both.
+/// Paths of the left and the right heel; NaN for frames in which a marker was not visible. `None` unless the file has both markers.
 pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f64; 3]>; 2]> {
     let mut labels = parameters.all_strings("POINT", "LABELS");
     labels.truncate(analog.points);
@@ -36,7 +36,7 @@ pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f6
     Some(places.map(path))
 }
 
-/// The foot whose heel a label names: `LHEE`, `R_Heel`, `subject:LeftHeel`, `Heel.R`.
+/// Foot whose heel a label denotes: `LHEE`, `R_Heel`, `subject:LeftHeel`, `Heel.R`.
 fn heel(label: &str) -> Option<Foot> {
     let own = label.rsplit(':').next().unwrap_or(label);
     let name: String = own.chars().filter(char::is_ascii_alphanumeric).collect();

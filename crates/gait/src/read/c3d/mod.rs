@@ -1,8 +1,7 @@
 //! C3D files: force plates of a motion-capture recording.
 //!
-//! Damaged files are common: every offset and count is checked against the bytes present before it is used. Only the
-//! channels of the plates are read.
-//! Format: the C3D user guide (c3d.org); layout as 512-byte blocks of header, parameters and data.
+//! Damaged files are common, so every offset and count is checked against the length of the file before it is used. Only the channels of the plates
+//! are read. Format: the C3D user guide (c3d.org), with 512-byte blocks of header, parameters and data.
 
 mod markers;
 mod parameters;
@@ -25,7 +24,7 @@ use crate::recording::{ClockSource, Heels, Processor, ReadOptions, Recording, St
 /// Size of one block, bytes.
 const BLOCK: usize = 512;
 
-/// Whether bytes start as a C3D file: block number of the parameters and the key 0x50.
+/// Whether the bytes start like a C3D file, with the block number of the parameters and the key 0x50.
 pub(super) fn is_c3d(bytes: &[u8]) -> bool {
     matches!(bytes, [block, 0x50, ..] if *block > 0) && bytes.len() >= BLOCK
 }
@@ -86,7 +85,7 @@ fn zero_range(parameters: &Parameters, analog: &Analog) -> Option<(usize, usize)
     Some((at(from - 1.0), at(*to)))
 }
 
-/// Mass of the walker, kg: a parameter named mass or weight, in any group.
+/// Mass of the walker, kg, from a parameter named mass or weight in any group.
 fn mass(parameters: &Parameters) -> Option<f64> {
     let says = |name: &str| {
         let n = name.to_lowercase().replace([' ', '_'], "");
@@ -98,7 +97,7 @@ fn mass(parameters: &Parameters) -> Option<f64> {
     })
 }
 
-/// Foot strikes with their side, from the EVENT group; times in the file count from frame 1.
+/// Foot strikes with their side, from the EVENT group. Times in the file are counted from frame 1.
 fn strikes(parameters: &Parameters, analog: &Analog) -> Vec<Strike> {
     let times = parameters.numbers("EVENT", "TIMES");
     let labels = parameters.strings("EVENT", "LABELS");

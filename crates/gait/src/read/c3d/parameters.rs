@@ -2,15 +2,15 @@
 
 use crate::recording::Processor;
 
-/// Maximum number of values read of one parameter; real files hold a few hundred.
+/// Maximum number of values that are read of one parameter; real files contain a few hundred.
 const MOST_VALUES: usize = 1 << 16;
 
-/// One parameter: group number, name and position of its values.
+/// Parameter: group number, name and position of its values.
 #[derive(Debug, Clone)]
 struct Parameter<'a> {
     group: i8,
     name: String,
-    /// Bytes per value: 1, 2 or 4, or −1 for characters.
+    /// Number of bytes per value: 1, 2 or 4; −1 for characters.
     kind: i8,
     dims: Vec<usize>,
     data: &'a [u8],
@@ -25,7 +25,7 @@ pub(super) struct Parameters<'a> {
 }
 
 impl<'a> Parameters<'a> {
-    /// Reads the chain of groups and parameters; a broken link ends it.
+    /// Reads the chain of groups and parameters. A broken link ends the chain.
     pub fn read(bytes: &'a [u8], start: usize, words: Processor) -> Self {
         let mut found = Parameters {
             words,
@@ -39,7 +39,7 @@ impl<'a> Parameters<'a> {
         found
     }
 
-    /// Reads one record; returns the position of the next one, which must be larger.
+    /// Reads one record. Returns the position of the next one, which must be larger.
     fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
         // A negative length only locks the name.
         let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());
@@ -96,7 +96,7 @@ impl<'a> Parameters<'a> {
         self.all.iter().find(|p| p.group == id && p.name == name)
     }
 
-    /// Numbers of a parameter in the order of the file (first index fastest); empty if absent.
+    /// Numbers of a parameter in the order of the file (first index varies fastest); empty if absent.
     pub fn numbers(&self, group: &str, name: &str) -> Vec<f64> {
         self.find(group, name)
             .map_or(Vec::new(), |p| self.values(p))
@@ -125,12 +125,12 @@ impl<'a> Parameters<'a> {
         p.data.chunks(length.max(1)).map(text).collect()
     }
 
-    /// Numbers of a parameter and its continuations: each has 255 values at most, `SCALE2` the next ones.
+    /// Numbers of a parameter and of its continuations, such as `SCALE2`. Each has at most 255 values.
     pub fn all_numbers(&self, group: &str, name: &str) -> Vec<f64> {
         Self::continued(name, |name| self.numbers(group, name))
     }
 
-    /// Texts of a parameter and its continuations, `LABELS2` and so on.
+    /// Texts of a parameter and of its continuations, such as `LABELS2`.
     pub fn all_strings(&self, group: &str, name: &str) -> Vec<String> {
         Self::continued(name, |name| self.strings(group, name))
     }
@@ -141,7 +141,7 @@ impl<'a> Parameters<'a> {
         read(name).into_iter().chain(more).collect()
     }
 
-    /// Every numeric parameter, in any group, with a matching name.
+    /// All numeric parameters, in any group, with a matching name.
     pub fn named<'s>(
         &'s self,
         fits: impl Fn(&str) -> bool + 's,

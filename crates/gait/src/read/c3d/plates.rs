@@ -1,4 +1,4 @@
-//! Force plates of a C3D file: the channels of the vertical force of each.
+//! Force plates of a C3D file, and the channels of the vertical force of each plate.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ type Weights = Vec<(usize, f64)>;
 /// Maximum number of plates; laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
-/// Raw vertical force of every plate or, without plates, of every channel labelled as force.
+/// Raw vertical force of every plate; without plates, of every channel labelled as force.
 pub(super) fn forces(
     path: &Path,
     analog: &Analog,
@@ -81,7 +81,7 @@ pub(super) fn forces(
     .in_file(path))
 }
 
-/// The analog channels of a file with their labels, scales and units.
+/// Analog channels of a file with their labels, scales and units.
 struct Channels<'a> {
     analog: &'a Analog<'a>,
     labels: Vec<String>,
@@ -117,7 +117,7 @@ impl<'a> Channels<'a> {
         }
     }
 
-    /// The channel with a label, or with a number from 1.
+    /// The channel with a label, or with a number counted from 1.
     fn named(&self, path: &Path, name: &str) -> Result<RawForce> {
         let mut labels = self.labels.iter();
         let place = labels
@@ -163,11 +163,11 @@ fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
     }
 }
 
-/// Weights of the channels in the force normal to a plate, by the plate's TYPE.
+/// Weights of the channels in the force normal to a plate, by the TYPE of the plate.
 ///
-/// 1 and 2: the third channel. 3: four vertical sensors. 4 (six channels) and 5 (eight): the third row of the
-/// calibration matrix. 6 (twelve) and 7 (eight): the vertical sensors of the four corners, which are the rows of
-/// the matrix that add up; where the file gives no matrix, the channels are forces already.
+/// Types 1 and 2: the third channel. Type 3: four vertical sensors. Types 4 (six channels) and 5 (eight): the third row of the calibration matrix.
+/// Types 6 (twelve) and 7 (eight): the vertical sensors of the four corners, whose rows of the matrix are summed. Without a matrix in the file, the
+/// channels are already forces.
 fn weights(
     plate: usize,
     analog: &Analog,
@@ -215,8 +215,7 @@ fn weights(
     }
 }
 
-/// For each of `columns` channels the sum of some rows of a plate's calibration matrix; `None` where the file
-/// has no such matrix (or only zeros).
+/// Sum of some rows of the calibration matrix of a plate, for each of `columns` channels; `None` if the file has no such matrix (or only zeros).
 fn matrix_sums(
     plate: usize,
     columns: usize,
@@ -240,7 +239,7 @@ fn matrix_sums(
     sums.filter(|s| s.iter().any(|w| *w != 0.0))
 }
 
-/// Notes plates whose normal differs in direction from that of the first, by their corners.
+/// Adds a note for plates whose normal direction, from their corners, differs from that of the first plate.
 fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     let corners = parameters.numbers("FORCE_PLATFORM", "CORNERS");
     let normals: Vec<Option<[f64; 3]>> = corners.chunks_exact(12).take(used).map(normal).collect();
@@ -255,7 +254,7 @@ fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     }
 }
 
-/// Unit normal of a plate from its four corners: the product of its diagonals; `None` if they are degenerate.
+/// Unit normal of a plate from its four corners, as the cross product of its diagonals; `None` if the corners are degenerate.
 fn normal(corners: &[f64]) -> Option<[f64; 3]> {
     let diagonal = |a: usize, b: usize| [0, 1, 2].map(|k| corners[3 * a + k] - corners[3 * b + k]);
     let (u, v) = (diagonal(0, 2), diagonal(1, 3));

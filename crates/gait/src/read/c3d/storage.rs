@@ -7,11 +7,11 @@ use super::parameters::Parameters;
 use crate::error::{Placed, ReadError, Result};
 use crate::recording::{Format, Note, Processor, Storage};
 
-/// The analog samples of a file, read channel by channel.
+/// Analog samples of a file, read channel by channel.
 #[derive(Debug)]
 pub(super) struct Analog<'a> {
     words: Processor,
-    /// Number of complete frames of the data section.
+    /// Bytes of the data section.
     data: &'a [u8],
     is_float: bool,
     unsigned: bool,
@@ -32,7 +32,7 @@ pub(super) struct Analog<'a> {
 }
 
 impl<'a> Analog<'a> {
-    /// Locates the data section; fewer frames than announced are noted.
+    /// Locates the data section. If there are fewer frames than announced, a note is added.
     pub fn read(
         path: &Path,
         bytes: &'a [u8],
@@ -84,7 +84,7 @@ impl<'a> Analog<'a> {
         })
     }
 
-    /// Adds `factor` times a channel (from 0) to `sum`; a sample that is not finite makes NaN.
+    /// Adds `factor` times a channel (from 0) to `sum`. A sample that is not finite results in NaN.
     pub fn add(&self, channel: usize, factor: f64, sum: &mut [f64]) {
         let scale = self.scale.get(channel).copied().unwrap_or(1.0) * self.general_scale * factor;
         let offset = self.offset.get(channel).map_or(0.0, |o| {
@@ -105,7 +105,7 @@ impl<'a> Analog<'a> {
         }
     }
 
-    /// Position of a marker (from 0) in a frame, in the file's axes; `None` if it was not visible. Integers are not scaled.
+    /// Position of a marker (from 0) in a frame, in the axes of the file; `None` if the marker was not visible. Integers are not scaled.
     pub fn point(&self, frame: usize, marker: usize) -> Option<[f64; 3]> {
         let mut four = [0.0; 4];
         for (k, x) in four.iter_mut().enumerate() {
@@ -117,7 +117,7 @@ impl<'a> Analog<'a> {
         (seen && position != [0.0; 3]).then_some(position)
     }
 
-    /// A number of a frame by its index.
+    /// Number of a frame by its index.
     fn value(&self, frame: usize, place: usize, unsigned: bool) -> Option<f64> {
         let width = if self.is_float { 4 } else { 2 };
         let at = frame * self.frame + place * width;
@@ -143,9 +143,9 @@ impl<'a> Analog<'a> {
     }
 }
 
-/// Analog values of one frame, all channels together, and samples of one channel in it.
+/// Number of analog values in one frame, for all channels together, and number of samples of one channel in it.
 ///
-/// Some programs write the number of channels where the number of values belongs.
+/// Some programs write the number of channels in place of the number of values.
 fn values_per_frame(
     path: &Path,
     values: usize,
@@ -165,7 +165,7 @@ fn values_per_frame(
     Ok((values, samples))
 }
 
-/// Frames and analog samples per second; `None` where the file gives neither.
+/// Numbers of frames and of analog samples per second; `None` if the file contains neither.
 fn rates(in_header: f64, per_frame: usize, parameters: &Parameters) -> Option<(f64, f64)> {
     let is_rate = |r: &f64| r.is_finite() && *r > 0.0;
     let frame_hz = [parameters.number("POINT", "RATE"), Some(in_header)]
@@ -186,7 +186,7 @@ fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
     block.saturating_sub(1) * BLOCK
 }
 
-/// Announced number of frames; `None` if it exceeds 16 bits and no parameter gives it.
+/// Announced number of frames; `None` if it exceeds 16 bits and no parameter contains it.
 fn announced_frames(first: usize, last: usize, parameters: &Parameters) -> Option<usize> {
     let field = |name| {
         let words = parameters.numbers("TRIAL", name);

@@ -3,7 +3,7 @@
 use crate::recording::Processor;
 
 impl Processor {
-    /// The format given by the fourth byte of the parameter section.
+    /// Number format, from the fourth byte of the parameter section.
     pub(super) fn of(bytes: &[u8], parameters: usize) -> Option<Self> {
         match bytes.get(parameters + 3)? {
             84 => Some(Processor::Intel),
@@ -26,7 +26,7 @@ impl Processor {
         self.u16(bytes, at).map(u16::cast_signed)
     }
 
-    /// A float; the VAX one has its halves swapped and an exponent two greater.
+    /// Reads a float. In the VAX format its halves are swapped and its exponent is larger by two.
     pub(super) fn f32(self, bytes: &[u8], at: usize) -> Option<f32> {
         let b = bytes.get(at..at.checked_add(4)?)?;
         Some(match self {

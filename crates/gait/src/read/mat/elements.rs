@@ -1,7 +1,7 @@
-//! The arrays of a MAT file of level 5 (MATLAB 5.0 to 7.2, `save -v7`).
+//! Arrays of a MAT file of level 5 (MATLAB 5.0 to 7.2, `save -v7`).
 //!
-//! Format: "MAT-File Format" (The MathWorks), level 5: a header of 128 bytes, then data elements of a tag and its data, which
-//! may be compressed. Every count is checked against the bytes present before it is used.
+//! Format: "MAT-File Format" (The MathWorks), level 5. After a header of 128 bytes, each data element consists of a tag and its data, which may be
+//! compressed. Every count is checked against the length of the file before it is used.
 
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::inflate_flags as flags;
@@ -11,7 +11,7 @@ use miniz_oxide::inflate::core::{DecompressorOxide, decompress};
 const HEADER: usize = 128;
 /// Maximum size of a compressed variable, bytes.
 const LARGEST: usize = 1 << 30;
-/// Maximum depth of structs within structs, and number of structs of an array that are read.
+/// Maximum depth of structs within structs.
 const DEEPEST: usize = 16;
 const MOST_STRUCTS: usize = 1000;
 
@@ -24,34 +24,34 @@ const STRUCT: u8 = 2;
 const CHARACTERS: u8 = 4;
 const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 
-/// A numeric array, or the words of a list of texts.
+/// Content of an array: numbers, or a list of texts.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
-    /// Values in the order of columns, with the number of rows and of columns.
+    /// Values column by column, with the number of rows and of columns.
     Numbers {
         rows: usize,
         columns: usize,
         values: Vec<f64>,
     },
-    /// Texts of a cell, of the rows of a character array, or one text.
+    /// Texts of a cell array, rows of a character array, or a single text.
     Texts(Vec<String>),
 }
 
 /// An array with the names of the structs that contain it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Array {
-    /// Names from the variable to the field; a number counts the structs of an array from 1.
+    /// Names from the variable to the field. A number counts the structs of an array from 1.
     pub path: Vec<String>,
     pub content: Content,
 }
 
 impl Array {
-    /// The names of the structs around it.
+    /// Names of the structs that contain the array.
     pub fn owner(&self) -> &[String] {
         &self.path[..self.path.len().saturating_sub(1)]
     }
 
-    /// Name, announced and found number of values of an array that is not whole.
+    /// Name, announced number and actual number of values of an incomplete array; `None` if it is complete.
     pub fn lacking(&self) -> Option<(String, usize, usize)> {
         let Content::Numbers {
             rows,
@@ -66,12 +66,12 @@ impl Array {
     }
 }
 
-/// Whether bytes start as a MAT file of level 5.
+/// Whether the bytes start like a MAT file of level 5.
 pub(in crate::read) fn is_level_5(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MATLAB 5.0") && bytes.len() > HEADER
 }
 
-/// Every array of a file, as far as the file is whole.
+/// All arrays of a file, up to the first damage.
 pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     let big = bytes.get(126..128) == Some(b"MI");
     let mut found = Vec::new();
@@ -99,7 +99,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     found
 }
 
-/// The content of a zlib stream, up to its damage or to the maximum size.
+/// Content of a zlib stream, up to the first damage or to the maximum size.
 fn inflate(data: &[u8]) -> Vec<u8> {
     let options =
         flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
@@ -119,7 +119,7 @@ fn inflate(data: &[u8]) -> Vec<u8> {
     out
 }
 
-/// Data elements one after the other.
+/// Data elements in sequence.
 #[derive(Clone, Copy)]
 struct Elements<'a> {
     bytes: &'a [u8],
@@ -164,7 +164,7 @@ impl<'a> Iterator for Elements<'a> {
     }
 }
 
-/// Adds an array and the arrays in it. `name`: its name as a field, which replaces its own.
+/// Adds an array and the arrays in it. `name` is its name as a field, which replaces the name in the array.
 fn matrix(
     mut elements: Elements<'_>,
     owner: &[String],
@@ -235,7 +235,7 @@ fn matrix(
     Some(())
 }
 
-/// The text of a character array in a cell.
+/// Text of a character array in a cell.
 fn text_of((kind, data): (u32, &[u8]), big: bool) -> Option<String> {
     let mut elements = Elements { bytes: data, big };
     let class = *elements.next()?.1.get(if big { 3 } else { 0 })?;
@@ -247,7 +247,7 @@ fn text_of((kind, data): (u32, &[u8]), big: bool) -> Option<String> {
     characters(elements.next()?, big, 1).pop()
 }
 
-/// Rows of a character array without trailing blanks.
+/// Rows of a character array without trailing spaces.
 fn characters((kind, data): (u32, &[u8]), big: bool, rows: usize) -> Vec<String> {
     // UTF-16 words, or bytes of UTF-8 and older encodings.
     let letters: Vec<char> = match kind {
@@ -270,7 +270,7 @@ fn characters((kind, data): (u32, &[u8]), big: bool, rows: usize) -> Vec<String>
     (0..rows).map(|k| row(k).trim_end().to_string()).collect()
 }
 
-/// Bytes up to the first zero, as Latin letters.
+/// Bytes up to the first zero, decoded as Latin-1.
 fn latin(bytes: &[u8]) -> String {
     let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
     text.iter().map(|&b| char::from(b)).collect()

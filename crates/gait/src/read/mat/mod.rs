@@ -1,7 +1,7 @@
-//! MAT files of MATLAB: numeric arrays and structs with time or rate and force.
+//! MAT files of MATLAB: numeric arrays and structs with force, and time or sampling rate.
 //!
-//! Vectors are columns; a matrix has one column (or row) for each of its series, named by a list of labels beside it, by the
-//! components of a vector, or by numbers. The columns of the longest time base with a force make the table.
+//! Vectors are columns. A matrix has one column (or row) for each series; the names are a list of labels in the same struct, the components of a
+//! vector, or numbers. The table consists of the columns of the longest time base that has a force.
 
 mod elements;
 
@@ -21,23 +21,23 @@ use crate::recording::{Format, ReadOptions, Recording};
 
 pub(super) use elements::is_level_5;
 
-/// Minimum number of samples of a series, and maximum number of series of a matrix.
+/// Minimum number of samples of a series.
 const FEWEST: usize = 10;
 const MOST_SERIES: usize = 400;
-/// Names of components in a matrix of three or six series.
+/// Names of the components in a matrix of three or six series.
 const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
 
 /// One series of samples.
 struct Series<'a> {
-    /// Names of the structs and the array, joined by points, and the part of a matrix.
+    /// Names of the structs and the array, joined by points, and the name of the series in a matrix.
     name: String,
     array: &'a Array,
-    /// Whether its part of a matrix has a number for a name.
+    /// Whether the series of a matrix is named by a number.
     is_numbered: bool,
     values: Vec<f64>,
 }
 
-/// The chosen columns of a MAT file: their names, their samples, and its scalars as lines of a header.
+/// Selected columns of a MAT file: names and samples, and the scalars of the file as lines of a header.
 pub(super) struct Mat {
     pub table: Table,
     pub samples: Samples,
@@ -59,10 +59,11 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     recording.map_err(|fault| fault.placed(Place::File(path.to_path_buf())))
 }
 
-/// Chooses the columns of a MAT file of level 5.
+/// Selects the columns of a MAT file of level 5.
 ///
 /// # Errors
-/// A file that was cut; no array of numbers that can be a force; a column named by the user that it does not have.
+///
+/// The file is truncated; no array of numbers can be a force; a column named by the user does not exist.
 pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Mat> {
     let arrays = arrays(bytes);
     if let Some((array, announced, found)) = arrays.iter().find_map(Array::lacking) {
@@ -106,7 +107,7 @@ pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<
     })
 }
 
-/// The file with the user's options, as the choice of columns by name needs it.
+/// The file with the options of the user, in the form that the selection of columns by name requires.
 fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
     let separator = Separator::Byte(b',');
     let delimiters = Delimiters {
@@ -121,7 +122,7 @@ fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
     }
 }
 
-/// Length of the longest series that are a force by their names or by the user's; else of the longest of all.
+/// Length of the longest series that is a force by its name or by the options; otherwise of the longest series of all.
 fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     let is_force = |s: &&Series| match &options.force[..] {
         [] => matches!(role(&s.name), Role::Force { .. }),
@@ -132,7 +133,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     of_force.or_else(|| series.iter().map(length).max())
 }
 
-/// The series of an array: one of a vector, one for each of the shorter dimension of a matrix.
+/// Series of an array: a vector is one series; in a matrix the shorter dimension counts the series.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();
@@ -171,7 +172,7 @@ fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     (0..count).map(one).collect()
 }
 
-/// Names for the series of a matrix: a list of as many texts in the same struct.
+/// Names for the series of a matrix: a list in the same struct with the same number of texts.
 fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     let list = |other: &Array| match &other.content {
         Content::Texts(texts) if count > 1 && texts.len() == count => Some(texts.clone()),
@@ -181,7 +182,7 @@ fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     beside.filter_map(list).next()
 }
 
-/// Scalars as lines of a header, those of the struct of the force first.
+/// Scalars as lines of a header; those of the struct of the force first.
 fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     let shared = |a: &&Array| {
         let pairs = a.owner().iter().zip(owner);
@@ -208,7 +209,7 @@ fn scalar(array: &Array) -> Option<(&Array, f64)> {
     }
 }
 
-/// Time and force of a matrix without names, perhaps beside a vector of times, by their numbers.
+/// Time and force of a matrix without names, possibly with a vector of times, determined from the numbers.
 fn by_numbers(series: &[Series]) -> Option<Columns> {
     let time = series.iter().position(|s| role(&s.name) == Role::Time);
     let data = || series.iter().enumerate().filter(|(i, _)| Some(*i) != time);
@@ -218,7 +219,7 @@ fn by_numbers(series: &[Series]) -> Option<Columns> {
     is_one.then(|| columns_by_numbers(&values, time))?
 }
 
-/// The samples of the chosen columns.
+/// Samples of the selected columns.
 fn samples(used: Vec<Series>, table: &Table, columns: Columns) -> Samples {
     let mut values: Vec<Vec<f64>> = used.into_iter().map(|s| s.values).collect();
     let force = |f: &ForceColumn| RawForce {

@@ -1,17 +1,17 @@
-//! The columns of a table without names: time and vertical forces, from the numbers alone.
+//! Columns of a table without names: time and vertical forces, determined from the numbers.
 
 use crate::recording::Foot;
 use crate::statistics::sample;
 
-/// Number of rows sampled evenly to classify the columns.
+/// Number of evenly distributed rows that are used to classify the columns.
 const SAMPLE: usize = 4096;
 
-/// Number of values per row above which unnamed columns are pressure sensors, not plates (twelve plates of six).
+/// Number of values per row above which unnamed columns are pressure sensors, not plates (twelve plates with six values).
 const MOST_VALUES: usize = 72;
 
-/// Left and right, if the columns are time, two equal sets of sensors and their two sums, in this order.
+/// Left and right foot, if the columns are, in this order, time, two equal sets of sensors and their two sums.
 ///
-/// PhysioNet's insole recordings have this form, left foot first.
+/// The insole recordings of PhysioNet have this form, left foot first.
 pub(super) fn insole_sides(
     forces: &[usize],
     width: usize,
@@ -25,7 +25,7 @@ pub(super) fn insole_sides(
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-/// The first column, if it decreases in almost no row and increases in at least one of ten.
+/// The first column, if it decreases in almost no row and increases in at least one row of ten.
 pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
@@ -40,11 +40,10 @@ pub(super) fn counts_samples(times: &[f64]) -> bool {
     times.windows(2).all(|w| w[1] - w[0] == 1.0)
 }
 
-/// Columns that carry a vertical force.
+/// Columns that contain a vertical force.
 ///
-/// Sums of a block of other columns first (insoles: sensors and their totals); then the third of every six
-/// (plates: Fx Fy Fz Mx My Mz), or whichever of the first three carries the load; then every column that
-/// has one sign and reaches at least two fifths of the largest.
+/// First sums of a block of other columns (insoles: sensors and their totals). Then the third of every six columns (plates: Fx Fy Fz Mx My Mz), or
+/// the one of the first three that has the load. Then every column with a constant sign whose maximum is at least two fifths of the overall maximum.
 pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {
@@ -85,7 +84,7 @@ pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<us
         .collect()
 }
 
-/// Columns that equal the sum of at least three neighbouring columns in nearly every row.
+/// Columns that equal the sum of at least three adjacent columns in nearly every row.
 fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     let samples = columns.first().map_or(0, Vec::len);
     if data.len() < 4 || data.len() > 64 || samples == 0 {

@@ -1,4 +1,4 @@
-//! Choice of the time and force columns of a table: by the user's word, their names, or their numbers.
+//! Selection of the time and force columns of a table: by the options of the user, by names, or by numbers.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::read::columns::{Role, foot, role, says_vertical, words};
 use crate::read::vocabulary::{INSOLE, is};
 use crate::recording::{Axis, Foot, ForceUnit, Note};
 
-/// Maximum number of force columns: some hundred plates of three components. Each becomes one channel.
+/// Maximum number of force columns: several hundred plates with three components. Each becomes one channel.
 const MOST_FORCES: usize = 1000;
 
 /// Minimum number of rows of a recording without column names.
@@ -21,20 +21,20 @@ const FEWEST: usize = 10;
 /// Number of columns above which a table without names is not a force recording.
 const WIDEST: usize = 400;
 
-/// The chosen columns of a table, and their interpretation.
+/// Selected columns of a table, and their interpretation.
 #[derive(Default)]
 pub(in crate::read) struct Columns {
     pub time: Option<usize>,
     /// Whether the time column counts samples instead of seconds, or is a phase.
     pub counts: bool,
-    /// The time column that is the phase of a cycle (false) or of a stance (true).
+    /// Meaning of a time column that is a phase: phase of a cycle (`false`) or of a stance (`true`).
     pub phase_of_stance: Option<bool>,
     pub force: Vec<ForceColumn>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
-    /// Guesses made in the choice.
+    /// Assumptions made in the selection.
     pub notes: Vec<Note>,
-    /// All columns of a table without names, for the choice.
+    /// All columns of a table without names, from which the columns are selected.
     pub read: Option<Numbers>,
 }
 
@@ -46,7 +46,7 @@ pub(in crate::read) struct ForceColumn {
     pub foot: Option<Foot>,
 }
 
-/// Chooses the columns to read; `None` without a force.
+/// Selects the columns to read; `None` without a force.
 pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<Columns>> {
     let options = file.options;
     let time = (options.time.as_ref()).map(|name| column(file.path, table, name));
@@ -104,7 +104,7 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
     Ok(Some(columns))
 }
 
-/// The force columns named by the user.
+/// Force columns named by the user.
 fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
     let places = file.options.force.iter();
     let places = places.map(|name| column(file.path, table, name));
@@ -114,7 +114,7 @@ fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
     Ok(places.into_iter().map(|i| vertical(table, i)).collect())
 }
 
-/// Time and force by the names of the columns.
+/// Time and force columns, by the names of the columns.
 fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
     let place = |role: &Role| roles.iter().position(|r| r == role);
@@ -135,8 +135,8 @@ fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     }
 }
 
-/// Time and force by the numbers in the columns; no force if the table is too short for a recording. `stated` is the index of the time column named
-/// by the user.
+/// Time and force columns, by the numbers in the columns; no force if the table is too short for a recording. `stated` is the index of the time
+/// column named by the user.
 fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
     let all: Vec<usize> = (0..table.width.min(WIDEST)).collect();
     let read = numbers(file, table, &all, None)?;
@@ -158,7 +158,8 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
     Ok(chosen)
 }
 
-/// Time and force by the numbers in columns without names; `None` without a force. `stated`: index of the time column, if known.
+/// Time and force columns of a table without names, by the numbers in the columns; `None` without a force. `stated` is the index of the time column,
+/// if known.
 pub(in crate::read) fn columns_by_numbers(
     columns: &[Vec<f64>],
     stated: Option<usize>,
@@ -190,7 +191,7 @@ pub(in crate::read) fn columns_by_numbers(
     })
 }
 
-/// The columns known to be a force: by their names, else by their units, else by their sides.
+/// Columns that are recognised as a force: by their names, otherwise by their units, otherwise by their sides.
 fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let named = roles.iter().enumerate().filter_map(|(place, r)| match *r {
         Role::Force { axis, foot } => Some(ForceColumn { place, axis, foot }),
@@ -212,7 +213,7 @@ fn vertical(table: &Table, place: usize) -> ForceColumn {
     ForceColumn { place, axis, foot }
 }
 
-/// Excludes the zones of an insole beside their total: `L::heel, L::toes, L`, each perhaps under a header row of `Force[N]`.
+/// Excludes the zones of an insole if their total is present: `L::heel, L::toes, L`, possibly below a header row of `Force[N]`.
 fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     let name = |f: &ForceColumn| table.names.get(f.place).map_or("", |n| n.trim());
     let (zones, totals): (Vec<ForceColumn>, Vec<ForceColumn>) =
@@ -226,7 +227,7 @@ fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     }
 }
 
-/// Whether a column belongs to a pressure insole, by its name or because its zones are columns too.
+/// Whether a column belongs to a pressure insole, by its name or because its zones are also columns.
 fn is_insole(table: &Table, name: &str) -> bool {
     let is_zone = |zone: &String| {
         let owner = zone.split_once("::").map(|(owner, _)| owner.trim());
@@ -235,7 +236,11 @@ fn is_insole(table: &Table, name: &str) -> bool {
     words(name).iter().any(|w| is(w, INSOLE)) || table.names.iter().any(is_zone)
 }
 
-/// Excludes columns with units of another quantity; a fault if no column is left.
+/// Excludes columns with units of another quantity.
+///
+/// # Errors
+///
+/// No column remains.
 fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColumn>) -> Result<()> {
     let first = force[0].place;
     force.retain(|f| table.foreign_unit(f.place).is_none());
@@ -262,7 +267,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
     is_force && !words(&table.names[i]).iter().any(is_other)
 }
 
-/// Two columns named only left and right: the two insoles or belts.
+/// Two columns with only left and right as names: two insoles or belts.
 fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     let places = ["left", "right"].map(|side| {
         let place = table.names.iter().position(|n| words(n) == [side]);
@@ -274,7 +279,7 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     }
 }
 
-/// A column by name (case does not matter) or by number from 1; without a header by number.
+/// Index of a column given by its name (case is ignored) or by its number from 1; without a header by number.
 pub(super) fn column(path: &Path, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;

@@ -1,8 +1,8 @@
-//! Times of day in a field of a table.
+//! Times of day in the fields of a table.
 
 use crate::read::number::{Field, field, trim};
 
-/// Seconds since midnight of a clock time `[hh:]mm:ss.s`, as in `10:05:07.5` and `2024-05-01T10:05:07.5Z`.
+/// Seconds since midnight from a clock time `[hh:]mm:ss.s`, as in `10:05:07.5` and `2024-05-01T10:05:07.5Z`.
 ///
 /// A date and the constant time zone are ignored.
 pub(super) fn clock(f: &[u8], comma: bool) -> Option<f64> {

@@ -1,4 +1,4 @@
-//! A delimited text: its lines, its separator and its decimal mark.
+//! Delimited text: its lines, its separator and its decimal mark.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -10,9 +10,9 @@ use crate::recording::ReadOptions;
 /// Separator between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
-    /// One character of this byte value.
+    /// A single character with this byte value.
     Byte(u8),
-    /// Any number of blanks.
+    /// One or more spaces or tabs.
     Blanks,
 }
 
@@ -20,7 +20,7 @@ pub(crate) enum Separator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Delimiters {
     pub separator: Separator,
-    /// True for a decimal comma.
+    /// Whether the decimal mark is a comma.
     pub comma: bool,
 }
 
@@ -35,10 +35,10 @@ impl Position {
     pub const START: Position = Position { offset: 0, line: 1 };
 }
 
-/// A text file with the user's options.
+/// A text file with the options of the user.
 pub(crate) struct TextFile<'a> {
     pub path: &'a Path,
-    /// Its text without byte order mark, in UTF-8 or a single-byte encoding.
+    /// Text of the file without byte order mark, in UTF-8 or a single-byte encoding.
     pub bytes: &'a [u8],
     pub delimiters: Delimiters,
     pub options: &'a ReadOptions,
@@ -56,7 +56,7 @@ impl<'a> TextFile<'a> {
     }
 }
 
-/// The lines of a text with their positions, without line ends.
+/// Lines of a text with their positions, without line ends.
 #[derive(Clone)]
 pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
@@ -90,8 +90,8 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// A table with one number a cell, in plain bytes with `\n` line ends: byte-order marks removed, UTF-16 and lone carriage
-/// returns converted, cells with vectors parted.
+/// Converts a table to plain bytes with one number per cell and `\n` line ends. Byte-order marks are removed, UTF-16 and single carriage returns are
+/// converted, and cells with vectors are split.
 pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
     if let Some(flat) = flattened(bytes) {
         return Cow::Owned(flat);
@@ -118,7 +118,7 @@ pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
     Cow::Borrowed(bytes)
 }
 
-/// Text of some bytes: UTF-8 if valid, Latin-1 otherwise.
+/// Decodes bytes as text: UTF-8 if valid, otherwise Latin-1.
 pub(crate) fn text(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(s) => s.to_string(),
@@ -126,10 +126,10 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     }
 }
 
-/// Number of lines examined for separator and decimal mark.
+/// Number of lines that are examined for separator and decimal mark.
 const SAMPLE: usize = 60;
 
-/// Determines separator and decimal mark from lines of numbers, a few from each part of the text.
+/// Determines separator and decimal mark from lines of numbers, with several lines from each part of the text.
 pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     let mut sample: Vec<&[u8]> = Vec::new();
     for part in 0..4 {
@@ -175,7 +175,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     }
 }
 
-/// `0,00 12,5 3`: numbers with a decimal comma, at least two of them, separated by blanks.
+/// Whether a line contains at least two numbers with a decimal comma, separated by spaces: `0,00 12,5 3`.
 fn blanks_part_decimal_commas(line: &[u8]) -> bool {
     let mut words = 0;
     for word in line
@@ -196,7 +196,7 @@ fn is_decimal_comma(f: &[u8]) -> bool {
     last.contains(&b',') && matches!(field(last, true), Field::Number(_))
 }
 
-/// The fields of one line; a field in double quotes may contain the separator.
+/// Fields of a line. A field in double quotes may contain the separator.
 #[derive(Clone)]
 pub(crate) struct Fields<'a> {
     rest: Option<&'a [u8]>,
@@ -238,7 +238,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// Start of the search for the separator: after a quoted field, or at once.
+/// Position from which the separator is searched: after the closing quote of a quoted field, otherwise 0.
 fn closing_quote(rest: &[u8]) -> usize {
     let inside = rest.strip_prefix(b"\"").unwrap_or(&[]);
     let end = inside.iter().position(|&b| b == b'"');

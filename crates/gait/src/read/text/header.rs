@@ -1,31 +1,31 @@
-//! The header of a table: names over columns, groups over names, units, lines above.
+//! Header of a table: names above the columns, groups above names, units, and the lines above.
 
 use super::delimited::{Delimiters, Fields, Position, Separator, text};
 use crate::read::number::{Field, field, trim};
 
-/// One table: its position and header texts.
+/// A table: position and header texts.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
-    /// First row of numbers.
+    /// Position of the first row of numbers.
     pub start: Position,
-    /// Number of fields in that row, without trailing empty ones.
+    /// Number of fields in the first row, without trailing empty ones.
     pub width: usize,
-    /// Name of each column, rows of a header of several rows joined by a blank; empty without a header.
+    /// Name of each column. The rows of a header with several rows are joined by a space. Empty without a header.
     pub names: Vec<String>,
-    /// Unit of each column if there is a row of units, else empty.
+    /// Unit of each column if there is a row of units, otherwise empty.
     pub units: Vec<String>,
-    /// Lines above the table except its header row, without comment marks.
+    /// Lines above the table except the header row, without comment marks.
     pub head: Vec<String>,
 }
 
 impl Table {
-    /// The entry for a column in the row of units, without brackets.
+    /// Entry of a column in the row of units, without brackets.
     pub fn unit(&self, column: usize) -> Option<&str> {
         let unit = self.units.get(column)?;
         Some(unit.trim_matches(['[', ']', '(', ')']).trim()).filter(|u| !u.is_empty())
     }
 
-    /// The line above the first row, which holds the names.
+    /// Number of the line above the first row, which contains the names.
     pub fn header_line(&self) -> usize {
         self.start.line.saturating_sub(1).max(1)
     }
@@ -121,7 +121,7 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
 /// Minimum number of values in a row of sensor numbers.
 const FEWEST_COUNTED: usize = 6;
 
-/// Whether the fields of a row count up by one from 0 or 1, perhaps among words, as sensor names do.
+/// Whether the fields of a row count up by one from 0 or 1, possibly between words, as the names of sensors do.
 pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: bool) -> bool {
     let mut next = None;
     let mut count = 0;
@@ -139,7 +139,7 @@ pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: boo
     count >= FEWEST_COUNTED
 }
 
-/// A row with names for at least half of the columns.
+/// Whether a row contains names for at least half of the columns.
 fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     let named = filled(row);
     let are_names = is_wordy(row, delimiters)
@@ -147,7 +147,7 @@ fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && are_names
 }
 
-/// A row above the names that distinguishes columns of the same name: plates over their components.
+/// Whether a row above the names distinguishes columns with the same name, for example plates above their components.
 fn is_group_row(row: &[String], below: &[String], width: usize, delimiters: Delimiters) -> bool {
     let mut names: Vec<&String> = below.iter().filter(|c| !c.is_empty()).collect();
     let all = names.len();
@@ -159,7 +159,7 @@ fn is_group_row(row: &[String], below: &[String], width: usize, delimiters: Deli
     fits && (over_names || repeats && filled(row) * 2 >= width)
 }
 
-/// Whether a word is the name of a unit.
+/// Whether a word denotes a unit.
 pub(super) fn is_unit(word: &str) -> bool {
     const UNITS: &str = " s sec secs seconds ms min n kn dan newton newtons kilonewton kilonewtons lbf lb lbs kgf kp kg mm cm m nmm n.mm n*mm nm n.m n*m n-m \
         n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg ns kip dyn ozf gf mn n/bw adc bits a.u. g mm/s m/s m/s2 n/cm2 pa hpa kpa mpa bar mbar psi mv/v count counts digits lsb \
@@ -169,13 +169,13 @@ pub(super) fn is_unit(word: &str) -> bool {
     !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
 }
 
-/// Whether all cells of a row are names of units.
+/// Whether all cells of a row denote units.
 fn is_unit_row(row: &[String]) -> bool {
     let named = filled(row);
     named > 0 && row.iter().filter(|c| is_unit(c)).count() * 4 >= named * 3
 }
 
-/// Whether a row of words below the names begins with a unit of time, so that it contains units, known or not.
+/// Whether a row of words below the names begins with a unit of time. It then contains units, known or unknown.
 fn is_below_names(
     row: &[String],
     over: Option<Vec<String>>,
@@ -192,13 +192,13 @@ fn is_below_names(
     timed && filled(row) > 1 && is_wordy(row, delimiters) && over.is_some_and(|over| named(&over))
 }
 
-/// Whether a word is the name of a unit of time.
+/// Whether a word denotes a unit of time.
 fn is_time_unit(word: &str) -> bool {
     let bare = word.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
     ["s", "sec", "secs", "seconds", "ms", "min"].contains(&bare.as_str())
 }
 
-/// Joins the rows of a header column by column; a group name holds until the next one.
+/// Joins the rows of a header column by column. The name of a group is valid up to the next one.
 fn joined(rows: &[Vec<String>]) -> Vec<String> {
     let Some(last) = rows.last() else {
         return Vec::new();

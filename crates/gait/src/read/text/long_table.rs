@@ -1,4 +1,4 @@
-//! Long tables of standardised gait data: a cycle for every subject, task and step, with a phase column.
+//! Long tables of standardised gait data: one cycle for each subject, task and step, with a phase column.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -21,13 +21,13 @@ use crate::statistics::mean;
 const IDENTIFIERS: [&str; 7] = [
     "subject", "task", "step", "session", "trial", "cycle", "stride",
 ];
-/// Words in column names of the phase that are not a phase: its rate.
+/// Words that exclude a phase in a column name, because the column contains its rate.
 const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 
 /// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
 
-/// A text with many cycles, and the columns that distinguish them.
+/// A text with many cycles, and the columns that distinguish the cycles.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
     /// Header of the table, and position of its first row.
@@ -36,7 +36,7 @@ pub(in crate::read) struct LongTable<'a> {
     identifiers: Vec<usize>,
 }
 
-/// The rows of one cycle: phases as written, and forces.
+/// Rows of one cycle: phases as written, and forces.
 #[derive(Default)]
 struct Cycle {
     phases: Vec<f64>,
@@ -44,7 +44,7 @@ struct Cycle {
 }
 
 impl<'a> LongTable<'a> {
-    /// The long table in a text, if it has one: subject, phase and a force, without a clock.
+    /// The long table in a text, if there is one: subject, phase and a force, without times.
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;
@@ -98,7 +98,7 @@ impl<'a> LongTable<'a> {
         &self.table
     }
 
-    /// Rows as their fields.
+    /// Fields of each row.
     fn rows(&self) -> impl Iterator<Item = (Position, Vec<&'a [u8]>)> + '_ {
         let lines = Lines::from(self.file.bytes, self.table.start);
         let rows = lines.filter(|(_, line)| !line.trim_ascii().is_empty());
@@ -108,7 +108,7 @@ impl<'a> LongTable<'a> {
         })
     }
 
-    /// The words that identify the cycle of a row, from columns that begin with `first` or from all.
+    /// Words that identify the cycle of a row, from the columns that begin with `first` or from all identifiers.
     fn identity(&self, fields: &[&'a [u8]], first: Option<&str>) -> Vec<&'a [u8]> {
         let is_meant = |place: &&usize| {
             let name = words(&self.table.names[**place]);
@@ -118,14 +118,14 @@ impl<'a> LongTable<'a> {
         chosen.filter_map(|&i| fields.get(i).copied()).collect()
     }
 
-    /// The error that it is not a recording: it has no clock.
+    /// Error for a long table that is read as a recording, although it has no times.
     pub fn refusal(&self) -> Error {
         let cycles = self.rows().map(|(_, fields)| self.identity(&fields, None));
         let cycles = cycles.collect::<BTreeSet<_>>().len();
         ReadError::LongTable { cycles }.at_line(self.file.path, self.table.header_line())
     }
 
-    /// Columns of phase and force: those named by the user, or the first phase and the one vertical force of its side.
+    /// Columns of phase and force: those named by the user, or the first phase and the only vertical force of its side.
     fn columns(&self) -> Result<[usize; 2]> {
         let (names, options) = (&self.table.names, self.file.options);
         let asked = |name: &String| column(self.file.path, &self.table, name);
@@ -166,11 +166,12 @@ impl<'a> LongTable<'a> {
         }
     }
 
-    /// Mean force of all cycles at the phases of the first one, in the unit of the column over seconds of the period, and its
-    /// standard deviation where there are several; with the number of cycles.
+    /// Mean force of all cycles at the phases of the first cycle, in the unit of the column, over the seconds of the period; its standard deviation
+    /// if there are several cycles; the number of cycles.
     ///
     /// # Errors
-    /// Several tasks, forces of several sides, a value that is not a number, phases that decrease.
+    ///
+    /// Several tasks; forces of several sides; a value that is not a number; phases that decrease.
     pub fn mean(&self) -> Result<(Samples, usize)> {
         let path = self.file.path;
         let [phase, force] = self.columns()?;

@@ -67,7 +67,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     Err(no_force(file, &seen))
 }
 
-/// Twice as many fields as names, and no decimal point: commas separate both decimals and columns.
+/// Error if there are twice as many fields as names and no decimal point: commas then separate both decimals and columns.
 fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
     let (columns, fields) = (table.names.len(), table.width);
     let (_, row) = Lines::from(file.bytes, table.start).next()?;
@@ -76,7 +76,7 @@ fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
     twice.then_some(ReadError::CommasTwice { columns, fields })
 }
 
-/// The error of a text without a force column; `seen` are the column names of its tables.
+/// Error for a text without a force column. `seen` contains the column names of its tables.
 pub(super) fn no_force(file: &TextFile, seen: &[String]) -> Error {
     let (path, bytes) = (file.path, file.bytes);
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
@@ -101,7 +101,7 @@ pub(super) fn no_force(file: &TextFile, seen: &[String]) -> Error {
     ReadError::NoForceColumn { columns }.in_file(path)
 }
 
-/// The error of a text without a table of numbers.
+/// Error for a text without a table of numbers.
 fn no_table(bytes: &[u8]) -> ReadError {
     if bytes.trim_ascii().is_empty() {
         return ReadError::Empty;

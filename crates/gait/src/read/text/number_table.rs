@@ -13,7 +13,7 @@ use crate::read::columns::{Role, role, words};
 use crate::read::foreign;
 use crate::read::number::{trim, value};
 
-/// A table of a delimited text, its rows not yet read.
+/// Table of a delimited text whose rows are not read yet.
 ///
 /// ```
 /// use gaitcam_gait::NumberTable;
@@ -31,7 +31,7 @@ pub struct NumberTable<'a> {
     table: Table,
 }
 
-/// One field of a row.
+/// Field of a row.
 ///
 /// ```
 /// use gaitcam_gait::NumberTable;
@@ -44,15 +44,16 @@ pub struct NumberTable<'a> {
 pub struct Cell {
     /// Finite number in the cell; `None` for anything else.
     pub number: Option<f64>,
-    /// The field as written.
+    /// Text of the field, as written.
     pub text: String,
 }
 
 impl<'a> NumberTable<'a> {
-    /// The first table of a text; `path` is used in messages only.
+    /// First table of a text; `path` is used only in messages.
     ///
     /// # Errors
-    /// Files that are not text or contain no table of numbers.
+    ///
+    /// The file is not text or contains no table of numbers.
     pub fn find(path: &Path, bytes: &'a [u8]) -> Result<NumberTable<'a>> {
         if let Some(kind) = foreign(bytes) {
             return Err(ReadError::Foreign { kind }.in_file(path));
@@ -67,12 +68,12 @@ impl<'a> NumberTable<'a> {
         })
     }
 
-    /// Names of the columns; none without a header.
+    /// Names of the columns; empty without a header.
     pub fn names(&self) -> &[String] {
         &self.table.names
     }
 
-    /// Line of the header, from 1; that of the first row without a header.
+    /// Line of the header, counted from 1; without a header the line of the first row.
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,
@@ -80,38 +81,39 @@ impl<'a> NumberTable<'a> {
         }
     }
 
-    /// Index of a column given by its name (case does not matter) or by its number from 1.
+    /// Index of a column given by its name (case is ignored) or by its number from 1.
     ///
     /// # Errors
-    /// No such column; the message lists the columns of the table.
+    ///
+    /// There is no such column. The message lists the columns of the table.
     pub fn place(&self, path: &Path, stated: &str) -> Result<usize> {
         column(path, &self.table, stated)
     }
 
-    /// Whether the name of a column means a time, in several languages.
+    /// Whether the name of a column denotes a time, in several languages.
     pub fn means_time(&self, column: usize) -> bool {
         let name = self.table.names.get(column);
         name.is_some_and(|n| role(n) == Role::Time)
     }
 
-    /// Whether the name of a column means a force, in several languages.
+    /// Whether the name of a column denotes a force, in several languages.
     pub fn means_force(&self, column: usize) -> bool {
         let name = self.table.names.get(column);
         name.is_some_and(|n| matches!(role(n), Role::Force { .. }))
     }
 
-    /// Words of the name of a column, lower case, without its unit in brackets: `cam` and `angle` of `CamAngle [deg]`.
+    /// Words in the name of a column, in lower case and without a unit in brackets: `cam` and `angle` for `CamAngle [deg]`.
     pub fn words(&self, column: usize) -> Vec<String> {
         let name = self.table.names.get(column);
         name.map_or_else(Vec::new, |n| words(n))
     }
 
-    /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
+    /// Name and unit of a column, equal for `lift_mm`, `lift [mm]` and `lift (mm)`; the unit may also be in a row of units.
     pub fn name_and_unit(&self, column: usize) -> (String, Option<String>) {
         self.table.name_and_unit(column)
     }
 
-    /// The rows with their lines, to the end of the text.
+    /// Rows with their lines, up to the end of the text.
     pub fn rows(&self) -> impl Iterator<Item = (usize, Vec<Cell>)> + '_ {
         let lines = Lines::from(&self.bytes, self.table.start);
         let is_row =

@@ -1,10 +1,10 @@
-//! Fast reader for rows of plain numbers, which are most of a long recording.
+//! Fast reader for rows that contain only simple numbers, which are most rows of a long recording.
 
 use super::delimited::{Delimiters, Separator};
 use crate::read::number::short;
 
-/// Reads the chosen fields (numbers from 0, ascending) of the row at the start of `rest`; returns the length of the row with its line end. `None`,
-/// with `row` in any state, for rows that the general reader must parse: other fields than short numbers, missing fields, no line end.
+/// Reads the selected fields (numbers from 0, ascending) of the row at the start of `rest`. Returns the length of the row with its line end. `None`,
+/// with an undefined `row`, for rows that the general reader must parse: fields other than short numbers, missing fields, no line end.
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],

@@ -1,4 +1,4 @@
-//! The samples of a recording: chosen columns of a table, their time base, and the recording that they make.
+//! Samples of a recording: selected columns of a table, their time base, and the resulting recording.
 
 use super::choose::Columns;
 use super::delimited::TextFile;
@@ -11,30 +11,31 @@ use crate::read::timebase::{TimeBase, usual_step};
 use crate::read::vertical::{self, Facts, RawForce};
 use crate::recording::{ClockSource, Format, Note, ReadOptions, Recording};
 
-/// Raw values of the chosen columns, before time and unit are determined.
+/// Raw values of the selected columns, before time and unit are determined.
 pub(in crate::read) struct Samples {
     /// Times as written, if there is a time column.
     pub times: Option<Vec<f64>>,
-    /// Seconds per unit of the times, if the column states it.
+    /// Seconds per unit of the times, if the column states the unit.
     pub time_unit: Option<f64>,
-    /// Whether times count samples, or are a phase.
+    /// Whether the times count samples, or are a phase.
     pub counts: bool,
-    /// Name of the column of times that is the phase of a cycle.
+    /// Name of the time column if it is the phase of a cycle.
     pub phase: Option<String>,
     pub forces: Vec<RawForce>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
-    /// First lines without a row.
+    /// First lines that are not rows.
     pub skipped: Vec<usize>,
-    /// Notes on what was guessed.
+    /// Notes on assumptions.
     pub notes: Vec<Note>,
 }
 
 impl Samples {
-    /// Reads the chosen columns.
+    /// Reads the selected columns.
     ///
     /// # Errors
-    /// Times that decrease, rows that lack most of their fields.
+    ///
+    /// The times decrease; rows lack most of their fields.
     pub fn read(file: &TextFile, table: &Table, columns: Columns) -> Result<Self> {
         let forces = columns.force.iter().map(|f| f.place);
         let mut places: Vec<usize> = forces.chain(columns.time).collect();
@@ -106,7 +107,7 @@ impl Samples {
         vertical::recording(self.forces, base, facts, file.options).map_err(place)
     }
 
-    /// The time base: the user's rate, the time column, or the header's rate, in this order.
+    /// Time base: the rate given by the user, the time column, or the rate in the header, in this order.
     fn time_base(&mut self, options: &ReadOptions, key_rate: Option<f64>) -> Result<TimeBase> {
         let times = self.times.as_deref().filter(|_| !self.counts);
         if let Some(rate) = options.rate_hz {
@@ -165,7 +166,7 @@ impl Samples {
     }
 }
 
-/// The chosen columns out of all columns. Rows without a time are skipped; times must not decrease.
+/// Selects columns from all columns. Rows without a time are skipped; times must not decrease.
 fn part(
     file: &TextFile,
     table: &Table,
@@ -196,7 +197,7 @@ fn part(
     Ok(all)
 }
 
-/// The note that the user's rate replaces a different one of the time column.
+/// Note that the rate given by the user replaces a different rate of the time column.
 fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     let seconds: Vec<f64> = times.iter().map(|t| t * unit.unwrap_or(1.0)).collect();
     let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
@@ -206,14 +207,14 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Steps of a clock that counts small units: name, seconds per unit, and possible steps.
+/// Units of a clock that counts small units: name, seconds per unit, and possible steps.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),
     ("ns", 1e-9, 200e3..=60e6),
 ];
 
-/// Seconds per unit of a time column without a unit, with a note on the guess.
+/// Seconds per unit of a time column without a unit, with a note on the assumption.
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
     let step = usual_step(times);
     if let Some(rate) = key_rate {

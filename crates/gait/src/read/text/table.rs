@@ -1,4 +1,4 @@
-//! Tables in a delimited text: their start, column names and numbers.
+//! Tables in a delimited text: start, column names and numbers.
 
 use std::collections::VecDeque;
 
@@ -9,12 +9,12 @@ use super::plain_row::plain_row;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
 
-/// Number of header lines kept; further ones in the middle are skipped.
+/// Maximum number of header lines that are kept; further lines in the middle are skipped.
 const HEADER_LINES: usize = 300;
 
 /// Finds the next table at or after a position.
 ///
-/// A table starts at the first of two lines that are rows of numbers (or the last line of the text).
+/// A table starts at the first of two consecutive rows of numbers (or at the last line of the text).
 pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -> Option<Table> {
     let mut head: VecDeque<&[u8]> = VecDeque::new();
     let mut lines = Lines::from(bytes, from);
@@ -42,10 +42,10 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
     None
 }
 
-/// Number of rows searched for forces if the first ones hold only a time or a counter.
+/// Number of rows that are searched for forces if the first rows contain only a time or a counter.
 const EMPTY_ROWS: usize = 20_000;
 
-/// Number of fields of a table from its first row on; blanks after a time or a counter count if forces follow later.
+/// Number of fields of a table from its first row on. Empty fields after a time or a counter count if forces follow later.
 fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     let width = row_width(row, delimiters).unwrap_or(0);
     let fields = Fields::new(row, delimiters).count();
@@ -57,9 +57,10 @@ fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     if widths.any(|w| w > 2) { fields } else { width }
 }
 
-/// Number of fields of a row of numbers; `None` for any other line.
+/// Number of fields in a row of numbers; `None` for other lines.
 ///
-/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long. Numbered sensor names, 1 2 3 …, are not a row.
+/// There must be more numbers than words, and the row must start with a number or a clock time, or be long. Numbered names of sensors, 1 2 3 …, are
+/// not a row.
 fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
@@ -89,20 +90,20 @@ fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     (is_row && !is_named).then_some(width)
 }
 
-/// Numbers of chosen columns of a table; NaN for missing ones.
+/// Numbers in the selected columns of a table; NaN for missing ones.
 #[derive(Debug)]
 pub(crate) struct Numbers {
-    /// One vector per chosen column, all of the same length.
+    /// One vector per selected column, all of the same length.
     pub columns: Vec<Vec<f64>>,
     /// First lines that were skipped because they are not rows.
     pub skipped: Vec<usize>,
 }
 
-/// Reads the chosen columns (numbers from 0, ascending) of a table.
+/// Reads the selected columns (numbers from 0, ascending) of a table.
 ///
-/// `time` is the index in `places` of a time column, which must not decrease (equal values are kept because times are rounded). Memory is reserved
-/// for no more rows than there are line ends, and a row that lacks most of its fields ends the reading with an error, so that memory stays within a
-/// small multiple of the text.
+/// `time` is the index in `places` of a time column, which must not decrease (equal values are kept, because times are rounded). Memory is reserved
+/// for at most as many rows as there are line ends. A row that lacks most of its fields ends the reading with an error. The memory therefore stays
+/// within a small multiple of the text.
 pub(crate) fn numbers(
     file: &TextFile,
     table: &Table,
@@ -168,7 +169,7 @@ pub(crate) fn numbers(
     })
 }
 
-/// Number of line ends, summed in bytes first for speed.
+/// Number of line ends, first summed in bytes for speed.
 fn line_ends(bytes: &[u8]) -> usize {
     let of = |block: &[u8]| block.iter().map(|&b| u8::from(b == b'\n')).sum::<u8>();
     bytes.chunks(128).map(|block| usize::from(of(block))).sum()
@@ -182,15 +183,15 @@ fn ragged(table: &Table) -> ReadError {
 /// The rows read so far, column by column.
 struct Rows {
     columns: Vec<Vec<f64>>,
-    /// Maximum number of rows in the reserved memory.
+    /// Maximum number of rows for which memory is reserved.
     room: usize,
-    /// Index of the time column, and the last time.
+    /// Index of the time column, and the last time that was read.
     time: Option<usize>,
     last: f64,
 }
 
 impl Rows {
-    /// Reserves memory for at most `most` rows of a text: a row needs at least one byte per field.
+    /// Reserves memory for at most `most` rows of a text; a row needs at least one byte per field.
     fn new(most: usize, bytes: usize, columns: usize, time: Option<usize>) -> Rows {
         let room = most.min(bytes / columns.max(1) + 1);
         Rows {
@@ -209,7 +210,11 @@ impl Rows {
         self.count() < self.room
     }
 
-    /// Adds a row, if its time does not decrease.
+    /// Adds a row.
+    ///
+    /// # Errors
+    ///
+    /// The time of the row is below that of the previous row.
     #[inline]
     fn push(&mut self, row: &[f64], table: &Table) -> std::result::Result<(), ReadError> {
         if !self.has_room() {
@@ -257,7 +262,7 @@ fn is_comment(line: &[u8]) -> bool {
     matches!(line.trim_ascii(), [b'#' | b'%' | b'!' | b'/', ..])
 }
 
-/// Fills `row` with the chosen fields of a line; returns their number.
+/// Fills `row` with the selected fields of a line. Returns the number of fields in the line.
 #[inline]
 fn chosen_fields(
     line: &[u8],

@@ -7,7 +7,7 @@ use crate::read::columns::{bracketed, is_of_channel, words};
 use crate::recording::ForceUnit;
 
 impl Table {
-    /// Unit of force stated by a column.
+    /// Unit of force that a column states.
     pub fn force_unit(&self, i: usize) -> Option<ForceUnit> {
         let name = self.names.get(i)?;
         let label = |word: &str| word.parse().ok();
@@ -22,7 +22,7 @@ impl Table {
         label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
     }
 
-    /// Seconds per unit of a time column, if it states a unit.
+    /// Seconds per unit of a time column, if the column states a unit.
     pub fn time_unit(&self, i: usize) -> Option<f64> {
         let name = self.names.get(i)?;
         let label = self.unit(i).or_else(|| bracketed(name).last());
@@ -38,7 +38,7 @@ impl Table {
 
     /// Unit of a column that is not a unit of force: `mV`, `kPa`, `%`.
     ///
-    /// Square brackets hold a unit, unless they name a foot, a plate or a direction; round ones may hold a remark.
+    /// Square brackets contain a unit, unless they name a foot, a plate or a direction. Round brackets may contain a remark.
     pub fn foreign_unit(&self, i: usize) -> Option<&str> {
         let name = self.names.get(i)?;
         let is_named = |b: &str| words(b).iter().all(|w| is_of_channel(w));
@@ -54,7 +54,7 @@ impl Table {
         units.find(|unit| *unit != "-" && unit.parse::<ForceUnit>().is_err())
     }
 
-    /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
+    /// Name and unit of a column, equal for `lift_mm`, `lift [mm]` and `lift (mm)`; the unit may also be in a row of units.
     pub fn name_and_unit(&self, i: usize) -> (String, Option<String>) {
         let whole = self.names.get(i).map_or("", |n| n.trim());
         if let Some(unit) = self.unit(i) {

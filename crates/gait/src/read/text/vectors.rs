@@ -1,15 +1,15 @@
-//! OpenSim tables whose cells are vectors: `DataType=Vec3`, three numbers between commas in each cell.
+//! OpenSim tables whose cells are vectors: `DataType=Vec3`, with three numbers separated by commas in each cell.
 
 use super::delimited::{Lines, text};
 
-/// Size of the header that is examined, bytes.
+/// Number of bytes of the header that are examined.
 const HEAD: usize = 1 << 14;
 /// Names of the components of a vector.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-/// The table with a column for each component; `None` for any other text.
+/// The table with one column per component; `None` for other texts.
 ///
-/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names get `_x`, `_y`, `_z`.
+/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names receive the suffixes `_x`, `_y`, `_z`.
 pub(super) fn flattened(bytes: &[u8]) -> Option<Vec<u8>> {
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let mut keys = head

@@ -1,8 +1,7 @@
-//! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, no calibration.
+//! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, without calibration.
 //!
-//! The header gives the rate as `PreciseRate`; names of channels are in a line `Name`, their rates and ranges in
-//! the next two. Muscles may be called like forces (`L GRF`: the left gastrocnemius), so that only numbered plates
-//! count.
+//! The header gives the rate as `PreciseRate`. The names of the channels are in a line `Name`, their rates and ranges in the next two lines. Names of
+//! muscles may look like forces (`L GRF`: left gastrocnemius), so only numbered plates are used.
 
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::kilograms;
@@ -14,12 +13,12 @@ use crate::recording::{Axis, ForceUnit, Note};
 use crate::statistics::{ends, ranked, sample};
 use crate::units::G;
 
-/// Maximum number of lines of the header.
+/// Maximum number of lines in the header.
 const HEAD: usize = 40;
-/// Typical highest force of a stance, body weights, for the contact threshold before the mean is known.
+/// Typical maximum force of a stance, in body weights, for the contact threshold before the mean is known.
 const USUAL_PEAK: f64 = 1.1;
 
-/// The table of a file of converter counts; `None` without names in the header.
+/// Table in a file of converter counts; `None` without names in the header.
 pub(super) fn table(file: &TextFile) -> Option<Table> {
     let mut head = Vec::new();
     let mut names: Option<Vec<String>> = None;
@@ -52,10 +51,11 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
     None
 }
 
-/// Keeps the components of numbered plates, unless the user names columns, and scales them to about newtons by the mass of the walker; the mean cycle
-/// is later scaled exactly.
+/// Keeps the components of numbered plates, unless the user names columns. The mass of the walker scales them approximately to newtons; the mean
+/// cycle is later scaled exactly.
 ///
 /// # Errors
+///
 /// Neither mass nor unit is given.
 pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> Result<()> {
     let forces = &mut samples.forces;
@@ -85,7 +85,7 @@ pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// Largest deviation of the counts from their median.
+/// Maximum deviation of the counts from their median.
 fn reach(force: &RawForce) -> f64 {
     let values = sample(&force.values, usize::MAX);
     let (low, high) = ends(&values).unwrap_or_default();

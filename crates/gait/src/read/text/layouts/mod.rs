@@ -1,4 +1,4 @@
-//! Layouts of text recordings. The row of a layout states how it is recognised, where time and forces are, and how it is read.
+//! Layouts of text recordings. The row of a layout states how the layout is recognised, where time and forces are, and how it is read.
 
 mod converter_counts;
 mod plates;
@@ -16,23 +16,23 @@ use crate::recording::{DecimalMark, Format, Recording, SeparatorName};
 pub use plates::{PlateFile, joined_plates, parts, plate_of};
 pub use stances::metadata_name;
 
-/// One layout of a text recording.
+/// Layout of a text recording.
 pub(super) struct Layout {
-    /// Program that writes it, with the file ending if this identifies the kind of export.
+    /// Program that writes this layout, with the file ending if it identifies the kind of export.
     program: Option<&'static str>,
     /// Whether a text has this layout.
     is_of: fn(&Seen) -> bool,
-    /// Finds its table, if that is not the first one below a header.
+    /// Finds the table, if it is not the first one below a header.
     table: fn(&TextFile) -> Option<Table>,
-    /// Adds implied properties of the samples: columns, units, names, feet.
+    /// Adds properties that the layout implies: columns, units, names, feet.
     complete: fn(&TextFile, &[String], &mut Samples) -> Result<()>,
-    /// Reads the whole table, if a row is not a sample.
+    /// Reads the whole table, for layouts in which a row is not a sample.
     read: Option<ReadTable>,
     /// Whether the forces are those of pressure insoles.
     insole: bool,
 }
 
-/// Reads a table with the lines above it.
+/// Function that reads a table and the lines above it.
 type ReadTable = fn(&TextFile, &Table, &[String]) -> Result<Recording>;
 
 /// Any delimited text, interpreted by its column names.
@@ -113,7 +113,7 @@ const LAYOUTS: &[Layout] = &[
 /// Features by which a layout is recognised.
 struct Seen<'a> {
     file: &'a TextFile<'a>,
-    /// Lines above the table, lower case.
+    /// Lines above the table, in lower case.
     head: Vec<String>,
     /// Names of the table's columns.
     names: &'a [String],
@@ -143,7 +143,7 @@ impl Seen<'_> {
     }
 }
 
-/// The layout of a text, from a table in it and the lines above.
+/// Layout of a text, from one of its tables and the lines above.
 pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'static Layout {
     let seen = Seen {
         file,
@@ -155,14 +155,15 @@ pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'stati
 }
 
 impl Layout {
-    /// The table located by the layout itself, if it does not follow a header.
+    /// The table that the layout locates, if the table does not follow a header.
     pub fn own_table(&self, file: &TextFile) -> Option<Table> {
         (self.table)(file)
     }
 
-    /// Reads a table with the lines above it; `None` without a force.
+    /// Reads a table and the lines above it; `None` without a force.
     ///
     /// # Errors
+    ///
     /// As [`read`](super::read).
     pub fn read(
         &self,

@@ -1,4 +1,4 @@
-//! Texts with one plate of a trial: Qualisys writes one file per plate.
+//! Texts with one plate of a trial. Qualisys writes one file per plate.
 
 use crate::error::Result;
 use crate::read::columns::{foot, words};
@@ -6,7 +6,7 @@ use crate::read::text::delimited::{Lines, TextFile, plain, text};
 use crate::read::text::samples::Samples;
 use crate::recording::ForceUnit;
 
-/// One plate of a trial with one file per plate.
+/// Plate of a trial that has one file per plate.
 ///
 /// ```
 /// use gaitcam_gait::plate_of;
@@ -20,30 +20,30 @@ use crate::recording::ForceUnit;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlateFile {
-    /// Common data of the files of one trial: time stamp, first sample, number of samples, rate.
+    /// Data that all files of a trial share: time stamp, first sample, number of samples, rate.
     pub trial: Vec<String>,
     /// Name of the plate.
     pub plate: String,
 }
 
-/// Keys with equal values in the files of one trial, the most distinctive first.
+/// Keys with equal values in all files of a trial, the most distinctive first.
 const TRIAL: [&str; 4] = ["TIME_STAMP", "FIRST_SAMPLE", "NO_OF_SAMPLES", "FREQUENCY"];
 const PLATE: &str = "FORCE_PLATE_NAME";
-/// First key of such a header.
+/// First key of the header of a plate file.
 const FIRST: &[u8] = b"NO_OF_SAMPLES";
-/// Maximum number of lines of such a header.
+/// Maximum number of lines in the header of a plate file.
 const HEAD: usize = 60;
-/// Number of bytes that contain them.
+/// Maximum number of bytes of the header of a plate file.
 const HEAD_BYTES: usize = 1 << 14;
 
-/// The plate of a text, from its beginning; `None` for a text of another kind.
+/// Plate of a text, from the start of the text; `None` for other texts.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
     of_head(&lines.collect::<Vec<_>>())
 }
 
-/// The concatenated files of one trial's plates for [`read`](crate::read()); `None` unless they are distinct plates of one trial.
+/// Concatenated plate files of one trial, for [`read`](crate::read()); `None` unless they are distinct plates of one trial.
 pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
     let fits = |(i, plate): (usize, &PlateFile)| {
@@ -54,7 +54,7 @@ pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     (is_trial && parts(&joined).len() == files.len()).then_some(joined)
 }
 
-/// The plates in a concatenated text; the whole text if it holds one.
+/// Plates in a concatenated text; the whole text if it contains only one.
 pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
     if plate_of(&bytes[..bytes.len().min(HEAD_BYTES)]).is_none() {
         return vec![bytes];
@@ -72,7 +72,7 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Adds properties that apply to all columns: their plate, its foot, and newtons, which the header omits.
+/// Adds properties that apply to all columns: plate, foot, and the unit newton, which the header omits.
 pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
     let plate = of_head(head).map(|file| file.plate);
     for force in &mut samples.forces {
@@ -85,7 +85,7 @@ pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// The plate named in a header.
+/// Plate that a header names.
 fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {
