@@ -1,4 +1,4 @@
-//! Interpretation of a recording: recognised, guessed and excluded parts, and open questions.
+//! Interpretation of a recording: recognised, assumed and excluded parts, and open questions.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -31,9 +31,9 @@ pub struct Interpretation {
     pub format: Format,
     /// Recorded movement; `None` if unknown.
     pub kind: Option<Kind>,
-    /// Whether the user stated the movement.
+    /// Whether the user stated the kind of movement.
     pub kind_given: bool,
-    /// Time base: rate, span and source.
+    /// Time base: rate, duration and source.
     pub clock: Clock,
     /// Unit of the force columns.
     pub unit: ForceUnit,
@@ -43,25 +43,25 @@ pub struct Interpretation {
     pub columns: Vec<Column>,
     /// Feet of the cycle.
     pub feet: Feet,
-    /// Every contact, used or rejected, in order of time.
+    /// All contacts, used or rejected, in order of time.
     pub contacts: Vec<Contact>,
-    /// Every whole stride of both feet, used or rejected, in order of time.
+    /// All whole strides of both feet, used or rejected, in order of time.
     pub strides: Vec<RecordedStride>,
     /// Duration of a cycle, its source and its variation.
     pub period: Option<Period>,
     /// Mass, kg, and its source.
     pub mass: Option<(f64, MassSource)>,
-    /// Interval that holds a computed mass in 95 of 100 recordings, kg.
+    /// Interval that contains a computed mass in 95 of 100 recordings, kg.
     pub mass_interval_kg: Option<(f64, f64)>,
-    /// Method of the cycle.
+    /// Method by which the cycle was computed.
     pub cycle: Option<CycleSource>,
-    /// Notes on guesses, exclusions and doubts.
+    /// Notes on assumptions, exclusions and doubtful data.
     pub warnings: Vec<Note>,
-    /// The overlaid stances with the mean of each foot.
+    /// Overlaid stances, with the mean of each foot.
     pub overlay: Option<Overlay>,
 }
 
-/// The time base of the samples.
+/// Time base of the samples.
 ///
 /// ```
 /// use gaitcam_gait::{ClockSource, Feet, ReadOptions, force_curve};
@@ -78,15 +78,15 @@ pub struct Interpretation {
 pub struct Clock {
     /// Rate of the samples, 1/s.
     pub rate_hz: f64,
-    /// Time of the first sample on the file's own clock, s.
+    /// Time of the first sample, as in the file, s.
     pub start_s: f64,
-    /// Time from the first sample to the last, s.
+    /// Time from the first sample to the last one, s.
     pub duration_s: f64,
     /// Source of the time base.
     pub from: ClockSource,
 }
 
-/// One column of vertical force.
+/// Column of vertical force.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -102,19 +102,19 @@ pub struct Clock {
 pub struct Column {
     /// Name of the column in the file.
     pub name: String,
-    /// The foot, if the file names it.
+    /// Foot of the column, if the file names it.
     pub foot: Option<Foot>,
-    /// Unloaded reading that was removed, N.
+    /// Unloaded reading that was subtracted, N.
     pub baseline_n: f64,
     /// Standard deviation of the unloaded reading, N.
     pub noise_n: f64,
-    /// Reason for its exclusion, if any.
+    /// Reason for the exclusion of the column; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Lowest and highest force in pieces of equal duration over the whole recording, N; for a picture.
+    /// Minimum and maximum force in pieces of equal duration over the whole recording, N; for a figure.
     pub envelope_n: Vec<[f64; 2]>,
 }
 
-/// One contact of a foot.
+/// Contact of a foot.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
@@ -128,23 +128,23 @@ pub struct Column {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// Index of its column in `columns`.
+    /// Index of the column in `columns`.
     pub column: usize,
-    /// The foot, if known.
+    /// Foot of the contact, if known.
     pub foot: Option<Foot>,
-    /// Start on the file's own clock, s.
+    /// Start of the contact, as in the file, s.
     pub from_s: f64,
-    /// End on the same clock, s.
+    /// End of the contact, as in the file, s.
     pub to_s: f64,
-    /// Loading peak, valley and push-off peak of a whole stance, where it has them.
+    /// Loading peak, valley and push-off peak of a whole stance; `None` for a missing one.
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force over a whole stance, N s.
     pub impulse_ns: Option<f64>,
-    /// Reason for its rejection; `None` if it is used.
+    /// Reason for which the contact was rejected; `None` if it is used.
     pub rejected: Option<RejectReason>,
 }
 
-/// One whole stride on record, from a heel strike to the next of the same foot.
+/// Whole recorded stride, from a heel strike to the next one of the same foot.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, StrideReject, force_curve};
@@ -160,21 +160,21 @@ pub struct Contact {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordedStride {
-    /// The foot that begins and ends it, if known.
+    /// Foot that begins and ends the stride, if known.
     pub foot: Option<Foot>,
-    /// Its first heel strike on the file's own clock, s.
+    /// First heel strike of the stride, as in the file, s.
     pub from_s: f64,
-    /// The next heel strike of the same foot on the same clock, s.
+    /// Next heel strike of the same foot, as in the file, s.
     pub to_s: f64,
-    /// Loading peak, valley and push-off peak of its first stance, where that has them.
+    /// Loading peak, valley and push-off peak of the first stance; `None` for a missing one.
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force of both feet over the stride, N s.
     pub impulse_ns: f64,
-    /// Reason why the mean cycle does not contain it; `None` if it does.
+    /// Reason for which the mean cycle does not contain the stride; `None` if it does.
     pub rejected: Option<StrideReject>,
 }
 
-/// Reasons why a whole stride is not averaged.
+/// Reason for which a whole stride is not averaged.
 ///
 /// ```
 /// use gaitcam_gait::StrideReject;
@@ -186,15 +186,15 @@ pub struct RecordedStride {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum StrideReject {
-    /// Its duration differs by a quarter or more from the median.
+    /// The duration of the stride differs from the median by a quarter or more.
     OddDuration,
-    /// Strides that begin with the other foot are averaged; this one shares their samples.
+    /// The averaged strides begin with the other foot and share samples with this one.
     OtherFoot,
     /// The mean cycle is built from single stances.
     StancesAveraged,
 }
 
-/// A stride of the recorded walk.
+/// Stride duration of the recorded walk.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -213,11 +213,11 @@ pub struct Period {
     pub seconds: f64,
     /// Source of the duration.
     pub from: PeriodSource,
-    /// Standard deviation of the single strides, s, for several strides.
+    /// Standard deviation of the single strides, s, if there are several.
     pub spread_s: Option<f64>,
 }
 
-/// Stances over their own duration: sample `i` of `n` is at the fraction i/(n − 1) of the stance.
+/// Stances over their phase: sample `i` of `n` is at the fraction i/(n − 1) of the stance.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, overlay, read, stances};
@@ -232,9 +232,9 @@ pub struct Period {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
-    /// Foot and force, N, of the stances shown.
+    /// Foot and force, N, of the displayed stances.
     pub stances: Vec<(Option<Foot>, Vec<f64>)>,
-    /// The mean of each foot, left first; one mean for unnamed feet.
+    /// Mean stance of each foot, left first; a single mean for unnamed feet.
     pub means: Vec<MeanStanceCurve>,
 }
 
@@ -252,7 +252,7 @@ pub struct Overlay {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanStanceCurve {
-    /// The foot, if known.
+    /// Foot of the mean stance, if known.
     pub foot: Option<Foot>,
     /// Number of stances in the mean.
     pub count: usize,
@@ -260,19 +260,19 @@ pub struct MeanStanceCurve {
     pub duration_s: f64,
     /// Mean force at equal steps of the stance, N.
     pub mean_n: Vec<f64>,
-    /// Standard deviation from stance to stance, N, for two or more.
+    /// Standard deviation from stance to stance, N, for two or more stances.
     pub spread_n: Option<Vec<f64>>,
-    /// Loading peak, valley and push-off peak: the means over the stances that have them.
+    /// Loading peak, valley and push-off peak: means over the stances that have them.
     pub landmarks: [Option<Point>; 3],
 }
 
 impl Interpretation {
-    /// Open questions about kind, clock or mass, each once.
+    /// Open questions about kind, time base or mass, each once.
     pub fn doubts(&self) -> Vec<OpenQuestion> {
         Note::doubts(&self.warnings)
     }
 
-    /// The warnings that raise a question.
+    /// Warnings that raise a question.
     pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
         Note::opening(&self.warnings, question)
     }
@@ -295,7 +295,7 @@ impl Interpretation {
         (used, self.contacts.len() - used)
     }
 
-    /// The mean stances of the picture, left first.
+    /// Mean stances of the overlay, left first.
     pub fn means(&self) -> &[MeanStanceCurve] {
         self.overlay.as_ref().map_or(&[], |o| &o.means)
     }
@@ -327,7 +327,7 @@ impl Interpretation {
     }
 }
 
-/// An enum as its code with its data.
+/// Converts an enum to its code and its data.
 pub fn coded(value: &impl Serialize) -> Value {
     match serde_json::to_value(value) {
         Ok(Value::Object(map)) if map.len() == 1 => map

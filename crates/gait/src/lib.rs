@@ -1,7 +1,7 @@
 //! Recordings of the vertical ground reaction force, their mean cycle, and published load models.
 //!
-//! A recording of any laboratory goes [`read`] → [`stances`] → [`cycle`] → [`ForceCurve`]; [`force_curve`] is the four in
-//! one. A published load model gives its [`ForceCurve`] at once ([`model`]).
+//! [`read`], [`stances`] and [`cycle`] convert a recording of any laboratory into a [`ForceCurve`]; [`force_curve`] does all steps in one call.
+//! [`model`] returns the [`ForceCurve`] of a published load model.
 //!
 //! ```
 //! use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -57,7 +57,7 @@ pub use source::{force_curve, one_cycle};
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};
 pub use step_table::{StepRow, steps_csv};
 
-/// The program in the README compiles and runs.
+/// Compiles and runs the program in the README as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

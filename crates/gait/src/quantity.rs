@@ -21,12 +21,12 @@ pub(super) fn kilograms(value: f64) -> Quantity {
     Quantity::new(rounded(value), Dimension::Mass)
 }
 
-/// A fraction, printed as a percentage of two digits.
+/// A fraction, displayed as a percentage with two digits.
 pub(super) fn share(value: f64) -> Quantity {
     Quantity::share(digits(value, 2))
 }
 
-/// A ratio with three digits, because no calibration is better.
+/// Rounds a ratio to three digits, because calibrations are not more accurate.
 pub(super) fn short(value: f64) -> f64 {
     digits(value, 3)
 }

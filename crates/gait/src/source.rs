@@ -1,4 +1,4 @@
-//! From a file to one cycle of force.
+//! Conversion of a file to one cycle of force.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -11,11 +11,12 @@ use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
-/// A file that is one cycle: a text marked as one, as written by [`ForceCurve::to_csv`], or any table if a period or a span is given;
-/// `None` for any other file. With a span, the stance that is found in a recording fills it; `feet` chooses among its stances.
+/// Reads a file that is one cycle: a text marked as a cycle, as [`ForceCurve::to_csv`] writes it, or any table if a period or a span is given. `None`
+/// for other files. With a span, the stance in a recording fills the span; `feet` selects the stances.
 ///
 /// # Errors
-/// A line that is not a number, too few samples, several forces, a phase without a period.
+///
+/// A line that is not a number; too few samples; several forces; a phase without a period.
 pub fn one_cycle(
     path: &Path,
     bytes: &[u8],
@@ -42,20 +43,21 @@ pub fn one_cycle(
     marked_cycle(path, bytes, options)
 }
 
-/// Name of a file, for reports.
+/// Name of a file for reports.
 fn name(path: &Path) -> &str {
     path.file_name()
         .and_then(|n| n.to_str())
         .unwrap_or("recording")
 }
 
-/// Reads one cycle of force from any file that [`read`](crate::read()) takes.
+/// Reads one cycle of force from any file that [`read`](crate::read()) accepts.
 ///
-/// A text with the comment `# cycle` or `# critical points` is one cycle as given, regardless of `feet`; in other files stances are detected and
-/// averaged into a stride.
+/// A text with the comment `# cycle` or `# critical points` is one cycle as given, regardless of `feet`. In other files, stances are detected and
+/// averaged to a stride.
 ///
 /// # Errors
-/// A file that cannot be read, or that contains no suitable movement.
+///
+/// The file cannot be read, or it contains no suitable movement.
 pub fn force_curve(
     path: &Path,
     bytes: &[u8],

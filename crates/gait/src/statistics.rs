@@ -1,4 +1,4 @@
-//! Mean, median, standard deviation and extremes.
+//! Mean, median, standard deviation and extremes of values.
 
 use std::array::from_fn;
 
@@ -21,8 +21,8 @@ pub(super) fn sample_deviation(values: &[f64]) -> Option<f64> {
     (values.len() > 1).then(|| (square / (values.len() as f64 - 1.0)).sqrt())
 }
 
-/// Quantile of Student's t of two sides for 95 %, for some degrees of freedom: table to ten, then the expansion of Cornish and
-/// Fisher (error below 2e-3).
+/// Two-sided quantile of Student's t distribution for 95 %: tabulated up to ten degrees of freedom, otherwise by the Cornish–Fisher expansion (error
+/// below 2e-3).
 pub(super) fn student_95(degrees: f64) -> f64 {
     const TABLE: [f64; 10] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
@@ -37,36 +37,36 @@ pub(super) fn student_95(degrees: f64) -> f64 {
     }
 }
 
-/// Middle value, or the mean of the two in the middle; `None` without values.
+/// Middle value, or the mean of the two middle values; `None` without values.
 pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_unstable_by(f64::total_cmp);
     let (a, b) = (values.len().checked_sub(1)? / 2, values.len() / 2);
     Some(0.5 * (values[a] + values[b]))
 }
 
-/// The value at `rank` of the sorted values; `None` if there are fewer.
+/// Value with index `rank` among the sorted values; `None` if there are fewer values.
 pub(super) fn ranked(mut values: Vec<f64>, rank: usize) -> Option<f64> {
     (rank < values.len()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
 }
 
-/// At most about `most` finite values, evenly thinned.
+/// At most about `most` finite values, thinned evenly.
 pub(super) fn sample(values: &[f64], most: usize) -> Vec<f64> {
     let step = values.len() / most + 1;
     let thin = values.iter().step_by(step).copied();
     thin.filter(|x| x.is_finite()).collect()
 }
 
-/// The smaller of two numbers, neither NaN; one instruction, unlike `f64::min`.
+/// The smaller of two numbers, neither of them NaN; one instruction, unlike `f64::min`.
 pub(super) fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The larger of two numbers, neither NaN; one instruction, unlike `f64::max`.
+/// The larger of two numbers, neither of them NaN; one instruction, unlike `f64::max`.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Lowest and highest value; `None` without values.
+/// Minimum and maximum; `None` without values.
 pub(super) fn ends(values: &[f64]) -> Option<(f64, f64)> {
     let first = *values.first()?;
     // Eight at once: no comparison waits for the one before, and each takes one instruction, for no value is NaN.

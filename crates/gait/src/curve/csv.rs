@@ -1,13 +1,13 @@
-//! A cycle as a csv file.
+//! A cycle as a CSV file.
 
 use std::fmt::Write as _;
 
 use super::ForceCurve;
 
 impl ForceCurve {
-    /// The cycle as csv that [`one_cycle`](crate::one_cycle) reads as the same cycle.
+    /// The cycle as CSV text. [`one_cycle`](crate::one_cycle) reads it as the same cycle.
     ///
-    /// `comments` become comment lines; a line end inside one starts another comment line.
+    /// `comments` become comment lines. A line break inside a comment starts another comment line.
     pub fn to_csv(&self, comments: &[&str]) -> String {
         let mut out = String::with_capacity(48 * self.force_n.len());
         // Writing to a String does not fail.
@@ -32,7 +32,7 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
     Ok(())
 }
 
-/// Writes the comments that mark a cycle and state what its samples do not have.
+/// Writes the comments that mark a cycle and state the properties that its samples do not contain.
 pub(super) fn write_head(
     out: &mut String,
     curve: &ForceCurve,

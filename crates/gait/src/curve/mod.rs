@@ -17,10 +17,10 @@ use crate::quantity::seconds;
 use crate::recording::Note;
 use crate::statistics::ends;
 
-/// Number of samples of one cycle of a load model and of a mean cycle.
+/// Number of samples in one cycle of a load model, and in a mean cycle.
 pub const SAMPLES: usize = 1024;
 
-/// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
+/// One cycle of vertical force, sampled at equal steps of phase. It is periodic.
 ///
 /// Sample `i` of `n` is at phase θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
 ///
@@ -42,24 +42,24 @@ pub struct ForceCurve {
     pub period_s: f64,
     /// Force at equal steps of phase, N; at least 4 samples, all finite.
     pub force_n: Vec<f64>,
-    /// Step-to-step standard deviation at the same phases, N, where several cycles were averaged.
+    /// Step-to-step standard deviation at the same phases, N, if several cycles were averaged.
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, if known.
     pub mass_kg: Option<f64>,
-    /// Root mean square of the noise of the sensors that is left in the samples, N, if known.
+    /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
-    /// Notes on a file that is one cycle, or a part of one.
+    /// Notes on a file that contains one cycle, or a part of one.
     #[serde(skip)]
     pub notes: Vec<Note>,
     /// Interpretation of the averaged recording.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
-    /// The walkers of which the curve is the mean, if there are several.
+    /// Walkers whose mean is the curve, if there are several.
     #[serde(skip)]
     pub population: Option<Arc<Population>>,
 }
 
-/// The interpretation as the JSON of [`Interpretation::json`].
+/// Serialises the interpretation as the JSON of [`Interpretation::json`].
 fn interpretation<S: Serializer>(
     recording: &Option<Arc<Interpretation>>,
     serializer: S,
@@ -68,10 +68,11 @@ fn interpretation<S: Serializer>(
 }
 
 impl ForceCurve {
-    /// A curve from equal-phase samples of one cycle (the first sample is not repeated at the end).
+    /// Creates a curve from samples of one cycle at equal phases. The first sample is not repeated at the end.
     ///
     /// # Errors
-    /// Fewer than 4 samples, a value that is not finite, a period that is not positive.
+    ///
+    /// Fewer than 4 samples; a value that is not finite; a period that is not positive.
     pub fn from_samples(name: &str, period_s: f64, force_n: Vec<f64>) -> Result<Self> {
         if force_n.len() < 4 {
             let samples = force_n.len();
@@ -113,7 +114,7 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
-    /// Notes on the recording, without those on mean force and mass, which change when the curve is scaled.
+    /// Notes on the recording, without those on mean force and mass, because these change when the curve is scaled.
     pub fn warnings(&self) -> impl Iterator<Item = &Note> {
         let on_mass = |n: &Note| {
             matches!(
@@ -125,12 +126,12 @@ impl ForceCurve {
         all.filter(move |n| !on_mass(n))
     }
 
-    /// Smallest and largest sample, N.
+    /// Minimum and maximum sample, N.
     pub fn range_n(&self) -> (f64, f64) {
         ends(&self.force_n).unwrap_or_default()
     }
 
-    /// Force at phase `theta`, rad, of any turn, N: cubic interpolation without overshoot.
+    /// Force at the phase `theta`, rad, of any turn, N, by cubic interpolation without overshoot.
     pub fn at(&self, theta: f64) -> f64 {
         let n = self.force_n.len();
         let x = (theta / TAU).rem_euclid(1.0) * n as f64;
@@ -144,7 +145,7 @@ impl ForceCurve {
         ((first * v + u * 3.0 * rising) * v + u * u * 3.0 * falling) * v + u * u * u * last
     }
 
-    /// Slopes of the cubics at every sample and at the end, N per sample.
+    /// Slopes of the interpolating cubics at every sample and at the end, N per sample.
     pub fn slopes(&self) -> Vec<f64> {
         slopes(&self.force_n)
     }
@@ -166,7 +167,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle started at another phase, rad: sample 0 of the result is the force at `phase`.
+    /// The cycle with its start at another phase, rad: sample 0 of the result is the force at `phase`.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();
@@ -186,7 +187,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle with other forces, N, one for each sample.
+    /// The cycle with other forces, N, one per sample.
     #[must_use]
     pub fn with_forces(&self, force_n: Vec<f64>) -> Self {
         ForceCurve {
@@ -215,8 +216,8 @@ mod tests {
         assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
     }
 
-    /// At a crest as elsewhere: the cubics differ from a sum of harmonics by n⁴h⁴/384 of each, h = 2π/1024, and by the
-    /// fifth-order error of the slopes.
+    /// At a crest as elsewhere, the cubics differ from a sum of harmonics by n⁴h⁴/384 of each harmonic, h = 2π/1024, and by the fifth-order error of
+    /// the slopes.
     #[test]
     fn sums_of_harmonics_are_interpolated_to_fourth_order() {
         let (mut worst, mut cases) = (0.0_f64, 0);

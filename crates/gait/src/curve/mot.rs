@@ -18,14 +18,14 @@ const COLUMNS: [&str; 9] = [
     "_torque_y",
     "_torque_z",
 ];
-/// Index of the vertical force among them: OpenSim's Y axis points upwards.
+/// Index of the vertical force in `COLUMNS`: the Y axis of OpenSim points upwards.
 const VERTICAL: usize = 1;
 
 impl ForceCurve {
-    /// The cycle as `.mot` in the layout of OpenSim's ExternalLoads; [`one_cycle`](crate::one_cycle) reads it as the same cycle.
+    /// The cycle as `.mot` text in the layout of OpenSim's ExternalLoads. [`one_cycle`](crate::one_cycle) reads it as the same cycle.
     ///
-    /// The vertical force is `ground_force_vy`, or that of a `foot`; a last row repeats the first at the end of the period. The other
-    /// components, the point of application and the torques are zero, because a curve does not have them.
+    /// The vertical force is `ground_force_vy`, or the vertical force of a `foot`. The last row repeats the first one at the end of the period. The
+    /// other components, the point of application and the torques are zero, because a curve does not contain them.
     pub fn to_mot(&self, foot: Option<Foot>, comments: &[&str]) -> String {
         let mut out = String::with_capacity(64 * self.force_n.len());
         // Writing to a String does not fail.

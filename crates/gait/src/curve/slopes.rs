@@ -1,12 +1,13 @@
 //! Slopes of the interpolation between samples.
 //!
-//! The slope per sample at the middle of five samples is the fourth-order centred difference. It is used unchanged where the samples bend steadily,
-//! as at a smooth crest: the cubics are of fourth order there. Elsewhere it is limited to three times the smaller neighbouring step, so that a sharp
-//! heel strike is not overshot (Fritsch and Carlson's bound), and at a local extreme of the samples to half of that, of either sign.
+//! The slope per sample at the middle of five samples is the fourth-order centred difference. It is used unchanged where the second differences
+//! change slowly, as at a smooth crest; there the cubics are of fourth order. Elsewhere it is limited to three times the smaller adjacent step, so
+//! that a sharp heel strike is not overshot (bound of Fritsch and Carlson). At a local extreme of the samples it is limited to half of this value,
+//! with either sign.
 
 use crate::statistics::{larger, smaller};
 
-/// Slopes at all samples of a period, four or more, and at its end.
+/// Slopes at all samples of a period (four or more), and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
     let mut out = Vec::with_capacity(n + 1);
@@ -19,17 +20,17 @@ pub fn slopes(f: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The slope at one sample of a period, with cyclic index.
+/// Slope at one sample of a period, with a cyclic index.
 pub fn slope_at(f: &[f64], i: usize) -> f64 {
     let n = f.len();
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
 }
 
-/// The second differences of five samples agree in sign and within this factor where the samples bend steadily. With
-/// second differences p, q, r the centred difference is the step before plus q/2 + (p − r)/12: between both steps then.
+/// Maximum ratio of the second differences of five samples, which also agree in sign, for the unchanged centred difference. With second differences
+/// p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12; under this condition it lies between both steps.
 const STEADY: f64 = 6.0;
 
-/// Selections instead of branches, so that the compiler vectorises the slopes.
+/// Limits the slope by selections instead of branches, so that the compiler vectorises the loop.
 fn limited(f: [f64; 5]) -> f64 {
     let centred = 2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0]);
     let (before, after) = (f[2] - f[1], f[3] - f[2]);

@@ -7,15 +7,15 @@ use crate::recording::{Channel, Recording};
 use crate::stance::Stance;
 use crate::statistics::mean;
 
-/// Maximum time for which a foot's force lies below the contact threshold before heel strike and after toe-off, s.
+/// Maximum time for which the force of a foot is below the contact threshold before heel strike and after toe-off, s.
 const TAIL_S: f64 = 0.06;
-/// Fraction of a stance by which a mean stance extends beyond its ends, to include that force.
+/// Fraction of a stance by which a mean stance extends beyond both ends, to include the force below the threshold.
 pub(super) const MARGIN: f64 = 0.12;
 
-/// Fraction of a stride about its ends that is blended with its neighbours.
+/// Fraction of a stride near its ends that is blended with the adjacent strides.
 pub(super) const BLEND: f64 = 0.04;
 
-/// Force between samples, by linear interpolation.
+/// Force between samples, N, by linear interpolation.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
     // Over i64: the processor has no conversion to unsigned numbers.
     let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
@@ -26,10 +26,10 @@ pub(super) fn at(force: &[f64], place: f64) -> f64 {
     a + x * (b - a)
 }
 
-/// Maximum number of strides that one stance may cover; in walking it is less than one.
+/// Maximum number of strides that a stance may cover; in walking a stance is shorter than a stride.
 const MOST_TURNS: usize = 5;
 
-/// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
+/// Running mean and sum of squared deviations per phase (Welford), so that cycles need not be stored.
 pub(super) struct Mean {
     count: f64,
     mean: Vec<f64>,
@@ -54,7 +54,7 @@ impl Mean {
         }
     }
 
-    /// Mean and, for two or more cycles, standard deviation.
+    /// Mean, and for two or more cycles the standard deviation.
     pub fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
         let degrees = self.count - 1.0;
         let spread =
@@ -63,9 +63,9 @@ impl Mean {
     }
 }
 
-/// Span of a contact with the force below the threshold on both sides, down to the unloaded level, s.
+/// Span of a contact including the force below the threshold on both sides, down to the unloaded level, s.
 ///
-/// The threshold detects contact; the small force outside it is part of the gait too.
+/// The threshold detects the contact, but the small force outside it is part of the gait.
 pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f64) -> (f64, f64) {
     let force = &channel.force_n;
     let last = force.len().saturating_sub(1);
@@ -93,10 +93,10 @@ pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f
     )
 }
 
-/// Fills `row` with one cycle of a force that need not repeat exactly.
+/// Fills `row` with one cycle of a force that need not be exactly periodic.
 ///
-/// Within `half_s` of its ends the cycle is blended with what came one cycle later or earlier, so that the row
-/// closes without a jump and every sample of the force counts once.
+/// Within `half_s` of its ends, the cycle is blended with the force one cycle later or earlier. The row is then continuous at its ends, and every
+/// sample of the force has the same weight.
 pub(super) fn periodic(
     row: &mut [f64],
     start_s: f64,
@@ -122,7 +122,7 @@ pub(super) fn periodic(
     }
 }
 
-/// The mean stance of some stances on its own phase.
+/// Mean of several stances over the phase of the stance.
 pub(super) struct MeanStance {
     pub count: usize,
     pub duration_s: f64,
@@ -133,13 +133,13 @@ pub(super) struct MeanStance {
     pub spread: Option<Vec<f64>>,
 }
 
-/// Mean mass, kg, of stances with masses of their own.
+/// Mean mass of the stances, kg; `None` if a stance has no mass.
 pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
     let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
     masses.map(|m| mean(&m))
 }
 
-/// Averages stances. If each has its own mass, they are averaged in body weights and scaled to the mean mass.
+/// Averages stances. If each stance has a mass, they are averaged in body weights and scaled to the mean mass.
 pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
     let usual = mean_mass(stances);
     let mut mean = Mean::new();

@@ -1,23 +1,22 @@
-//! Mean total force of a walker while both feet are on record: over a stride it is the weight. A record of one stride suffices even without a whole
-//! stance. Otherwise two consecutive stances show the total force from the toe-off of the foot before to that of the first, and from the heel strike
-//! of the second to the next one: two half strides. Their mean force hardly depends on the stride time, which only places their outer ends; the
-//! impulse of both stances over the stride time does.
+//! Mean total force of a walker while the force of both feet is recorded. Over a stride it equals the weight. A recording of one stride is sufficient
+//! even without a whole stance. Otherwise two consecutive stances show the total force over two half strides: from the previous toe-off to the
+//! toe-off of the first foot, and from the heel strike of the second foot to the next one. Their mean force hardly depends on the stride time, which
+//! only determines their outer ends. The impulse of both stances divided by the stride time depends on it.
 
 use super::average::whole_span;
 use crate::recording::Recording;
 use crate::stance::{Footfall, Stances, footfalls, same_foot};
 use crate::statistics::mean;
 
-/// Maximum difference of the impulses of two stances, as a fraction of their sum.
+/// Maximum difference between the impulses of two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Minimum total force, as a fraction of its mean, while both feet are on record.
+/// Minimum total force, as a fraction of its mean, while the force of both feet is recorded.
 const LOADED: f64 = 0.3;
-/// Fraction of a stride that a record may lack at its ends.
+/// Fraction of a stride that may be missing at the ends of a recording.
 const LACKING: f64 = 0.02;
 
-/// Mean force of all plates, N, over whole strides of a record in which it never falls far below its mean; `None` for
-/// any other record.
+/// Mean force of all plates, N, over whole strides of a recording in which it is never far below its mean; `None` for other recordings.
 fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
     let samples = plates.iter().map(|p| p.len()).min()?;
@@ -34,8 +33,8 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
 }
 
-/// Mean total force, N, at a stride time; `None` without two consecutive whole stances of similar impulse. For a limping walker two half strides do
-/// not make a whole one.
+/// Mean total force, N, for a stride time; `None` without two consecutive whole stances with similar impulse. Two half strides of a limping walker
+/// are not equivalent to a stride.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;

@@ -1,4 +1,4 @@
-//! A recorded stance over a part of the turn.
+//! A recorded stance that fills a part of the turn.
 
 use std::f64::consts::TAU;
 
@@ -11,19 +11,20 @@ use crate::recording::{Feet, Note, Recording};
 use crate::stance::{Stance, Stances};
 use crate::statistics::mean;
 
-/// Fraction of a recording above which a stance is the whole of it.
+/// Fraction of the recording above which a stance counts as the whole recording.
 const WHOLE: f64 = 0.97;
 
-/// Relative difference of a stance from the span below which it is not stretched.
+/// Relative difference between a stance and the span below which the stance is not stretched.
 const NEARLY: f64 = 0.05;
 
-/// One cycle in which the mean stance fills a span, rad, and the rest is unloaded; `None` without a whole stance, or if the only
-/// stance is the whole recording.
+/// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest. `None` without a whole stance, or if the only stance is
+/// the whole recording.
 ///
-/// Without a `period`, s, the stance keeps its duration. Of `feet` the side alone counts: one foot stands in the span.
+/// Without a `period`, s, the duration of the stance is unchanged. Only the side of `feet` is used, because one foot is in the span.
 ///
 /// # Errors
-/// A period that is not positive; no stance of the side.
+///
+/// The period is not positive; there is no stance of this side.
 pub fn stance_in_span(
     name: &str,
     recording: &Recording,

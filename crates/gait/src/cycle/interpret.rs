@@ -1,4 +1,4 @@
-//! The interpretation of a recording, for reports and pictures.
+//! Interpretation of a recording, for reports and figures.
 
 use super::stride::recorded_strides;
 use super::{Cycle, overlay};
@@ -7,13 +7,13 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Number of points of a channel in its picture: lowest and highest force of each piece.
+/// Number of pieces of a channel in a figure; each is drawn by its minimum and maximum force.
 const PIECES: usize = 700;
-/// Maximum number of single stances in a picture; the means include all.
+/// Maximum number of single stances in a figure; the means include all stances.
 const DRAWN: usize = 60;
 
 impl Interpretation {
-    /// The interpretation of a recording; `cycle` is `None` if it was rejected.
+    /// Interpretation of a recording. `cycle` is `None` if the recording was rejected.
     pub fn of(
         file: &str,
         recording: &Recording,
@@ -70,14 +70,14 @@ impl Column {
     }
 }
 
-/// Lowest and highest value of pieces of equal length, so that no peak is lost.
+/// Minimum and maximum of pieces of equal length, so that every peak is visible.
 fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
     let length = force.len().div_ceil(pieces).max(1);
     let pieces = force.chunks(length).filter_map(ends);
     pieces.map(|(low, high)| [low, high]).collect()
 }
 
-/// Contacts in order of time, on the file's own clock.
+/// Contacts in order of time, with times as in the file.
 fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Contact> {
     // The sum of both feet keeps stances that the mean of one foot leaves out.
     let whole = averages_strides(cycle);

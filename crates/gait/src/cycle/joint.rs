@@ -1,4 +1,4 @@
-//! One mean cycle of several recordings of one movement: the trials of a walker, or walkers side by side.
+//! Mean cycle of several recordings of one movement: trials of one walker, or recordings of several walkers.
 
 use std::f64::consts::SQRT_2;
 
@@ -14,9 +14,9 @@ use crate::stance::largest_group;
 use crate::statistics::ends;
 use crate::units::Quantity;
 
-/// Relative difference below which masses belong to one walker.
+/// Relative difference below which masses belong to the same walker.
 const ONE_WALKER: f64 = 0.1;
-/// Fraction of a cycle by which the second foot of a stride may land away from its middle.
+/// Maximum distance of the second heel strike of a stride from the middle of the stride, as a fraction of the cycle.
 const LIMP: f64 = 0.1;
 
 /// The mean cycle of one recording, before averaging.
@@ -41,7 +41,7 @@ pub struct Trial<'a> {
     pub open: &'a [OpenQuestion],
 }
 
-/// Reasons why a recording is excluded from a joint mean.
+/// Reason for which a recording is excluded from a joint mean.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, LeftOut, OpenQuestion, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -61,7 +61,7 @@ pub struct Trial<'a> {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LeftOut {
-    /// Kind, clock or mass are not certain.
+    /// Kind, time base or mass are not certain.
     Open {
         /// Open questions of the trial.
         questions: Vec<OpenQuestion>,
@@ -75,20 +75,20 @@ pub enum LeftOut {
     },
     /// Most recordings have another speed.
     OtherSpeed {
-        /// Duration of its stride.
+        /// Duration of the stride in this recording.
         period: Quantity,
-        /// Shortest stride of the mean.
+        /// Minimum stride duration in the mean.
         low: Quantity,
-        /// Longest stride of the mean.
+        /// Maximum stride duration in the mean.
         high: Quantity,
     },
     /// The recording is already a mean cycle, while others are not.
     MeanAlready,
-    /// The recording gives no cycle.
+    /// The recording contains no cycle.
     NoCycle,
 }
 
-/// A mean over several recordings.
+/// Mean over several recordings.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -102,23 +102,23 @@ pub enum LeftOut {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointMean {
-    /// The mean cycle; its spread is the standard deviation of all cycles, within and between recordings.
+    /// Mean cycle. Its spread is the standard deviation of all cycles, within and between recordings.
     pub curve: ForceCurve,
-    /// For each trial, in the given order, the reason for its exclusion; `None` if it is included.
+    /// Reason for the exclusion of each trial, in the given order; `None` if the trial is included.
     pub left_out: Vec<Option<LeftOut>>,
-    /// The cycle of each included trial, on the phase of the mean and scaled like it, N.
+    /// Cycle of each included trial, N, in the phase of the mean and with the same scaling.
     pub trials_n: Vec<Vec<f64>>,
     /// Number of cycles in the mean.
     pub cycles: usize,
     /// Movement of the mean.
     pub kind: Kind,
-    /// Standard deviation of the duration of a cycle, s, for several cycles.
+    /// Standard deviation of the duration of a cycle, s, if there are several cycles.
     pub period_spread_s: Option<f64>,
     /// Coefficient of repeatability, N, as in [`Cycle`].
     pub repeatability_n: Option<f64>,
-    /// Mass, kg: the mean over the cycles.
+    /// Mean mass over the cycles, kg.
     pub mass_kg: f64,
-    /// Source of the masses; `None` if recordings differ in it.
+    /// Source of the masses; `None` if the source differs between recordings.
     pub mass_from: Option<MassSource>,
     /// Notes for the user.
     pub notes: Vec<Note>,
@@ -131,12 +131,12 @@ impl JointMean {
     }
 }
 
-/// The mean over the cycles of all trials of the most frequent movement and speed without open questions. The weight of a trial is its number of
+/// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions. The weight of a trial is its number of
 /// cycles. If the masses belong to several walkers, forces are averaged in body weights and scaled to the mean mass.
 ///
 /// # Errors
 ///
-/// If no trial is left.
+/// All trials are excluded.
 pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     let open = |trial: &Trial| {
         let questions = trial.open.to_vec();
@@ -166,7 +166,7 @@ pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     average(&kept(trials, &left_out), most, left_out)
 }
 
-/// The cycles for which there is no reason to leave them out.
+/// Cycles without a reason for exclusion.
 fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
     let all = trials.iter().zip(left_out);
     all.filter(|(_, out)| out.is_none())
@@ -174,7 +174,7 @@ fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle
         .collect()
 }
 
-/// Excludes the kept cycles for which there is a reason.
+/// Excludes further cycles for which `reason` returns a reason.
 fn leave_out(
     trials: &[Trial],
     left_out: &mut [Option<LeftOut>],
@@ -240,7 +240,7 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     })
 }
 
-/// Standard deviation of all values of groups with known counts, deviations and means; `None` for one value.
+/// Standard deviation of all values of several groups with known counts, deviations and means; `None` for a single value.
 fn pooled(
     counts: &[f64],
     deviation: &dyn Fn(usize) -> f64,
@@ -255,7 +255,7 @@ fn pooled(
     (degrees > 0.0).then(|| (squares.sum::<f64>() / degrees).sqrt())
 }
 
-/// Number of cycles in a mean cycle; for a stride built from single stances, that of the foot with fewer.
+/// Number of cycles in a mean cycle. For a stride built from single stances, the smaller number of both feet.
 fn cycles(cycle: &Cycle) -> usize {
     match cycle.source {
         CycleSource::WholeStrides { strides, .. } | CycleSource::TotalForce { strides } => strides,
@@ -266,8 +266,8 @@ fn cycles(cycle: &Cycle) -> usize {
     .max(1)
 }
 
-/// Forces and deviations (0 without any) of the cycles from the same moment of the stride. A cycle that begins with the left heel strike is shifted
-/// to the right one; a total force, which has no heel strike, is shifted to the best agreement with the others.
+/// Forces and deviations (0 if unknown) of the cycles, starting at the same moment of the stride. A cycle that begins with the left heel strike is
+/// shifted to the right one. A total force, which has no heel strike, is shifted to the best agreement with the others.
 fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());
@@ -295,7 +295,7 @@ fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     used.iter().map(|c| shifted(c)).unzip()
 }
 
-/// The foot whose heel strike starts a cycle of both feet.
+/// Foot whose heel strike starts a cycle of both feet.
 fn foot(cycle: &Cycle) -> Option<Foot> {
     match cycle.source {
         CycleSource::WholeStrides { from, .. } => from,
@@ -304,7 +304,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     }
 }
 
-/// The given shift at which a periodic row resembles another most.
+/// Shift, among the given ones, for which a periodic row is most similar to another row.
 fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
     let likeness = |shift: usize| -> f64 {
         let later = row.iter().cycle().skip(shift);

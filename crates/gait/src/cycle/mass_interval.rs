@@ -1,4 +1,4 @@
-//! Interval of a mass that is computed from the mean force: what steps, clock and unloaded levels leave open.
+//! Interval of a mass that is computed from the mean force. It covers the uncertainty of steps, time base and unloaded levels.
 
 use super::Average;
 use super::single::by_side;
@@ -8,21 +8,20 @@ use crate::stance::{Stance, Stances};
 use crate::statistics::{mean, sample_deviation, student_95};
 use crate::units::G;
 
-/// Usual standard deviation of the mean force from stride to stride, and of the impulse from stance to stance, relative; each with
-/// the degrees of freedom that it weighs against the recorded ones.
+/// Usual relative standard deviation of the mean force from stride to stride, with its weight in degrees of freedom.
 const OF_STRIDES: f64 = 0.015;
 const OF_STANCES: f64 = 0.03;
 const USUAL_DEGREES: f64 = 4.0;
-/// Standard deviation of half the difference between the feet of a walker, relative.
+/// Relative standard deviation of half the difference between the feet of a walker.
 const OF_FEET: f64 = 0.06;
-/// Standard uncertainty of a stride time from the usual duty factor, relative.
+/// Relative standard uncertainty of a stride time from the usual duty factor.
 const OF_DUTY: f64 = 0.05;
-/// Standard uncertainty of an unloaded level: a fraction of its noise, and at least this, N.
+/// Standard uncertainty of an unloaded level: as a fraction of its noise, and its minimum, N.
 const OF_LEVEL: (f64, f64) = (0.3, 0.4);
-/// Normal quantile of two sides for 95 %.
+/// Two-sided normal quantile for 95 %.
 const NORMAL_95: f64 = 1.96;
 
-/// Lower and upper end of the 95 % interval of a mass, kg. `None` for insoles, whose calibration is unknown.
+/// Ends of the 95 % interval of a mass, kg. `None` for insoles, whose calibration is unknown.
 pub(super) fn mass_interval(
     recording: &Recording,
     stances: &Stances,
@@ -39,7 +38,7 @@ pub(super) fn mass_interval(
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
-/// Half width from the steps, relative.
+/// Relative half width that results from the steps.
 fn of_steps(
     recording: &Recording,
     stances: &Stances,
@@ -69,7 +68,7 @@ fn of_steps(
     }
 }
 
-/// Half width of the mean of some values, relative: their deviation, weighed with the usual one.
+/// Relative half width of the mean of some values, from their deviation combined with the usual one.
 fn of_mean(values: &[f64], usual: f64) -> f64 {
     let degrees = (values.len() as f64 - 1.0).max(0.0);
     let own = sample_deviation(values).unwrap_or(0.0) / mean(values).abs().max(f64::MIN_POSITIVE);
@@ -78,7 +77,7 @@ fn of_mean(values: &[f64], usual: f64) -> f64 {
     student_95(all) * (square / values.len().max(1) as f64).sqrt()
 }
 
-/// Half width from the stride time, relative; the mean over whole strides does not depend on it.
+/// Relative half width that results from the stride time. The mean over whole strides does not depend on the stride time.
 fn of_clock(average: &Average) -> f64 {
     let period = average.period;
     match average.source {
@@ -91,7 +90,7 @@ fn of_clock(average: &Average) -> f64 {
     }
 }
 
-/// Half width from the unloaded levels of the plates, relative.
+/// Relative half width that results from the unloaded levels of the plates.
 fn of_levels(recording: &Recording, mass_kg: f64) -> f64 {
     let of = |noise_n: f64| (OF_LEVEL.0 * noise_n).max(OF_LEVEL.1);
     let squares = recording.live().map(|(_, c)| of(c.noise_n).powi(2));

@@ -1,7 +1,7 @@
-//! The mean cycle of a recording, on phase, with its step-to-step spread.
+//! Mean cycle of a recording over its phase, with its step-to-step spread.
 //!
-//! Where the plates (or insoles) cover whole strides, both feet are summed and the strides averaged. Otherwise a stride is built from single stances:
-//! the mean left and the mean right one, half a stride apart.
+//! If the plates (or insoles) cover whole strides, both feet are summed and the strides are averaged. Otherwise a stride is built from single
+//! stances: the mean left stance and the mean right stance, half a stride apart.
 
 mod average;
 mod balance;
@@ -43,7 +43,7 @@ pub use joint::{JointMean, LeftOut, Trial, joint_mean};
 pub use overlay::overlay;
 pub use plausibility::implausible;
 
-/// One mean cycle of a recording and how it was computed.
+/// Mean cycle of a recording, and the method of its computation.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, cycle, read, stances};
@@ -57,30 +57,30 @@ pub use plausibility::implausible;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// The mean cycle; its period is a stride, its spread is the standard deviation from step to step.
+    /// Mean cycle. Its period is a stride; its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
-    /// Number of averaged cycles: whole strides, or stances if the stride was built from them.
+    /// Number of averaged cycles: whole strides, or stances if a stride was built from them.
     pub averaged: usize,
-    /// Method of the cycle.
+    /// Method by which the cycle was computed.
     pub source: CycleSource,
-    /// Duration of the cycle, and where it comes from.
+    /// Duration of the cycle, and its source.
     pub period: Period,
-    /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
-    /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.
+    /// Coefficient of repeatability, N: in 95 of 100 cases, the difference between two cycles of this walker is smaller (1.96 √2 times the standard
+    /// deviation, root mean square over the phases). `None` for a single cycle.
     pub repeatability_n: Option<f64>,
     /// Mass, kg: given, or the mean force over the stride divided by g.
     pub mass_kg: f64,
     /// Source of the mass.
     pub mass_from: MassSource,
-    /// Interval that holds the mass in 95 of 100 recordings, kg, if it is computed from the mean force of calibrated plates.
+    /// Interval that contains the mass in 95 of 100 recordings, kg, if the mass is computed from the mean force of calibrated plates.
     pub mass_interval_kg: Option<(f64, f64)>,
-    /// Every whole stride of both feet, used or not, in order of time.
+    /// All whole strides of both feet, used or not, in order of time.
     pub strides: Vec<RecordedStride>,
     /// Movement of the cycle.
     pub kind: Kind,
-    /// Mean force over the cycle as a fraction of the weight that the feet of the cycle carry; 1 for a correct mass.
+    /// Mean force over the cycle as a fraction of the weight carried by the feet of the cycle; 1 for a correct mass.
     pub mean_of_weight: f64,
-    /// Whether mean force and mass can belong to one walker.
+    /// Whether mean force and mass are consistent for one walker.
     pub mass_fits: bool,
     /// Notes on values that are implausible for the movement.
     pub notes: Vec<Note>,
@@ -93,12 +93,12 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
-    /// Contacts excluded from it.
+    /// Note on the contacts that are excluded from the mean.
     note: Option<Note>,
 }
 
 impl Average {
-    /// The mean of whole cycles, with their durations, s.
+    /// Mean of whole cycles, with their durations, s.
     fn of_cycles(cycles: Mean, durations: &[f64], from: PeriodSource, source: CycleSource) -> Self {
         let (force_n, spread_n) = cycles.finish();
         Average {
@@ -115,7 +115,7 @@ impl Average {
         }
     }
 
-    /// A stride built from mean stances, each at its start phase.
+    /// A stride built from mean stances, each placed at its start phase.
     fn of_stances(
         period: Period,
         stances: &[(&MeanStance, f64)],
@@ -139,13 +139,13 @@ impl Average {
     }
 }
 
-/// Averages the stances of a recording into one cycle.
+/// Averages the stances of a recording to one cycle.
 ///
-/// `feet`: both feet summed, one foot (all stances taken alike), or one side.
+/// `feet`: sum of both feet, one foot (all stances treated alike), or one side.
 ///
 /// # Errors
 ///
-/// No whole stance, or none of the requested side.
+/// There is no whole stance, or no whole stance of the requested side.
 pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
     let kind = stances.kind.unwrap_or(Kind::Walking);
     let slow = recording.kind == Some(Kind::Walking);
@@ -174,7 +174,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
     finish(recording, stances, average, feet)
 }
 
-/// The total of both feet in one column, unless the column shows another movement.
+/// Cycle from a column that contains the total of both feet, unless the column shows another movement.
 fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option<Average> {
     let jumps = stances.recognised == Some(Kind::Jumping) && recording.kind.is_none();
     let runs = stances.recognised == Some(Kind::Running) && !recording.runs();
@@ -184,7 +184,7 @@ fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option
     total_stride(recording, stances, stated)
 }
 
-/// The sum of all plates, if feet cross between plates and leave less than half of the strides whole.
+/// Cycle from the sum of all plates, if feet cross between plates and less than half of the strides are whole.
 fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Average> {
     let both = |r: &Rejected| {
         matches!(
@@ -201,7 +201,7 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
 }
 
-/// Root mean square noise, N, of a mean over so many cycles: each foot is on the ground for a part of the stride.
+/// Root mean square noise, N, of a mean over a number of cycles; each foot is on the ground for a part of the stride.
 fn noise(recording: &Recording, stances: &Stances, cycles: usize, feet: Feet) -> f64 {
     let squares: Vec<f64> = recording.live().map(|(_, c)| c.noise_n.powi(2)).collect();
     let durations: Vec<f64> = stances.used.iter().map(Stance::duration_s).collect();
@@ -218,7 +218,7 @@ fn noise(recording: &Recording, stances: &Stances, cycles: usize, feet: Feet) ->
     (feet * mean / cycles.max(1) as f64).sqrt()
 }
 
-/// Determines mass and repeatability of a mean cycle and compares its mean force with the weight.
+/// Determines mass and repeatability of a mean cycle, and compares its mean force with the weight.
 fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
     let period = average.period;
     let force_n = average.force_n.clone();

@@ -1,4 +1,4 @@
-//! Stances laid over each other on phase, with the mean of each foot and its band, for a picture.
+//! Stances over their phase with the mean and band of each foot, for a figure.
 
 use super::average::{mean_mass, mean_stance, stance_row};
 use crate::interpretation::{MeanStanceCurve, Overlay};
@@ -6,8 +6,8 @@ use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
 use crate::statistics::mean as average;
 
-/// Overlays the used stances; `None` without used stances. At most `most` of them are returned, evenly spread over the recording; the means exclude
-/// outliers. If stances have different masses, forces are scaled to the mean mass.
+/// Overlay of the used stances; `None` if no stances are used. At most `most` stances are returned, evenly distributed over the recording. The means
+/// exclude outliers. If the stances have different masses, forces are scaled to the mean mass.
 pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<Overlay> {
     let all: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     if all.is_empty() {

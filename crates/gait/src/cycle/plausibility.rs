@@ -1,4 +1,4 @@
-//! Plausibility of a mean cycle: ranges of walking and running, mean force against mass.
+//! Plausibility of a mean cycle: ranges of walking and running, and comparison of mean force and mass.
 
 use std::ops::Range;
 
@@ -7,11 +7,11 @@ use crate::quantity::{kilograms, newtons, seconds, share, short};
 use crate::recording::{Feet, Kind, Note, WeightShare};
 use crate::units::G;
 
-/// Maximum relative difference of mean force and weight that calibration explains.
+/// Maximum relative difference between mean force and weight that a calibration error can cause.
 const TOLERANCE: f64 = 0.1;
 /// Range of masses of people on force plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
-/// Range of masses that confirm a unit missing in the file, kg.
+/// Range of masses that confirm a unit that is missing in the file, kg.
 pub(super) const ADULT_KG: Range<f64> = 30.0..160.0;
 /// Mass below which a walker counts as a child, kg.
 const CHILD_KG: f64 = 30.0;
@@ -24,9 +24,9 @@ pub(super) struct Ranges {
     pub stride_s: Range<f64>,
     /// Range of the duty factor: fraction of a stride in which a foot is on the ground.
     pub duty: Range<f64>,
-    /// Range of the highest force of a stance, body weights.
+    /// Range of the maximum force of a stance, in body weights.
     pub peak_bw: Range<f64>,
-    /// Duty factor of most people.
+    /// Typical duty factor.
     pub usual_duty: f64,
     /// Typical ratio of stride and stance durations.
     pub stride_of_stance: Range<f64>,
@@ -34,7 +34,7 @@ pub(super) struct Ranges {
     pub step_of_stance: Range<f64>,
 }
 
-/// Ranges of walking (wider for children) and of running. `slow`: walking was stated, so longer strides are allowed.
+/// Ranges of walking (wider for children) and of running. If `slow`, the user stated walking, so longer strides are permitted.
 pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     if kind == Kind::Running {
         return Ranges {
@@ -59,12 +59,12 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     }
 }
 
-/// Mean force of a cycle over the weight that its feet carry; 1 for a correct mass, `None` without a mass.
+/// Mean force of a cycle divided by the weight carried by its feet; 1 for a correct mass, `None` without a mass.
 pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }
 
-/// Reason why mean force and mass do not fit one walker; `None` if they do.
+/// Reason for which mean force and mass are inconsistent for one walker; `None` if they are consistent.
 pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     let ratio = mean_of_weight(curve, feet)?;
     let mass_kg = curve.mass_kg?;
@@ -84,7 +84,7 @@ pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
 
 /// Notes on a stride time, duty factor or peak force outside the ranges of the movement.
 ///
-/// `stance_s`: mean duration of a stance; `peak_n`: mean highest force of a stance, N.
+/// `stance_s` is the mean duration of a stance, `peak_n` the mean of the maximum force of a stance, N.
 pub(super) fn out_of_range(
     ranges: &Ranges,
     period_s: f64,

@@ -1,4 +1,4 @@
-//! Reasons why a recording without a whole stance gives no cycle.
+//! Reasons for which a recording without a whole stance contains no cycle.
 
 use super::plausibility::{ADULT_KG, ranges};
 use super::total::total_stride;
@@ -9,10 +9,10 @@ use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
 
-/// Range of peak readings that suggest newtons per kilogram under a header of newtons.
+/// Range of maximum readings that suggest newtons per kilogram, although the header states newtons.
 const PER_KILOGRAM: std::ops::Range<f64> = 5.0..40.0;
 
-/// The reason, from the rejected contacts and the header.
+/// Reason, from the rejected contacts and the header.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {
@@ -72,7 +72,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     }
 }
 
-/// The error of a recording of another movement than the requested one.
+/// Error if the movement in the recording differs from the requested one.
 fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError> {
     let kind = stances.recognised?;
     match kind {

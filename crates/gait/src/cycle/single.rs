@@ -1,4 +1,4 @@
-//! A stride built from single stances: both feet half a stride apart, or one foot with its swing.
+//! A stride built from single stances: both feet half a stride apart, or one foot with its swing phase.
 
 use super::Average;
 use super::average::{MARGIN, mean_stance};
@@ -39,14 +39,14 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     Average::of_stances(period, &[(&first, 0.0), (&second, 0.5)], all.len(), source)
 }
 
-/// The stances without outliers; all, if every one is an outlier.
+/// Stances without outliers; all stances if every one is an outlier.
 fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
     if alike.is_empty() { stances } else { alike }
 }
 
 /// Stances of the left and of the right foot; of two unnamed feet if no side is known. Without sides, consecutive stances are assigned to alternating
-/// feet; the rows of a table of stances are not consecutive.
+/// feet. The rows of a table of stances are not consecutive.
 pub(super) fn by_side<'a>(
     stances: &[&'a Stance],
     recording: &Recording,
@@ -79,10 +79,11 @@ pub(super) fn by_side<'a>(
     sides
 }
 
-/// The stances of one foot, or of both, without outliers.
+/// Stances of one foot, or of both, without outliers.
 ///
 /// # Errors
-/// No stance of that foot.
+///
+/// There is no stance of this foot.
 pub(super) fn stances_of(stances: &Stances, foot: Option<Foot>) -> Result<Vec<&Stance>> {
     let of_foot = |s: &&Stance| foot.is_none() || s.foot == foot;
     let wanted: Vec<&Stance> = stances.used.iter().filter(of_foot).collect();
@@ -99,7 +100,7 @@ pub(super) fn stances_of(stances: &Stances, foot: Option<Foot>) -> Result<Vec<&S
     }
 }
 
-/// The force of one foot over a stride, zero in swing.
+/// Force of one foot over a stride; zero in the swing phase.
 pub(super) fn one_foot(
     recording: &Recording,
     stances: &Stances,

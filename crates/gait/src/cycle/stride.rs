@@ -8,26 +8,26 @@ use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::{mean, median};
 
-/// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
+/// Time from a heel strike to the next one of the same foot, with all contacts that have a force in this time.
 #[derive(Debug, Clone)]
 pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Recorded time before the start in which all standing feet are known, s. After the end at least a quarter of a stance is required; less of a
-    /// last contact is a fragment.
+    /// Recorded time before `start_s` in which all standing feet are known, s. After the end, at least a quarter of a stance must be recorded; a
+    /// shorter last contact is ignored as a fragment.
     before_s: f64,
-    /// The contacts that overlap the stride.
+    /// Contacts that overlap the stride.
     contacts: Vec<Footfall>,
 }
 
 /// Relative deviation from the median duration above which a stride is not averaged.
 const ODD_STRIDE: f64 = 0.25;
 
-/// Strides in which every footfall is on record.
+/// Strides for which every footfall is recorded.
 ///
-/// In four consecutive footfalls, each overlapping the next: the second to the fourth heel strike is a stride, the first gives its first double
-/// support and may be cut before, the fourth starts the next stride.
+/// In four consecutive footfalls, each overlaps the next one. The stride is the time from the second to the fourth heel strike. The first footfall
+/// contributes to its first double support and may be incomplete before it. The fourth footfall starts the next stride.
 pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
     use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};
     let mut falls = footfalls(recording, stances);
@@ -67,7 +67,7 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
     Average::of_cycles(average, &durations, PeriodSource::HeelStrikes, source)
 }
 
-/// Strides of usual duration that begin with the same foot, and that foot.
+/// Strides of usual duration that begin with the same foot, and this foot.
 fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     let (foot, reasons) = judged(strides);
     let all = strides.iter().zip(reasons);
@@ -75,9 +75,9 @@ fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     (kept.map(|(stride, _)| stride).collect(), foot)
 }
 
-/// The foot that begins the averaged strides, and the reason against each other stride.
+/// The foot that begins the averaged strides, and the reason for the exclusion of each other stride.
 ///
-/// Strides from left to left and from right to right share their samples; one kind is averaged.
+/// Strides from left to left and from right to right share samples, so only one kind is averaged.
 fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
     let usual = median(durations).unwrap_or(0.0);
@@ -106,7 +106,7 @@ fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     (best, reasons.collect())
 }
 
-/// Every whole stride on the clock of the file; `averaged` if the mean cycle is made of them.
+/// All whole strides with times as in the file. `averaged` states whether the mean cycle consists of them.
 pub(super) fn recorded_strides(
     recording: &Recording,
     stances: &Stances,
@@ -136,7 +136,7 @@ pub(super) fn recorded_strides(
     .collect()
 }
 
-/// Sum of the contacts of a stride at equal phases, with matching ends.
+/// Sum of the contacts of a stride at equal phases, with equal values at both ends.
 fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
     let rate = recording.rate_hz;
     let spans: Vec<(&[f64], f64, f64)> = stride

@@ -8,11 +8,11 @@ use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
-/// Relative standard uncertainty of a stride time from one stride or one doubled step: root mean square against all strides of the same walks.
+/// Relative standard uncertainty of a stride time from one stride or one doubled step: root mean square deviation from all strides of the same walks.
 const OF_ONE: f64 = 0.02;
 
 impl Period {
-    /// Standard uncertainty, s, of a duration from one stride or one step; `None` for others.
+    /// Standard uncertainty, s, of a duration from one stride or one step; `None` for other sources.
     pub fn uncertainty_s(&self) -> Option<f64> {
         use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
         let measured = matches!(
@@ -39,8 +39,8 @@ impl Period {
     }
 }
 
-/// Duration of a stride and its source. The sources in order: consecutive heel strikes of one foot, strikes marked in the file, heel markers, doubled
-/// steps, a known mass (impulse of both feet = M g T), a typical duty factor.
+/// Duration of a stride, and its source. The sources in order of preference: consecutive heel strikes of one foot, heel strikes marked in the file,
+/// heel markers, doubled steps, a known mass (impulse of both feet = M g T), a typical duty factor.
 pub(super) fn stride_time(
     recording: &Recording,
     stances: &Stances,
@@ -123,7 +123,7 @@ fn strikes(
     })
 }
 
-/// Times between the strikes of either foot marked in the file, s.
+/// Times between consecutive marked heel strikes of the same foot, s.
 fn marked_strides(recording: &Recording) -> Vec<f64> {
     let of = |foot: Foot| -> Vec<f64> {
         let own = recording.strikes.iter().filter(|s| s.foot == foot);

@@ -1,4 +1,4 @@
-//! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
+//! Walking on one plate with both feet, as on a treadmill with one belt. The total force is never zero.
 
 use super::Average;
 use super::average::{BLEND, Mean, at, periodic};
@@ -8,26 +8,26 @@ use crate::recording::{CycleSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
 
-/// Relative variation of a total force below which the person stands.
+/// Relative variation of the total force below which the person is standing.
 const STEADY: f64 = 0.05;
 /// Relative deviation from the median duration above which a step is not averaged.
 const ODD_STEP: f64 = 0.25;
-/// Minimum number of regular steps of a walk.
+/// Minimum number of regular steps in a recording of walking.
 const FEWEST_STEPS: usize = 5;
 /// Range of step durations of a walker, s.
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// For steps longer than this, s, the total force of a walker varies by less than this fraction of its mean.
+/// Step duration, s, above which the relative variation of the total force of a walker is below the second value.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
-/// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
-/// `None` without a periodic total force.
+/// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a periodic
+/// total force.
 ///
-/// A step is the time between two rises of the force, smoothed over half a step, through its mean; a stride is two steps, so that a difference
-/// between the feet is kept. The first foot is unknown.
+/// A step is the time between two rises of the force, smoothed over half a step, through its mean. A stride is two steps, so that a difference
+/// between the feet remains. The first foot is unknown.
 ///
-/// `stated`: the user states that the column is the total of both feet, so that it may fall to zero.
+/// If `stated`, the user states that the column is the total of both feet; it may then fall to zero.
 pub(super) fn total_stride(
     recording: &Recording,
     stances: &Stances,
@@ -41,11 +41,11 @@ pub(super) fn total_stride(
     strides_of(force, recording)
 }
 
-/// Fraction of the mean below which the total force of a walker on the plates does not fall.
+/// Minimum total force of a walker on the plates, as a fraction of the mean.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates from the first contact to the last, if they carry the walker all the time: feet may cross two
-/// plates, as on the belts of a treadmill. `None` otherwise.
+/// Averages the strides of the sum of all plates from the first contact to the last one, if the plates carry the walker all the time. Feet may cross
+/// two plates, as on the belts of a treadmill. `None` otherwise.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
@@ -63,7 +63,7 @@ pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Optio
     strides_of(&sum, recording)
 }
 
-/// Span from the first to the last contact, s, on the included channels.
+/// Span from the first to the last contact on the included channels, s.
 fn first_to_last(
     recording: &Recording,
     stances: &Stances,
@@ -75,7 +75,7 @@ fn first_to_last(
         .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// The channel of the total force, from its first contact to its last.
+/// Channel of the total force, from its first contact to its last one.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let mut live = recording.live();
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;
@@ -84,7 +84,7 @@ fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [
     channel.force_n.get(sample(from)..sample(to))
 }
 
-/// The longest load that exceeds one foot's contact.
+/// Longest load that is longer than the contact of one foot.
 fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let long = |r: &&Rejected| {
         let lasting = matches!(
@@ -160,10 +160,10 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     })
 }
 
-/// Fraction of the steps of a recording at another speed above which this is noted.
+/// Fraction of the steps of a recording with another speed above which there is a note.
 const OTHER_SPEED: f64 = 0.15;
 
-/// Whether regular steps fill the whole duration, s, except one step at either end; steps of another speed are missed or irregular.
+/// Note if regular steps do not fill the whole duration, s, except one step at either end. Steps at another speed are missed or irregular.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
     // Two steps at once are of this speed too: the rise between them was too small.
@@ -179,14 +179,14 @@ fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     })
 }
 
-/// Maximum duration of a total force searched for repetition, s, and sampling rate of the search, Hz.
+/// Maximum duration of a total force that is searched for repetition, s, and sampling rate of the search, Hz.
 const LOOKED_AT: (f64, f64) = (60.0, 100.0);
-/// Minimum correlation of a total force with itself one step later.
+/// Minimum autocorrelation of a total force at a lag of one step.
 const REPEATS: f64 = 0.3;
-/// Relative correlation above which a shorter lag is the step, and the best lag a multiple of it.
+/// Relative autocorrelation above which a shorter lag is the step, and the best lag a multiple of it.
 const NEARLY: f64 = 0.8;
 
-/// Duration of a step, s: the lag at which the force repeats best; `None` without repetition.
+/// Duration of a step, s: the lag of the maximum autocorrelation; `None` if the force is not periodic.
 fn step_by_repetition(
     force: &[f64],
     mean: f64,
@@ -220,7 +220,7 @@ fn step_by_repetition(
     (best > REPEATS).then(|| (first + crest) as f64 / rate)
 }
 
-/// Positions, in samples, where the mean over `half` samples on either side rises through a level after having been `margin` below it.
+/// Positions, in samples, at which the mean over `half` samples on either side rises through a level after it was `margin` below the level.
 fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
     let width = half.max(2) / 2;
     let count = (2 * width + 1) as f64;

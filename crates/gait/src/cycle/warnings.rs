@@ -1,4 +1,4 @@
-//! Warnings about a mean cycle: assumptions, inconsistencies, open questions.
+//! Warnings about a mean cycle: assumptions, inconsistencies and open questions.
 
 use super::Cycle;
 use super::single::by_side;
@@ -10,7 +10,7 @@ use crate::stance::{RejectReason, Rejected, Stance, Stances};
 use crate::statistics::median;
 use crate::units::G;
 
-/// Warnings about a mean cycle, other than about its mass.
+/// Warnings about a mean cycle, except those about its mass.
 pub(super) fn warnings(
     recording: &Recording,
     stances: &Stances,
@@ -65,7 +65,8 @@ pub(super) fn warnings(
     notes
 }
 
-/// Number of stances of a steady walk of which less than two of three are alike, so that whole stances are not certain.
+/// Note on the number of similar stances, if less than two thirds of the stances of a steady walk are similar. It is then uncertain whether the
+/// stances are whole.
 fn few_alike(stances: &Stances) -> Option<Note> {
     let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
     let used = stances.used.len();
@@ -73,10 +74,10 @@ fn few_alike(stances: &Stances) -> Option<Note> {
     (3 * used < 2 * stances).then_some(Note::FewAlike { used, stances })
 }
 
-/// Maximum coefficient of variation of strides at one speed; steady walkers have 0.01 to 0.03.
+/// Maximum coefficient of variation of strides at a constant speed; steady walkers have 0.01 to 0.03.
 const ONE_SPEED: f64 = 0.05;
 
-/// The warning that strides vary more than at one speed.
+/// Warning that the strides vary more than at a constant speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
     let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
     // Steps of a limping walker differ, strides do not.
@@ -87,7 +88,7 @@ fn varies(cycle: &Cycle) -> Option<Note> {
     })
 }
 
-/// The assumption behind a mass from the mean force.
+/// Warning that the mass was computed from the mean force.
 fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     let mut notes = Vec::new();
     let mass = kilograms(cycle.mass_kg);
@@ -104,15 +105,15 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Relative differences allowed between the weights of stances, and between the mean impulses of the feet.
+/// Permitted relative difference between the weights of stances, and between the mean impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 
-/// Relative deviation of impulse or peak allowed among a few stances.
+/// Permitted relative deviation of impulse or peak among a few stances.
 const OFF: f64 = 0.1;
 /// Number of stances that counts as few.
 const FEW: usize = 6;
 
-/// Relative deviation of the impulse or the highest force of a stance from the median.
+/// Relative deviation of the impulse or the maximum force of a stance from the median.
 fn off_fellows(used: &[&Stance]) -> f64 {
     let worst = |of: fn(&Stance) -> f64| {
         let all: Vec<f64> = used.iter().map(|s| of(s)).collect();
@@ -124,7 +125,7 @@ fn off_fellows(used: &[&Stance]) -> f64 {
     worst(|s| s.impulse_ns).max(worst(Stance::peak_n))
 }
 
-/// Stances, or the impulses of the two feet, that differ more than on whole plates.
+/// Warning that the stances, or the impulses of the two feet, differ more than for whole contacts on the plates.
 fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note> {
     if recording.has_rows() || recording.insole {
         return None;
@@ -152,10 +153,11 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
     })
 }
 
-/// Whether the stride confirms a guessed clock.
+/// Checks that the stride confirms an assumed time base.
 ///
 /// # Errors
-/// A stride that contradicts the guess.
+///
+/// The stride contradicts the assumption.
 pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
     let guessed = recording.notes.iter().find_map(|n| match n {
         Note::TimeUnitGuessed { step, .. } => Some(*step),

@@ -1,4 +1,4 @@
-//! Faults of a force curve, a load model or a mean cycle.
+//! Errors of a force curve, a load model or a mean cycle.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons why there is no force curve.
+/// Reasons for which there is no force curve.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;
@@ -22,27 +22,27 @@ use crate::wording::{Catalogue, WORDS};
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named for what they hold
 pub enum ForceError {
-    /// A cycle of fewer than four samples.
+    /// A cycle has fewer than four samples.
     FewSamples { samples: usize },
-    /// Times and forces that do not match.
+    /// The numbers of times and forces differ.
     Lengths { times: usize, forces: usize },
     /// A sample is not a finite number.
     SampleNotFinite { sample: usize },
     /// The period is not positive.
     PeriodNotPositive { period: Quantity },
-    /// An unknown name of feet.
+    /// The name of the feet is unknown.
     UnknownFeet { word: String },
-    /// An unknown kind of movement.
+    /// The kind of movement is unknown.
     UnknownKind { word: String },
-    /// An unknown open question.
+    /// The open question is unknown.
     UnknownDoubt { word: String },
-    /// No recording gives a cycle for a joint mean.
+    /// No recording contains a cycle for a joint mean.
     NoJointMean { trials: usize },
-    /// An unknown unit of force.
+    /// The unit of force is unknown.
     UnknownUnit { word: String },
-    /// An unknown load model.
+    /// The load model is unknown.
     UnknownModel { name: String, known: String },
-    /// An unknown load model, with a similar name.
+    /// The load model is unknown; a similar name exists.
     MisspeltModel { name: String, near: String },
     /// The body weight is not positive.
     WeightNotPositive { weight: Quantity },
@@ -53,20 +53,20 @@ pub enum ForceError {
         low: Quantity,
         high: Quantity,
     },
-    /// The load model needs a step frequency.
+    /// The load model requires a step frequency.
     FrequencyMissing { model: String },
     /// The load model describes only both feet together.
     BothFeetOnly { model: String },
-    /// The time column was taken as milliseconds, which gives an implausible stride time.
+    /// The time column was interpreted as milliseconds, which gives an implausible stride time.
     ClockImplausible { period: Quantity },
     /// The recording shows running, which was not requested.
     Running { duration: Quantity },
-    /// The recording shows another movement than walking or running.
+    /// The recording shows a movement other than walking or running.
     NotWalking {
         movement: &'static str,
         duration: Quantity,
     },
-    /// The column is the total of both feet, but one foot was requested.
+    /// The column contains the total of both feet, but one foot was requested.
     TotalOfBothFeet { duration: Quantity },
     /// No contact of the recording is a whole walking stance.
     NoStance {
@@ -76,26 +76,26 @@ pub enum ForceError {
         to: Quantity,
         reason: &'static str,
     },
-    /// The file ends before the announced number of rows, without a whole stance.
+    /// The file ends before the announced number of rows and contains no whole stance.
     NoStanceFileCut {
         duration: Quantity,
         announced: usize,
         found: usize,
         reason: &'static str,
     },
-    /// No channel carries a load, but one has readings in the range of newtons per kilogram.
+    /// No channel has a load, but one has readings in the range of newtons per kilogram.
     ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },
     /// No channel rises above the contact threshold.
     NoContact { duration: Quantity },
-    /// A population without walkers.
+    /// The population has no walkers.
     NoWalkers,
-    /// A walker's weight or mean force is not positive.
+    /// The weight or the mean force of a walker is not positive.
     WalkerImpossible { walker: String },
     /// A table of walkers lacks a column.
     WalkerColumnMissing { column: &'static str },
-    /// A value of a table of walkers that is not a number.
+    /// A value in a table of walkers is not a number.
     WalkerValue { column: String, value: String },
     /// Every stance belongs to the other foot.
     NoStanceOfFoot { foot: &'static str },

@@ -1,4 +1,4 @@
-//! Faults of a recording, a force curve or a load model.
+//! Errors of a recording, a force curve or a load model.
 
 mod force;
 mod read;

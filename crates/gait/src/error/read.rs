@@ -1,4 +1,4 @@
-//! Faults of a force file.
+//! Errors of a force file.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons why a file cannot be read.
+/// Reasons for which a file cannot be read.
 ///
 /// ```
 /// use gaitcam_gait::error::ReadError;
@@ -31,65 +31,65 @@ pub enum ReadError {
     /// The given mass is not positive.
     MassNotPositive { mass: Quantity },
 
-    /// No table of numbers; `start` is the start of the file.
+    /// The file contains no table of numbers; `start` is its first text.
     NoTable { start: String },
-    /// A force column in the header without rows of numbers.
+    /// The header contains a force column, but there are no rows of numbers.
     HeaderWithoutRows { column: String },
-    /// A file without a column of vertical force.
+    /// The file has no column of vertical force.
     NoForceColumn { columns: Vec<String> },
-    /// More force columns than a walkway has plates.
+    /// The number of force columns exceeds the number of plates of a walkway.
     ManyForces { found: usize },
     /// The columns are readings of single sensors, such as the pressures of an insole.
     SingleSensors { sensors: usize },
-    /// A long table of cycles over their phase, one for each subject, task and step, without a clock.
+    /// The file is a long table of cycles over their phase, one for each subject, task and step, without times.
     LongTable { cycles: usize },
-    /// A long table of cycles of several movements.
+    /// The file is a long table with cycles of several movements.
     LongTasks { tasks: Vec<String> },
-    /// Several vertical forces of a long table, of which only one can be read.
+    /// A long table has several vertical forces, of which only one can be read.
     LongForces { columns: Vec<String> },
     /// The file has no column names, and no column resembles a vertical force.
     NamelessColumns,
-    /// An unknown column name.
+    /// The name of a column is unknown.
     NoColumn {
         column: String,
         columns: Vec<String>,
     },
-    /// An unknown column name, with a similar one.
+    /// The name of a column is unknown; a similar name exists.
     MisspeltColumn {
         column: String,
         near: String,
         columns: Vec<String>,
     },
-    /// An unnamed column was requested by something other than its number.
+    /// A column without a name was requested by something other than its number.
     NoColumnNumber { column: String, count: usize },
-    /// A force column with a unit that is not a unit of force.
+    /// The unit of a force column is not a unit of force.
     NoForceUnit { column: String, unit: String },
-    /// One column is both force and time.
+    /// The same column is force and time.
     ForceIsTime,
-    /// The times of a column decrease from one row to the next.
+    /// The times decrease from one row to the next.
     TimeBackwards { time: f64, after: f64 },
-    /// Rows are much shorter than the header row.
+    /// The rows are much shorter than the header row.
     ShortRows { fields: usize },
     /// Commas separate both fields and decimals.
     CommasTwice { columns: usize, fields: usize },
-    /// Fewer than two samples.
+    /// The file has fewer than two samples.
     FewSamples { samples: usize },
-    /// Time does not increase.
+    /// The time does not increase.
     TimeStandsStill { at: Quantity },
-    /// Most of the time has no samples.
+    /// Samples are missing for most of the time.
     MostlyGaps { lost: Quantity, whole: Quantity },
-    /// Neither a time column nor a sampling rate.
+    /// The file has neither a time column nor a sampling rate.
     NoRate,
-    /// Converter counts without calibration or mass.
+    /// The forces are converter counts without calibration or mass.
     CountsWithoutMass,
-    /// Force in body weights without a mass.
+    /// The force is in body weights, but there is no mass.
     MassMissing { unit: &'static str },
 
-    /// A sample of a stance that is not a number.
+    /// A sample of a stance is not a number.
     StanceSample { sample: usize, text: String },
-    /// A table of stances without stances.
+    /// A table of stances contains no stances.
     NoStanceRow,
-    /// Force in body weights without a mass for this row.
+    /// The force is in body weights, but this row has no mass.
     RowMassMissing { unit: &'static str, row: usize },
 
     /// The table of a cycle lacks a column.
@@ -105,16 +105,16 @@ pub enum ReadError {
     CycleValue,
     /// The samples of a cycle last longer than its period.
     CycleTooLong { span: Quantity, period: Quantity },
-    /// Critical points without a period.
+    /// Critical points are given without a period.
     CyclePeriodMissing,
-    /// Critical points in wrong order of time.
+    /// The times of the critical points do not increase.
     PointsNotRising,
-    /// A critical point beyond the period.
+    /// A critical point is after the end of the period.
     PointBeyondPeriod { at: Quantity, period: Quantity },
 
-    /// A MAT file without an array of numbers that can be a force.
+    /// The MAT file has no array of numbers that can be a force.
     MatWithoutForce { arrays: Vec<String> },
-    /// An array of a MAT file with fewer values than announced.
+    /// An array of a MAT file has fewer values than announced.
     MatCut {
         array: String,
         announced: usize,
@@ -122,30 +122,30 @@ pub enum ReadError {
     },
     /// The only time column of a cycle is its phase, and the duration of the cycle is not given.
     PhaseWithoutPeriod { column: String },
-    /// The phase of a cycle is that of a stance, and the part of the turn that it covers is not given.
+    /// The phase of a cycle is the phase of a stance, and the part of the turn that it covers is not given.
     PhaseOfStance { column: String },
-    /// A C3D file is said to be one cycle.
+    /// A C3D file is given as a file of one cycle.
     CycleInC3d,
-    /// Several forces in a file of one cycle.
+    /// A file of one cycle contains several forces.
     CycleForces { columns: Vec<String> },
 
-    /// Invalid processor type of a C3D file.
+    /// The processor type of a C3D file is invalid.
     Processor { code: u8 },
-    /// A C3D file without analog samples.
+    /// The C3D file has no analog samples.
     NoAnalog,
-    /// A number of analog values per frame that is not a multiple of the channels.
+    /// The number of analog values per frame is not a multiple of the number of channels.
     OddAnalog { values: usize, samples: usize },
-    /// A C3D file without a complete frame.
+    /// The C3D file has no complete frame.
     NoFrame { bytes: usize },
-    /// A C3D file without a frame rate.
+    /// The C3D file has no frame rate.
     NoFrameRate,
-    /// An unknown analog channel.
+    /// The name of an analog channel is unknown.
     NoChannel { channel: String, channels: String },
-    /// Neither a force plate nor an analog force channel.
+    /// The file has neither a force plate nor an analog force channel.
     NoPlate { channels: String },
-    /// Files that are not the plates of one trial, one file each.
+    /// The files are not the plates of one trial, one file per plate.
     NotPlatesOfOneTrial,
-    /// A force plate that needs a calibration matrix but has none, with channels in other units than force.
+    /// A force plate needs a calibration matrix but has none, and its channels are not in a unit of force.
     PlateUncalibrated { plate: usize, channels: String },
     /// All force plates have an unsupported TYPE.
     PlateTypeUnknown {
@@ -160,7 +160,7 @@ impl Fault for ReadError {
     const WORDS: &'static Catalogue = &WORDS;
 }
 
-/// Unsupported kinds of file, recognised by their first bytes.
+/// Unsupported kind of file, recognised by its first bytes.
 ///
 /// ```
 /// use gaitcam_gait::error::{FileKind, ReadError};
@@ -187,7 +187,7 @@ pub enum FileKind {
     Binary,
 }
 
-/// A required column of a cycle.
+/// Required column of a cycle.
 ///
 /// ```
 /// use gaitcam_gait::error::{CycleColumn, ReadError};

@@ -1,8 +1,8 @@
-//! The published load models: formula, source, and reliability of each.
+//! Published load models: formula, source and reliability of each.
 
 use strum::IntoStaticStr;
 
-/// Reliability of a model's coefficients.
+/// Reliability of the coefficients of a load model.
 ///
 /// ```
 /// use gaitcam_gait::{Status, catalogue};
@@ -14,11 +14,11 @@ use strum::IntoStaticStr;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Status {
-    /// The original text or source line was read.
+    /// The coefficients were read in the original text or source line.
     Seen,
-    /// Recalled from the literature; verify before quoting.
+    /// The coefficients are quoted from memory; verify them before quoting.
     Recalled,
-    /// Partly read, partly recalled; `ModelInfo::source` has the details.
+    /// Some coefficients were read, others are quoted from memory; `ModelInfo::source` has the details.
     Mixed,
 }
 
@@ -29,7 +29,7 @@ impl Status {
     }
 }
 
-/// One entry of the catalogue of load models.
+/// Entry of the catalogue of load models.
 ///
 /// ```
 /// use gaitcam_gait::catalogue;
@@ -40,17 +40,17 @@ impl Status {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelInfo {
-    /// Name for scenes, for example `young`.
+    /// Name in scenes, for example `young`.
     pub name: &'static str,
-    /// The formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
+    /// Formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
     pub formula: &'static str,
     /// Publication of the model.
     pub source: &'static str,
-    /// Whether that publication was read.
+    /// Whether the publication was read.
     pub status: Status,
-    /// Smallest and largest step frequency the model is used for here, Hz.
+    /// Minimum and maximum step frequency for which gaitcam uses the model, Hz.
     pub frequency_hz: (f64, f64),
-    /// True where the model gives one foot, false where it gives both together.
+    /// Whether the model describes one foot (`true`) or both feet together (`false`).
     pub single_foot: bool,
 }
 
@@ -145,7 +145,7 @@ pub(super) const CATALOGUE: &[ModelInfo] = &[
     },
 ];
 
-/// Every load model, with formula, source and reliability.
+/// All load models, with formula, source and reliability.
 pub fn catalogue() -> &'static [ModelInfo] {
     CATALOGUE
 }

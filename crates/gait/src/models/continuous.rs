@@ -1,11 +1,11 @@
-//! Published models of the force of both feet together: a Fourier series in the step frequency.
+//! Published models of the force of both feet together: Fourier series in the step frequency.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Amplitudes and phases of a model; one entry per harmonic, phases added, radians.
+/// Amplitude and phase, rad, of each harmonic of a model; phases are added.
 pub(super) type Harmonics = Vec<(f64, f64)>;
 
-/// Amplitudes and added phases of the continuous models at step frequency `f`, Hz.
+/// Amplitudes and phases of the continuous models at the step frequency `f`, Hz.
 pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
     let in_phase = |amplitudes: &[f64]| amplitudes.iter().map(|&a| (a, 0.0)).collect();
     let lagging = |a1: f64| vec![(a1, 0.0), (0.1, -FRAC_PI_2), (0.1, -FRAC_PI_2)];
@@ -44,7 +44,7 @@ pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
     }
 }
 
-/// The added phases 0, -pi/2, pi, pi/2 of SCI P354: all four harmonics are cosines of the time since a quarter step, so their maxima coincide there.
+/// Phases 0, −π/2, π, π/2 of SCI P354. All four harmonics are cosines of the time since a quarter step, so their maxima coincide there.
 fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
     let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
     amplitudes.into_iter().zip(phases).collect()

@@ -1,4 +1,4 @@
-//! A force given as a finite Fourier series, exact without samples.
+//! A force given as a finite Fourier series; it is exact without samples.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ use crate::recording::Feet;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FourierForce {
     name: String,
-    /// (aᵢ, pᵢ): load factor and added phase, rad, of each harmonic.
+    /// (aᵢ, pᵢ): load factor and phase, rad, of each harmonic.
     harmonics: Vec<(f64, f64)>,
     step_frequency_hz: f64,
     body_weight_n: f64,
@@ -31,8 +31,11 @@ pub struct FourierForce {
 }
 
 impl FourierForce {
+    /// Force from Fourier coefficients at a step frequency.
+    ///
     /// # Errors
-    /// A period that is not positive.
+    ///
+    /// The period is not positive.
     pub(super) fn new(
         name: &str,
         harmonics: Vec<(f64, f64)>,

@@ -1,9 +1,8 @@
 //! Published models of the vertical walking force.
 //!
-//! Two families. The *continuous* models give the force of both feet together as a Fourier series in
-//! the step frequency f, F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)); one cycle is one step, 1/f.
-//! The *single-foot* models give one stance; one cycle is one stride, 2/f, with zero force in swing,
-//! and both feet together are two of them half a stride apart, which repeats every step.
+//! There are two families. The *continuous* models describe the force of both feet together as a Fourier series in the step frequency f, F(t) = G (1
+//! + Σ aᵢ sin(2π i f t + pᵢ)). One cycle is one step, 1/f. The *single-foot* models describe one stance. One cycle is one stride, 2/f, with zero
+//! force in the swing phase. The force of both feet is the sum of two stances half a stride apart, which is periodic with a step.
 
 mod catalogue;
 mod continuous;
@@ -22,14 +21,14 @@ use crate::recording::Feet;
 pub use catalogue::{ModelInfo, Status, catalogue};
 pub use fourier::FourierForce;
 
-/// One cycle of a named load model.
+/// One cycle of a load model by name.
 ///
-/// `step_frequency_hz` may be left out only for `iso-22675`; `body_weight_n` is G (for `iso-22675` the load F1cmax). Continuous models exist for both
-/// feet only; for a single-foot model, left, right and one give the same curve.
+/// `step_frequency_hz` may be omitted only for `iso-22675`. `body_weight_n` is G (for `iso-22675` the load F1cmax). Continuous models exist only for
+/// both feet. For a single-foot model, left, right and one give the same curve.
 ///
 /// # Errors
-/// An unknown name (with the nearest), a frequency outside the range of the model, a weight that
-/// is not positive.
+///
+/// The name is unknown (with the nearest name); the frequency is outside the range of the model; the weight is not positive.
 pub fn model(
     name: &str,
     step_frequency_hz: Option<f64>,
@@ -47,9 +46,10 @@ pub fn model(
     ForceCurve::from_samples(&title, period(f, feet), force)
 }
 
-/// The Fourier series of a named load model of both feet together; `None` for models of one foot, which have no finite series.
+/// Fourier series of a load model of both feet together; `None` for models of one foot, which have no finite series.
 ///
 /// # Errors
+///
 /// Those of [`model`].
 pub fn series(
     name: &str,
@@ -71,11 +71,12 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair (aᵢ, pᵢ) of factor and added phase,
-/// rad, for each of the harmonics 1, 2, …
+/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair (aᵢ, pᵢ) of factor and phase, rad,
+/// for each of the harmonics 1, 2, …
 ///
 /// # Errors
-/// No step frequency, one foot, and a frequency or a weight that is not positive.
+///
+/// There is no step frequency; one foot is requested; a frequency or a weight is not positive.
 pub fn of_harmonics(
     harmonics: &[(f64, f64)],
     step_frequency_hz: Option<f64>,
@@ -99,19 +100,19 @@ fn check_weight(body_weight_n: f64) -> Result<()> {
     Err(ForceError::WeightNotPositive { weight }.into())
 }
 
-/// Relative tolerance of a computed frequency at the ends of a model's range.
+/// Relative tolerance of a computed frequency at the limits of the range of a model.
 const ROUNDING: f64 = 1e-9;
 
-/// Name of a force given by its own load factors.
+/// Name of a force that is given by load factors in the scene, not by a published model.
 const OWN: &str = "gait.harmonics";
 
-/// Duration of a cycle, s: for one foot, a stride of two steps.
+/// Duration of a cycle, s; for one foot a stride of two steps.
 fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
     steps / f
 }
 
-/// Title of a cycle, with the key of the model, independent of the language.
+/// Title of a cycle with the key of the model; it does not depend on the language.
 fn title(name: &str, f: f64, body_weight_n: f64, feet: Feet) -> String {
     let feet = feet.name();
     format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"")
@@ -155,7 +156,7 @@ fn frequency(info: &ModelInfo, given: Option<f64>) -> Result<f64> {
     }
 }
 
-/// The phases of the samples of a cycle, as fractions.
+/// Phases of the samples of a cycle, as fractions.
 fn phases() -> impl Iterator<Item = f64> {
     (0..SAMPLES).map(|i| i as f64 / SAMPLES as f64)
 }
@@ -166,7 +167,7 @@ mod tests {
     use super::*;
     use std::f64::consts::{PI, TAU};
 
-    /// Local extrema of a sampled stance: (fraction of the stance, value), in order.
+    /// Local extrema of a sampled stance, in order: fraction of the stance, value.
     fn turning_points(stance: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
         let n = 20_000;
         let y: Vec<f64> = (0..=n)

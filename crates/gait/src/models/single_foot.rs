@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::phases;
 use crate::recording::Feet;
 
-/// One stride of one foot, or one step of two feet half a stride apart, in body weights.
+/// One stride of one foot, or one step of both feet half a stride apart, in body weights.
 pub(super) fn single_foot(name: &str, f: f64, feet: Feet) -> Vec<f64> {
     let stance = |t: f64| match name {
         "li-2010" => li_2010(f, t),
@@ -20,7 +20,7 @@ pub(super) fn single_foot(name: &str, f: f64, feet: Feet) -> Vec<f64> {
     }
 }
 
-/// Li et al. 2010: one stance in body weights at time `t` s after heel strike; zero outside.
+/// Model of Li et al. 2010: one stance in body weights at the time `t`, s, after heel strike; zero outside the stance.
 pub(super) fn li_2010(f: f64, t: f64) -> f64 {
     let stance = 1.0 / (0.76 * f);
     if !(0.0..=stance).contains(&t) {
@@ -39,7 +39,7 @@ pub(super) fn li_2010(f: f64, t: f64) -> f64 {
         .sum()
 }
 
-/// ISO 22675: load over F1cmax at time `t` s after heel strike; zero outside the 600 ms of stance.
+/// ISO 22675: load divided by F1cmax at the time `t`, s, after heel strike; zero outside the stance of 600 ms.
 pub(super) fn iso_22675(t: f64) -> f64 {
     if !(0.0..=0.6).contains(&t) {
         return 0.0;

@@ -1,4 +1,4 @@
-//! Reasons that exclude a cycle from a population.
+//! Reasons for which a cycle is excluded from a population.
 
 use std::collections::HashMap;
 
@@ -7,18 +7,18 @@ use serde::Serialize;
 use super::Walker;
 use crate::units::G;
 
-/// Range of the mean force of both feet, as fractions of the weight.
+/// Permitted range of the mean force of both feet, as fractions of the weight.
 const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
-/// Ratio below which two weights are plausible; units of force differ by more.
+/// Ratio of two weights below which both are plausible; units of force differ by more.
 const UNIT: f64 = 6.0;
-/// Range of the mean force of one foot, as fractions of the weight.
+/// Permitted range of the mean force of one foot, as fractions of the weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
-/// Fraction of the mean force below which a foot is lifted.
+/// Fraction of the mean force below which a foot is off the ground.
 const LIFTED: f64 = 0.02;
-/// Ratio of step periods to their median below which they are plausible; a stride is two steps.
+/// Ratio of step periods to their median below which they are plausible; a stride has two steps.
 const STEPS: f64 = 1.45;
 
-/// Reasons why a cycle cannot belong to a population.
+/// Reason for which a cycle cannot belong to a population.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};
@@ -35,38 +35,38 @@ const STEPS: f64 = 1.45;
 pub enum WalkerFault {
     /// The mean force is not positive.
     NoMeanForce,
-    /// The mean force contradicts the weight of the mass.
+    /// The mean force differs from the weight of the mass.
     MeanNotWeight {
-        /// Mean force as a percentage of the weight.
+        /// Mean force, in percent of the weight.
         percent: f64,
     },
-    /// A force in a unit other than most.
+    /// The unit of force differs from that of most cycles.
     OtherUnit,
-    /// One foot among both feet, or the reverse.
+    /// The cycle is of one foot while most are of both feet, or the reverse.
     OtherFeet,
-    /// One step among strides, or the reverse.
+    /// The cycle is a step while most are strides, or the reverse.
     OtherCycle,
-    /// A movement that differs from most others.
+    /// The movement differs from that of most cycles.
     OtherKind,
 }
 
-/// The fault of each walker among all; `None` without a fault.
+/// Reason for the exclusion of each walker; `None` for an included walker.
 pub fn faults(all: &[Walker]) -> Vec<Option<WalkerFault>> {
     let crowd = Crowd::of(all);
     all.iter().map(|walker| crowd.fault(walker)).collect()
 }
 
-/// Properties of most walkers.
+/// Properties of most walkers of a population.
 struct Crowd {
     /// Median of the mean forces, N.
     force: f64,
-    /// Median period of the cycles of the majority, s.
+    /// Median period of most cycles, s.
     period: f64,
-    /// Whether most walkers with a mass stand on both feet.
+    /// Whether the forces of most walkers with a mass are those of both feet.
     both_feet: bool,
-    /// Whether most cycles show one foot, by their mean force or, without a mass, by touching zero.
+    /// Whether most cycles are of one foot, determined by the mean force or, without a mass, by a force that reaches zero.
     one_foot: bool,
-    /// Whether most cycles consist of two halves.
+    /// Whether most cycles consist of two similar halves.
     halves: bool,
     /// Number of walkers of each kind of movement, if known.
     kinds: HashMap<&'static str, usize>,
@@ -131,12 +131,12 @@ impl Crowd {
     }
 }
 
-/// Whether neither mass nor movement is known, as in a hand-written cycle.
+/// Whether neither mass nor movement is known, as for a cycle written by hand.
 fn is_written(walker: &Walker) -> bool {
     walker.curve.mass_kg.is_none() && kind(walker).is_none()
 }
 
-/// Whether the force touches zero, as for one foot.
+/// Whether the force reaches zero, as for one foot.
 fn lifts(walker: &Walker) -> bool {
     let least = walker
         .curve
@@ -153,7 +153,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     all.get(all.len() / 2).copied().unwrap_or_default()
 }
 
-/// Whether the halves of a cycle are alike rather than opposite, like the two steps of a stride.
+/// Whether the two halves of a cycle are similar, as the two steps of a stride, rather than opposite.
 fn is_of_halves(walker: &Walker) -> bool {
     let (force, mean) = (&walker.curve.force_n, walker.curve.mean_n());
     let half = force.len() / 2;
@@ -175,7 +175,7 @@ mod tests {
     use super::*;
     use crate::curve::ForceCurve;
 
-    /// A walker of a load model, as one step or as a stride of two steps of which the second is stronger by a part.
+    /// A walker from a load model: one step, or a stride of two steps of which the second is stronger by the fraction `uneven`.
     fn walker(model: &str, f: f64, uneven: Option<f64>) -> Walker {
         let step = crate::model(model, Some(f), 700.0, crate::Feet::Both).unwrap();
         let mut force = step.force_n.clone();
@@ -228,7 +228,7 @@ mod tests {
         );
     }
 
-    /// A new walker whose file says no mass, among walkers of known masses.
+    /// A walker without a mass in the file is added to walkers with known masses.
     #[test]
     fn one_foot_without_a_mass_among_walkers_with_masses_is_noticed() {
         let known = |f| {
@@ -245,7 +245,7 @@ mod tests {
         assert!(faults(&all).iter().all(Option::is_none));
     }
 
-    /// A slow step whose second harmonic is the largest has two peaks as a stride has, but not its period.
+    /// A slow step with a dominant second harmonic has two peaks, as a stride has, but not the period of a stride.
     #[test]
     fn a_step_of_two_peaks_is_no_stride() {
         let mut all = [1.4, 1.8, 2.2].map(|f| walker("young", f, None)).to_vec();

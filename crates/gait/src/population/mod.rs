@@ -1,4 +1,4 @@
-//! Several walkers as one target: their cycles with weights, and their mean.
+//! Several walkers as one target: cycles with weights, and their mean.
 
 mod fault;
 mod table;
@@ -12,7 +12,7 @@ pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};
 
-/// A cycle of one walker.
+/// Cycle of one walker.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -25,7 +25,7 @@ use crate::error::{ForceError, Result};
 pub struct Walker {
     /// Name of the walker; cycles with the same name belong to one walker.
     pub name: String,
-    /// The walker's mean cycle of force.
+    /// Mean cycle of the walker's force.
     pub curve: ForceCurve,
     /// Weight of the walker in a mean, in any unit.
     pub weight: f64,
@@ -34,7 +34,7 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// A walker of weight 1.
+    /// A walker with the weight 1.
     pub fn new(name: &str, curve: ForceCurve) -> Walker {
         Walker {
             name: name.to_string(),
@@ -45,7 +45,7 @@ impl Walker {
     }
 }
 
-/// Walkers that share one cam.
+/// Walkers for whom one cam is designed.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -61,9 +61,9 @@ impl Walker {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Population {
-    /// Every cycle of every walker.
+    /// All cycles of all walkers.
     pub walkers: Vec<Walker>,
-    /// Fraction of each cycle in a mean; the sum is 1, and the cycles of one walker share the walker's weight.
+    /// Weight of each cycle in a mean; the sum is 1. The cycles of a walker share the weight of the walker.
     pub shares: Vec<f64>,
 }
 
@@ -80,24 +80,25 @@ impl Population {
         Population { walkers, shares }
     }
 
-    /// Number of walkers, whatever the number of their cycles.
+    /// Number of walkers, regardless of the number of their cycles.
     pub fn count(&self) -> usize {
         let names = self.walkers.iter().map(|w| w.name.as_str());
         names.collect::<std::collections::HashSet<_>>().len()
     }
 
-    /// The walkers with their fractions.
+    /// Walkers with their weights in a mean.
     pub fn each(&self) -> impl Iterator<Item = (&Walker, f64)> {
         self.walkers.iter().zip(self.shares.iter().copied())
     }
 }
 
 impl ForceCurve {
-    /// The mean cycle of walkers, as a fraction of the weight, at their mean weight and mean cadence, with the walkers behind it; for one walker the
-    /// cycle itself.
+    /// Mean cycle of several walkers. Forces are averaged as fractions of the weight and scaled to the mean weight and mean cadence. The result
+    /// contains the walkers. For a single walker the result is the cycle itself.
     ///
     /// # Errors
-    /// No walker; a weight that is not positive; a mean force that is not positive.
+    ///
+    /// There is no walker; a weight is not positive; a mean force is not positive.
     pub fn of_walkers(walkers: Vec<Walker>) -> Result<ForceCurve> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         for walker in &walkers {

@@ -1,7 +1,7 @@
-//! The table of a population: one cycle a row.
+//! Table of a population: one cycle per row.
 //!
-//! `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`: the force at equal steps of the cycle, N, of which the last is the
-//! first again; `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
+//! `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`: force at equal steps of the cycle, N; the last value repeats the first one.
+//! `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, Result};
 use gaitcam_base::text::{cell_text, cells, quoted, text_cell};
 
-/// Minimum number of steps of a cycle in a written table.
+/// Minimum number of steps per cycle in a written table.
 const STEPS: usize = 100;
 
 /// Indices of the columns.
@@ -27,7 +27,7 @@ struct Columns {
     names: Vec<String>,
 }
 
-/// Whether a file is a table of walkers: by the names of its columns.
+/// Whether a file is a table of walkers, determined by the names of its columns.
 pub fn is_table(bytes: &[u8]) -> bool {
     let head = bytes.split(|b| *b == b'\n').find(|l| !l.starts_with(b"#"));
     let head = String::from_utf8_lossy(head.unwrap_or_default()).to_lowercase();
@@ -35,7 +35,7 @@ pub fn is_table(bytes: &[u8]) -> bool {
     names.contains(&"walker") && names.iter().any(|n| n.starts_with("f_"))
 }
 
-/// A row of a table of walkers.
+/// Row of a table of walkers.
 ///
 /// ```
 /// use gaitcam_gait::population_rows;
@@ -52,17 +52,19 @@ pub struct WalkerRow {
     pub name: String,
     /// Line of the walker in the file, counted from 1.
     pub line: usize,
-    /// Its cycle.
+    /// Cycle of the walker.
     ///
     /// # Errors
-    /// With the line: a value that is not a number, forces that do not make a cycle.
+    ///
+    /// A value that is not a number, or forces that do not form a cycle; the error contains the line.
     pub walker: Result<Walker>,
 }
 
-/// Reads a table of walkers of which every row has a cycle.
+/// Reads a table of walkers in which every row has a cycle.
 ///
 /// # Errors
-/// The first row without one; as [`read_rows`].
+///
+/// The first row without a cycle; errors of [`read_rows`].
 pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
     let rows = read_rows(path, bytes)?;
     rows.into_iter().map(|row| row.walker).collect()
@@ -71,7 +73,8 @@ pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
 /// Reads a table of walkers row by row.
 ///
 /// # Errors
-/// A column that is missing, a table without rows.
+///
+/// A missing column; a table without rows.
 pub fn read_rows(path: &Path, bytes: &[u8]) -> Result<Vec<WalkerRow>> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
@@ -163,7 +166,7 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
     })
 }
 
-/// The table of walkers as csv, with as many steps as the longest cycle has samples.
+/// Table of walkers as CSV text. The number of steps is the maximum number of samples of a cycle.
 pub fn write_table(walkers: &[Walker]) -> String {
     let samples = walkers.iter().map(|w| w.curve.force_n.len());
     let steps = samples.fold(STEPS, usize::max);

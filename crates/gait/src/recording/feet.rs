@@ -1,11 +1,11 @@
-//! The feet of a force curve.
+//! Feet to which a force curve belongs.
 
 use serde::Serialize;
 use strum::{EnumString, IntoStaticStr};
 
 use crate::error::{Error, ForceError};
 
-/// The side of the body.
+/// Side of the body.
 ///
 /// ```
 /// use gaitcam_gait::Foot;
@@ -24,12 +24,12 @@ pub enum Foot {
 }
 
 impl Foot {
-    /// Name in files and options: `left` or `right`.
+    /// Name of the foot in files and options: `left` or `right`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The foot of the other side.
+    /// Foot of the other side.
     #[must_use]
     pub fn other(self) -> Foot {
         match self {
@@ -39,7 +39,7 @@ impl Foot {
     }
 }
 
-/// The feet of a force curve.
+/// Feet to which a force curve belongs.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, model};
@@ -53,24 +53,24 @@ impl Foot {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_feet)]
 pub enum Feet {
-    /// The sum of both feet, as applied to a floor or footbridge.
+    /// Sum of both feet, as applied to a floor or footbridge.
     #[default]
     Both,
-    /// One foot, the mean of both if the source has both.
+    /// One foot; the mean of both if the source contains both.
     One,
-    /// The left foot alone.
+    /// Only the left foot.
     Left,
-    /// The right foot alone.
+    /// Only the right foot.
     Right,
-    /// The sum of both feet, which the recording holds in one column.
+    /// Sum of both feet, which the recording contains in one column.
     Total,
 }
 
 impl Feet {
-    /// Every choice, in the order of the help.
+    /// All values, in the order of the help text.
     pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
 
-    /// Mean fraction of the weight that the feet carry over a stride.
+    /// Mean fraction of the weight that these feet carry over a stride.
     pub fn share(self) -> f64 {
         match self {
             Feet::Both | Feet::Total => 1.0,
@@ -78,7 +78,7 @@ impl Feet {
         }
     }
 
-    /// The foot of a force of one side.
+    /// Foot of a force of one side.
     pub fn foot(self) -> Option<Foot> {
         match self {
             Feet::Left => Some(Foot::Left),
@@ -87,7 +87,7 @@ impl Feet {
         }
     }
 
-    /// The name used in scenes: `both`, `one`, `left`, `right`, `total`.
+    /// Name used in scenes: `both`, `one`, `left`, `right`, `total`.
     pub fn name(self) -> &'static str {
         self.into()
     }

@@ -7,7 +7,7 @@ use strum::VariantNames;
 
 use crate::wording::{Language, sentence};
 
-/// Format of the file of a recording.
+/// File format of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{Format, ReadOptions, SeparatorName, read};
@@ -32,10 +32,10 @@ pub enum Format {
     },
     /// Text exported by a program.
     Export {
-        /// Name of the program, with the file ending if this identifies the kind of export.
+        /// Name of the program, with the file ending if it identifies the kind of export.
         program: &'static str,
     },
-    /// One stance per row.
+    /// Table with one stance per row.
     StanceTable,
     /// Delimited text with a header.
     Text {
@@ -64,12 +64,12 @@ pub enum Format {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Processor {
-    /// Little endian, IEEE floats.
+    /// Little endian, IEEE floating-point numbers.
     Intel,
-    /// Little endian words, VAX floats.
+    /// Little endian words, VAX floating-point numbers.
     #[serde(rename = "DEC")]
     Dec,
-    /// Big endian, IEEE floats.
+    /// Big endian, IEEE floating-point numbers.
     #[serde(rename = "SGI")]
     Sgi,
 }
@@ -109,7 +109,7 @@ pub enum SeparatorName {
     Blank,
 }
 
-/// The decimal mark of a text.
+/// Decimal mark of a text.
 ///
 /// ```
 /// use gaitcam_gait::{DecimalMark, Format, ReadOptions, read};

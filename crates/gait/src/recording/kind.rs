@@ -1,11 +1,11 @@
-//! Kinds of recorded movement, and the open questions about a recording.
+//! Kinds of recorded movement, and open questions about a recording.
 
 use serde::Serialize;
 use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 use crate::error::{Error, ForceError, Result};
 
-/// Kind of recorded movement.
+/// Kind of movement in a recording.
 ///
 /// ```
 /// use gaitcam_gait::Kind;
@@ -28,17 +28,17 @@ pub enum Kind {
     Standing,
     /// Both feet leave the ground at the same time.
     Jumping,
-    /// The load rises from that of the feet alone to the weight, or the reverse.
+    /// The load increases from that of the feet alone to the weight, or the reverse.
     SitToStand,
-    /// Any other movement; it has no mean cycle.
+    /// Any other movement; no mean cycle is computed.
     Other,
 }
 
 impl Kind {
-    /// Every kind, in the order of declaration.
+    /// All kinds, in the order of declaration.
     pub const ALL: &'static [Kind] = <Kind as VariantArray>::VARIANTS;
 
-    /// The name used in scenes, options and JSON.
+    /// Name of the kind in scenes, options and JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -49,7 +49,7 @@ fn unknown_kind(word: &str) -> Error {
     ForceError::UnknownKind { word }.into()
 }
 
-/// A question about a recording that only the user can answer.
+/// Question about a recording that only the user can answer.
 ///
 /// ```
 /// use gaitcam_gait::OpenQuestion;
@@ -68,12 +68,12 @@ pub enum OpenQuestion {
     Clock,
     /// The mass of the walker, which scales the forces.
     Mass,
-    /// Readings that stop below the peaks of the force; they cannot be accepted.
+    /// Whether the readings are clipped below the peaks of the force; such a recording cannot be accepted.
     Clipped,
 }
 
 impl OpenQuestion {
-    /// The name used in scenes and JSON.
+    /// Name of the question in scenes and JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -83,11 +83,11 @@ impl OpenQuestion {
         self != OpenQuestion::Clipped
     }
 
-    /// Reads a list of questions that may be accepted, such as `kind, clock, mass`.
+    /// Parses a list of questions that may be accepted, such as `kind, clock, mass`.
     ///
     /// # Errors
     ///
-    /// A word other than these three.
+    /// A word differs from these three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
         let accepted = |word: &str| {

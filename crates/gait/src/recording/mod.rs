@@ -1,4 +1,4 @@
-//! A recording: channels of vertical force on one uniform time base.
+//! A recording: channels of vertical force with one uniform time base.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -22,7 +22,7 @@ pub use note::{
 };
 pub use unit::ForceUnit;
 
-/// Options of the user, which override the file.
+/// Options of the user; they override the file.
 ///
 /// ```
 /// use gaitcam_gait::{ForceUnit, ReadOptions, read};
@@ -45,24 +45,23 @@ pub struct ReadOptions {
     pub force: Vec<String>,
     /// Unit of the force columns.
     pub unit: Option<ForceUnit>,
-    /// Sampling rate, 1/s; needed where the file does not give it.
+    /// Sampling rate, 1/s; necessary if the file does not contain it.
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// The recorded movement; recognised if `None`.
+    /// Movement in the recording; recognised from the recording if `None`.
     pub kind: Option<Kind>,
     /// Duration of the cycle, s, if the file is exactly one cycle.
     pub period_s: Option<f64>,
-    /// Fraction of a turn covered by the file, rad; the force is zero in the rest.
+    /// Angle of the turn that the file covers, rad; the force is zero in the rest.
     pub span_rad: Option<f64>,
-    /// Root mean square of the noise of the readings, N; estimated from unloaded samples if not given.
+    /// Root mean square noise of the readings, N; estimated from unloaded samples if not given.
     pub noise_n: Option<f64>,
-    /// The bytes of the table of subjects that belongs to a table of stances
-    /// (see [`metadata_name`](super::metadata_name)).
+    /// Content of the table of subjects for a table of stances (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,
 }
 
-/// A foot strike marked in the file.
+/// Foot strike that is marked in the file.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -81,7 +80,7 @@ pub struct Strike {
     pub foot: Foot,
 }
 
-/// One stance of a table with a row per stance, as samples of its channel.
+/// Stance in a table with one stance per row, as a range of samples of its channel.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -94,15 +93,15 @@ pub struct Strike {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Index of its first sample.
+    /// Index of the first sample.
     pub from: usize,
-    /// One past the last sample.
+    /// Index after the last sample.
     pub to: usize,
-    /// Mass of that subject, kg, if known.
+    /// Mass of the subject, kg, if known.
     pub mass_kg: Option<f64>,
 }
 
-/// Vertical force of one plate, insole or side.
+/// Vertical force on one plate, insole or side.
 ///
 /// ```
 /// use gaitcam_gait::{Foot, ReadOptions, read};
@@ -119,23 +118,23 @@ pub struct Row {
 pub struct Channel {
     /// Name of the channel in the file.
     pub name: String,
-    /// The foot, if named in the file.
+    /// Foot of the channel, if the file names it.
     pub foot: Option<Foot>,
-    /// Upward force on the body, N, unloaded baseline removed; always finite.
+    /// Upward force on the body, N, with the unloaded baseline subtracted; always finite.
     pub force_n: Vec<f64>,
-    /// Unloaded reading that was removed, N (sign as in `force_n`).
+    /// Unloaded reading that was subtracted, N (sign as in `force_n`).
     pub baseline_n: f64,
     /// Standard deviation of the unloaded reading, N.
     pub noise_n: f64,
-    /// Missing samples (first, one past the last), bridged by straight lines.
+    /// Ranges of missing samples (first, one past the last), which were interpolated linearly.
     pub missing: Vec<(usize, usize)>,
-    /// Reason for exclusion of the channel, if any.
+    /// Reason for the exclusion of the channel; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Stances by row; empty for an ordinary recording.
+    /// Stances of a table with one stance per row; otherwise empty.
     pub rows: Vec<Row>,
 }
 
-/// Reasons for excluding a channel.
+/// Reason for excluding a channel.
 ///
 /// ```
 /// use gaitcam_gait::{Idle, ReadOptions, read};
@@ -151,7 +150,7 @@ pub struct Channel {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Idle {
-    /// The readings are nearly constant about zero.
+    /// The readings are nearly constant, close to zero.
     NeverLoaded,
     /// The readings are nearly constant, or most have the same large value.
     Constant {
@@ -169,7 +168,7 @@ pub enum Idle {
     Empty,
 }
 
-/// A recording on an even time base.
+/// A recording with a uniform time base.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -189,9 +188,9 @@ pub struct Recording {
     pub insole: bool,
     /// Sampling rate of all channels, 1/s.
     pub rate_hz: f64,
-    /// Time of the first sample on the file's own clock, s.
+    /// Time of the first sample, as in the file, s.
     pub start_s: f64,
-    /// Time from the first sample to the last, s.
+    /// Time from the first sample to the last one, s.
     pub duration_s: f64,
     /// Source of the time base.
     pub clock: ClockSource,
@@ -199,7 +198,7 @@ pub struct Recording {
     pub unit: ForceUnit,
     /// Source of the unit.
     pub unit_from: UnitSource,
-    /// The movement, if stated by the user.
+    /// Kind of movement, if stated by the user.
     pub kind: Option<Kind>,
     /// Mass of the walker, kg, if given by the file or the user.
     pub mass_kg: Option<f64>,
@@ -213,12 +212,12 @@ pub struct Recording {
     pub heels: Option<Heels>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
-    /// Notes on guesses, exclusions and doubts.
+    /// Notes on assumptions, exclusions and doubtful data.
     pub notes: Vec<Note>,
 }
 
 impl Recording {
-    /// Adds the plates of another file of the same trial, read with the same options; the shorter file determines the end.
+    /// Adds the plates of another file of the same trial, read with the same options. The shorter file determines the end.
     pub fn add_plates(&mut self, other: Recording) {
         let low = |n: &Note| matches!(n, Note::LowForce { .. });
         let is_low = |notes: &[Note]| notes.iter().any(low);
@@ -240,12 +239,12 @@ impl Recording {
         self.duration_s = count.saturating_sub(1) as f64 / self.rate_hz;
     }
 
-    /// Whether the user states that the recording shows running.
+    /// Whether the user stated that the recording is of running.
     pub fn runs(&self) -> bool {
         self.kind == Some(Kind::Running)
     }
 
-    /// The channels that carry a load, with their indices.
+    /// Channels with a load, with their indices.
     pub(crate) fn live(&self) -> impl Iterator<Item = (usize, &Channel)> {
         let all = self.channels.iter().enumerate();
         all.filter(|(_, channel)| channel.idle.is_none())

@@ -1,4 +1,4 @@
-//! Notes on a recording: guesses, exclusions and implausible values.
+//! Notes on a recording: assumptions, exclusions and implausible values.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use super::unit::ForceUnit;
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
 
-/// A force component in the axes of a file.
+/// Force component in the axes of a file.
 ///
 /// ```
 /// use gaitcam_gait::{Axis, Note};
@@ -21,17 +21,17 @@ use crate::wording::{Language, sentence};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
-    /// First component of a plate's force.
+    /// First component of the force on a plate.
     X,
-    /// Second component of a plate's force.
+    /// Second component of the force on a plate.
     Y,
-    /// Third component of a plate's force.
+    /// Third component of the force on a plate.
     Z,
-    /// Named as the vertical component, or the only one.
+    /// Component that is named vertical, or the only component.
     Vertical,
 }
 
-/// A note on the reading or averaging of a recording.
+/// Note on the reading or averaging of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{Note, OpenQuestion};
@@ -47,40 +47,40 @@ pub enum Axis {
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named for what they hold
 pub enum Note {
-    /// The header announces a wrong number of rows.
+    /// The number of rows announced in the header is wrong.
     RowsDiffer { announced: usize, found: usize },
-    /// The header announces more frames than the file contains.
+    /// The number of frames announced in the header is larger than the number in the file.
     FramesMissing { announced: usize, found: usize },
-    /// The given period differs from the duration by the file's clock.
+    /// The given period differs from the duration according to the times in the file.
     ClockDiffers { clock: Quantity, period: Quantity },
     /// Lines that are not rows of numbers were skipped.
     LinesSkipped { first_line: usize },
-    /// Two unnamed columns are sums of sensors and were taken for the left and the right insole.
+    /// Two columns without names are sums of sensors and were interpreted as left and right insole.
     InsoleColumns { left: usize, right: usize },
-    /// The file has columns of an insole and of a plate; the latter were used.
+    /// The file has columns of an insole and of a plate; the columns of the plate were used.
     InsoleBesidePlate {
         plate: Vec<String>,
         insole: Vec<String>,
     },
     /// Each row of the table is one stance.
     StancePerRow { rows: usize },
-    /// The table of subjects gives the mass of some stances only.
+    /// The table of subjects contains the mass of only some stances.
     MassesMissing { known: usize, rows: usize },
-    /// The durations of stances are unknown, since all have the same number of samples.
+    /// The durations of the stances are unknown, because all have the same number of samples.
     DurationsLost { samples: usize, assumed: Quantity },
-    /// A table of stances has no rate; one that gives typical stances was assumed.
+    /// A table of stances has no sampling rate. A rate was assumed for which the stances have a typical duration.
     RateGuessed { rate: Quantity, stance: Quantity },
     /// The given rate replaces the time column.
     RateOverridesTimes { rate: Quantity, column: Quantity },
-    /// The time column gives no unit; its steps were taken for milliseconds, microseconds or nanoseconds.
+    /// The time column has no unit. Its steps were interpreted as milliseconds, microseconds or nanoseconds.
     TimeUnitGuessed { step: f64, unit: &'static str },
     /// Single samples are missing.
     SamplesMissing { count: usize, first: Quantity },
-    /// Header and time column give different rates; the time column is used.
+    /// Header and time column have different rates; the time column is used.
     RatesDiffer { header: Quantity, column: Quantity },
-    /// Samples were resampled at even times.
+    /// Samples were resampled at uniform times.
     UnevenSamples,
-    /// The unit of force was guessed from the magnitude of the readings.
+    /// The unit of force was determined from the magnitude of the readings.
     UnitGuessed { peak: f64, unit: ForceUnit },
     /// The unit in the file is impossible.
     UnitLabelRejected {
@@ -90,19 +90,19 @@ pub enum Note {
     },
     /// No force is large enough for a step.
     LowForce { peak: Quantity },
-    /// The readings of a column stop at a level below the peaks of the force.
+    /// The readings of a column are clipped at a level below the peaks of the force.
     Clipped { column: String, level: Quantity },
-    /// Samples of a column are missing between its contacts; there the plate was taken as unloaded.
+    /// Samples of a column are missing between its contacts. The plate was assumed to be unloaded there.
     MissingIsUnloaded { column: String },
-    /// A column repeats another and was excluded.
+    /// A column repeats another one and was excluded.
     ColumnRepeats { column: String, original: String },
-    /// Single samples far from both neighbours were removed.
+    /// Single samples that differ strongly from both neighbours were removed.
     SpikesRemoved {
         column: String,
         count: usize,
         first: Quantity,
     },
-    /// Readings of a loaded column are zero for some hundredths of a second: lost samples.
+    /// Readings of a loaded column are zero for some hundredths of a second, which means lost samples.
     DropOuts {
         column: String,
         count: usize,
@@ -112,88 +112,88 @@ pub enum Note {
     StanceFillsSpan {
         /// Number of stances that the span contains.
         stances: usize,
-        /// Start of the first.
+        /// Start of the first stance.
         from: Quantity,
-        /// Its end.
+        /// End of the first stance.
         to: Quantity,
     },
     /// A share of the force on another plate was subtracted.
     CrossTalkRemoved {
-        /// Name of the column.
+        /// Name of the column with cross-talk.
         column: String,
         /// Name of the column of the other plate.
         of: String,
-        /// Share of its force.
+        /// Share of the force on the other plate.
         share: Quantity,
     },
-    /// The unloaded reading during the walk differs from that at both ends of the recording.
+    /// The unloaded reading during the walk differs from the reading at both ends of the recording.
     UnloadedDiffers {
         column: String,
         level: Quantity,
         at_ends: Quantity,
     },
-    /// The unloaded reading of a column drifts by some newtons per second, which were removed.
+    /// The unloaded reading of a column drifts by some newtons per second; the drift was subtracted.
     DriftRemoved { column: String, rise: Quantity },
-    /// Stride durations vary: more than one speed, or no steady walk.
+    /// The stride durations vary: there is more than one speed, or no steady walk.
     StrideVaries { period: Quantity, spread: Quantity },
-    /// The stride time is from one step or one stride.
+    /// The stride time results from only one step or one stride.
     StrideFromOne {
         period: Quantity,
         error: Quantity,
         stroke: Quantity,
     },
-    /// Two components are of similar size; the larger was taken as vertical.
+    /// Two components have similar magnitudes; the larger one was interpreted as vertical.
     VerticalGuessed { vertical: Axis, other: Axis },
-    /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as in OpenSim's examples.
+    /// `ground_force` was interpreted as the right foot and `1_ground_force` as the left foot, as in OpenSim's examples.
     FeetGuessed,
-    /// The file describes no force plate; channels were chosen by their labels.
+    /// The file does not describe force plates; channels were selected by their labels.
     NoPlates,
-    /// A plate was excluded: its TYPE is not one of 1 to 7.
+    /// A plate was excluded, because its TYPE is not in the range 1 to 7.
     PlateTypeUnknown { plate: usize, kind: i64 },
-    /// A plate was excluded: one of its channels is missing in the file.
+    /// A plate was excluded, because one of its channels is missing in the file.
     PlateChannelMissing { plate: usize, channel: usize },
-    /// A plate was excluded: its type needs a calibration matrix and the file has none.
+    /// A plate was excluded, because its type requires a calibration matrix and the file has none.
     PlateMatrixMissing { plate: usize },
-    /// A plate is tilted against the first.
+    /// A plate is tilted relative to the first one.
     PlateTilted { plate: usize },
-    /// The mass comes from the mean force of insoles, which are often not calibrated.
+    /// The mass follows from the mean force of insoles, which are often not calibrated.
     InsoleMass { mass: Quantity },
-    /// Stances of one foot represent both.
+    /// The stances of one foot represent both feet.
     OneFootForBoth { stances: usize },
     /// The recording has no stride time; a typical duty factor was assumed.
     StrideAssumed { period: Quantity, duty: Quantity },
-    /// A stride time outside the range of the movement.
+    /// The stride time is outside the range of the movement.
     StrideImplausible {
         period: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// A duty factor outside the range of the movement.
+    /// The duty factor is outside the range of the movement.
     DutyImplausible {
         duty: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// A peak force outside the range of the movement, in body weights.
+    /// The peak force is outside the range of the movement, in body weights.
     PeakImplausible { ratio: f64, low: f64, high: f64 },
-    /// Mean force over the cycle and weight do not match.
+    /// The mean force over the cycle differs from the weight.
     MeanForceNotWeight {
         ratio: f64,
         mass: Quantity,
         share: WeightShare,
     },
-    /// A mass outside the range of people.
+    /// The mass is outside the range of people.
     MassImplausible { mean: Quantity, mass: Quantity },
-    /// The unit of force was not given, and the assumed one gives a mass that is not that of an adult.
+    /// The unit of force was not given, and the assumed unit gives a mass that is implausible for an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
-    /// The time column counts in ones without a unit: milliseconds or samples.
+    /// The time column counts in steps of one without a unit: milliseconds or samples.
     CountOrMilliseconds { stride: Quantity },
-    /// The contacts do not match the requested movement.
+    /// The contacts do not agree with the requested movement.
     KindDiffers {
         typed: &'static str,
         movement: &'static str,
     },
-    /// The speed changes; the mean includes only stances with durations in one range.
+    /// The speed changes. The mean includes only stances whose durations are in one range.
     SpeedChanges {
         used: usize,
         stances: usize,
@@ -202,15 +202,15 @@ pub enum Note {
     },
     /// Most contacts of a steady walk are partial, or include both feet.
     FewAlike { used: usize, stances: usize },
-    /// Stances or feet differ more than for one walker on whole plates.
+    /// The stances or feet differ more than those of one walker with whole contacts.
     StancesDiffer { share: Quantity, most: Quantity },
-    /// The mean is that of the total of both feet in one column.
+    /// The mean is computed from the total of both feet in one column.
     TotalColumn,
-    /// Feet cross plates, so the forces of all plates are added.
+    /// Feet cross plates, so the forces of all plates were added.
     PlatesSummed { plates: usize },
-    /// Readings are converter counts, scaled by the mass.
+    /// The readings are converter counts, which were scaled by the mass.
     CountsScaled { mass: Quantity },
-    /// Recordings of walkers with different masses are averaged in body weights.
+    /// Recordings of walkers with different masses were averaged in body weights.
     SeveralMasses {
         low: Quantity,
         high: Quantity,
@@ -218,7 +218,7 @@ pub enum Note {
     },
 }
 
-/// Fraction of the weight that the feet of a cycle carry over a stride.
+/// Fraction of the weight that the feet of a cycle carry in the mean over a stride.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, WeightShare};
@@ -230,9 +230,9 @@ pub enum Note {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WeightShare {
-    /// Both feet carry all of it.
+    /// Both feet carry the whole weight.
     Whole,
-    /// One foot carries half of it.
+    /// One foot carries half of the weight.
     Half,
 }
 
@@ -256,11 +256,11 @@ pub enum ClockSource {
     User,
     /// A time column in seconds or with a stated unit.
     Times,
-    /// A time column with a guessed unit.
+    /// A time column with an assumed unit.
     GuessedTimes,
-    /// Rate stated in the file.
+    /// Rate in the file.
     Header,
-    /// A sampling rate guessed from the recording.
+    /// A sampling rate determined from the recording.
     GuessedRate,
 }
 
@@ -277,11 +277,11 @@ pub enum ClockSource {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitSource {
-    /// Given by the user.
+    /// Unit given by the user.
     User,
-    /// Stated in the file.
+    /// Unit stated in the file.
     File,
-    /// Guessed from the magnitude of the readings.
+    /// Unit determined from the magnitude of the readings.
     Guessed,
 }
 
@@ -302,9 +302,9 @@ pub enum UnitSource {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum MassSource {
-    /// Given by the user.
+    /// Mass given by the user.
     User,
-    /// Stated in the file.
+    /// Mass stated in the file.
     File,
     /// Mean over the table of subjects.
     Subjects,
@@ -331,13 +331,13 @@ pub enum MassSource {
 pub enum PeriodSource {
     /// Consecutive heel strikes of one foot.
     HeelStrikes,
-    /// Consecutive strikes of one foot marked in the file.
+    /// Consecutive marked strikes of one foot.
     MarkedStrikes,
     /// The heel markers of a motion-capture recording.
     HeelMarkers,
     /// Twice the mean step between the feet.
     DoubledSteps,
-    /// The impulse that carries the known mass over a stride.
+    /// Impulse that carries the known mass over a stride.
     Impulse,
     /// A typical duty factor, if the recording has no stride time.
     UsualDuty,
@@ -352,7 +352,7 @@ impl PeriodSource {
     }
 }
 
-/// Method of the mean cycle.
+/// Method by which the mean cycle was computed.
 ///
 /// ```
 /// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
@@ -389,7 +389,7 @@ pub enum CycleSource {
         stances: usize,
         period: PeriodSource,
     },
-    /// Stances of one foot, with zero force in swing.
+    /// Stances of one foot, with zero force in the swing phase.
     OneFoot {
         stances: usize,
         period: PeriodSource,

@@ -1,14 +1,14 @@
-//! Questions about a recording that its notes open, and the keys that answer them.
+//! Questions about a recording that its notes raise, and the keys that answer them.
 
 use super::{Note, OpenQuestion};
 
 impl Note {
-    /// The question raised by the note; `None` if it only informs.
+    /// Question that the note raises; `None` if it only informs.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         Some(self.question()?.0)
     }
 
-    /// The questions that some notes open, each once.
+    /// Questions that several notes raise, each once.
     pub fn doubts(notes: &[Note]) -> Vec<OpenQuestion> {
         let mut all: Vec<OpenQuestion> = notes.iter().filter_map(Note::doubt).collect();
         all.sort_unstable();
@@ -16,13 +16,13 @@ impl Note {
         all
     }
 
-    /// The notes that open a question.
+    /// Notes that raise a question.
     pub fn opening(notes: &[Note], question: OpenQuestion) -> Vec<Note> {
         let opens = |n: &&Note| n.doubt() == Some(question);
         notes.iter().filter(opens).cloned().collect()
     }
 
-    /// Keys of the section `gait` that answer the question, most likely first.
+    /// Keys of the section `gait` that answer the question, the most likely first.
     pub fn settled_by(&self) -> &'static [&'static str] {
         self.question().map_or(&[], |(_, keys)| keys)
     }

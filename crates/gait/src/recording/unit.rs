@@ -51,7 +51,7 @@ pub enum ForceUnit {
         serialize = "N/N"
     )]
     BodyWeight,
-    /// Hundredths of body weight.
+    /// Percent of the body weight.
     #[strum(
         to_string = "%BW",
         serialize = "% BW",
@@ -69,12 +69,12 @@ fn unknown_unit(word: &str) -> Error {
 }
 
 impl ForceUnit {
-    /// The name used in scenes and on the command line.
+    /// Name of the unit in scenes and on the command line.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// Newtons per unit; `None` if that needs an unknown body mass.
+    /// Newtons per unit; `None` if the body mass is necessary but unknown.
     pub fn newtons(self, mass_kg: Option<f64>) -> Option<f64> {
         match self {
             ForceUnit::Newton => Some(1.0),

@@ -1,4 +1,4 @@
-//! Classification of contacts: whole stances, and the reasons against the others.
+//! Classification of contacts: whole stances, and the reasons for which others are rejected.
 
 use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -9,26 +9,26 @@ use crate::units::G;
 
 /// Maximum duration of a contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// Ratio to the typical duration above which a contact includes more than one step.
+/// Ratio of a contact's duration to the typical duration above which it includes more than one step.
 const LONG: f64 = 1.5;
-/// The same ratio for a contact whose force has more humps than one foot makes.
+/// The same ratio for a contact whose force has more peaks than that of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
-/// Minimum duration of a contact of both feet with three or more humps, s.
+/// Minimum duration of a contact of both feet with three or more peaks, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// Fraction of a whole contact below which a cut contact is not a stance.
+/// Fraction of a whole contact below which an incomplete contact is not a stance.
 const FRAGMENT: f64 = 0.25;
-/// Maximum duration of bridged missing samples, s.
+/// Maximum duration of missing samples that are interpolated, s.
 const BRIDGED_S: f64 = 0.05;
 /// Fraction of the force on another plate below which a contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
-/// Fraction of the shorter contact with load on two plates at once, above which they share a foot: in walking both feet stand for less than a third
-/// of a stance at either end.
+/// Fraction of the shorter of two contacts with load on both plates above which both belong to the same foot. In walking, both feet are on the ground
+/// for less than a third of a stance at either end.
 const SHARED: f64 = 0.4;
-/// Maximum total duration of two overlapping contacts that are one stance, s.
+/// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
-/// Number of contacts before and after that a contact is compared with.
+/// Number of previous and of following contacts with which a contact is compared.
 const FELLOWS: usize = 4;
-/// Fraction of the highest force above which a contact may be a whole step.
+/// Fraction of the maximum force above which a contact may be a whole step.
 const MAIN: f64 = 0.5;
 
 /// Typical values of the whole contacts of the recording.
@@ -63,7 +63,7 @@ impl Usual {
         }
     }
 
-    /// Whether two contacts together last no longer than neighbouring stances, or than any stance.
+    /// Whether two contacts together are not longer than adjacent stances, or than any stance.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
@@ -84,7 +84,7 @@ impl Usual {
     }
 }
 
-/// Steps of very slow walkers: three or more similar contacts longer than the limit for standing.
+/// Whether the contacts are steps of a very slow walker: three or more similar contacts longer than the limit for standing.
 fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     let long: Vec<&Contact> = contacts
         .iter()
@@ -98,13 +98,13 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// The lower of the two middle values, so that one long contact of two does not count as typical.
+/// The lower of the two middle values. One long contact of two is then not treated as typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)
 }
 
-/// One contact among the others.
+/// A contact together with the others.
 pub(super) struct Judged<'a> {
     pub place: usize,
     pub contact: &'a Contact,
@@ -112,7 +112,7 @@ pub(super) struct Judged<'a> {
     pub beside: Beside,
 }
 
-/// The reason why a contact is not a whole stance of walking or, if requested, of running; `None` if it is one.
+/// Reason for which a contact is not a whole stance of walking or, if requested, of running; `None` if it is a whole stance.
 pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
     let (contact, shape) = (judged.contact, judged.shape);
     let duration = contact.duration_s();
@@ -176,18 +176,18 @@ fn too_long(
     (both || shape.humps > 4 && duration > TWO_STEPS_S).then_some(RejectReason::CrossOver)
 }
 
-/// Load on the other plates during a contact.
+/// Relation of a contact to the load on the other plates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beside {
-    /// No load, or the other foot at either end.
+    /// There is no load, or the other foot is on its plate at either end of the contact.
     Apart,
-    /// Another part of the same foot.
+    /// The load on another plate belongs to the same foot.
     Shared,
-    /// Another foot, whose force disturbs this channel.
+    /// The contact is cross-talk from a foot on another plate.
     CrossTalk,
 }
 
-/// Contacts at the same time as one on another plate: one foot on two plates, or cross-talk between their amplifiers.
+/// Relation of each contact to simultaneous contacts on other plates: one foot on two plates, or cross-talk between the amplifiers.
 ///
 /// Insoles cannot share a foot; belts can.
 pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> Vec<Beside> {

@@ -1,4 +1,4 @@
-//! Contacts: spans in which a channel's force exceeds the threshold, before classification.
+//! Contacts: spans in which the force of a channel exceeds the threshold, before classification.
 
 use super::types::RejectReason;
 use crate::recording::Channel;
@@ -7,7 +7,7 @@ use crate::recording::Channel;
 const CONTACT_N: f64 = 20.0;
 /// Fraction of the contact threshold below which a contact ends, so that noise does not split a stance.
 const HYSTERESIS: f64 = 0.5;
-/// Number of standard deviations of the unloaded noise below the threshold.
+/// Minimum distance between threshold and unloaded reading, in standard deviations of the noise.
 const NOISE_MARGIN: f64 = 6.0;
 /// Minimum duration of a step, s.
 pub(super) const TOUCH_S: f64 = 0.1;
@@ -15,12 +15,12 @@ pub(super) const TOUCH_S: f64 = 0.1;
 pub(super) const STANDING_S: f64 = 1.8;
 /// Maximum duration of a step of very slow walkers, s.
 pub(super) const SLOW_STEP_S: f64 = 4.0;
-/// Maximum gap within one contact, s.
+/// Maximum interruption within one contact, s.
 const DIP_S: f64 = 0.04;
-/// Minimum duration of the monotone rise of a landing, s.
+/// Minimum duration of the monotone rise after a heel strike, s.
 const LANDING_S: f64 = 0.02;
 
-/// A span of contact on one channel, before classification.
+/// Contact on one channel, before classification.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
     pub channel: usize,
@@ -96,8 +96,8 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
     found
 }
 
-/// Whether a recording begins with a landing: hardly above the threshold and rising fast. Applied backwards, whether it ends with a toe-off. Such a
-/// stance counts as whole.
+/// Whether a contact at the start of a recording is complete: the first sample is just above the threshold and the force rises fast (heel strike).
+/// For reversed samples: whether a contact at the end is complete (toe-off).
 fn lands<'a>(force: impl Iterator<Item = &'a f64>, on: f64, rate_hz: f64) -> bool {
     let samples = ((LANDING_S * rate_hz) as usize).max(2);
     let first: Vec<f64> = force.take(samples + 1).copied().collect();

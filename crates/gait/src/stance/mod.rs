@@ -1,4 +1,4 @@
-//! Detection of stances: contacts with a plate, whole walking steps among them, and the reasons against the others.
+//! Detection of stances: contacts with a plate, whole walking steps among them, and the reasons for which others are rejected.
 
 mod classify;
 mod contact;
@@ -23,7 +23,7 @@ pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
 /// Finds the stances of a recording.
 ///
-/// Running is averaged only if `recording.kind` requests it; jumps, standing and sit-to-stand are not averaged.
+/// Running is averaged only if `recording.kind` requests it. Jumps, standing and sit-to-stand are not averaged.
 pub fn stances(recording: &Recording) -> Stances {
     let mut contacts: Vec<Contact> = recording
         .live()
@@ -62,7 +62,7 @@ fn shape_of(contact: &Contact, recording: &Recording) -> Shape {
     shape(&channel.force_n, recording.rate_hz, span, channel.noise_n)
 }
 
-/// Every contact, used or rejected.
+/// Classifies every contact as used or rejected.
 fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     let shapes: Vec<Shape> = contacts.iter().map(|c| shape_of(c, recording)).collect();
     let mut out = Stances {
@@ -96,7 +96,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     out
 }
 
-/// The reason why a whole contact of a movement is not averaged.
+/// Reason for which a whole contact of a movement is not averaged.
 fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     match kind {
         Kind::Walking => None,
@@ -107,7 +107,7 @@ fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     }
 }
 
-/// Classifies a recording whose contacts are neither runs nor jumps, and notes a requested kind that the contacts contradict.
+/// Classifies a recording whose contacts are neither runs nor jumps. If the contacts contradict a requested kind, a note is added.
 fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
     if out.recognised.is_none() {
         let crosses =

@@ -1,32 +1,32 @@
-//! Comparison of whole stances: stances of one speed, and outliers.
+//! Comparison of whole stances: stances with the same speed, and outliers.
 
 use super::types::{RejectReason, Rejected, Stance, Stances};
 use crate::quantity::seconds;
 use crate::recording::{Note, Recording};
 use crate::statistics::median;
 
-/// Relative difference of durations at one speed: three deviations of steady walking.
+/// Relative difference of durations at a constant speed: three standard deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Fraction of stances outside that range above which the speed changes.
+/// Fraction of stances outside this range above which the speed changes.
 const OUTSIDE: f64 = 0.15;
 /// Minimum number of stances that show a change of speed.
 const FEWEST: usize = 8;
 /// Quantities that identify outliers.
 type Measure = fn(&Stance) -> f64;
-/// Relative deviation from the median above which a stance is excluded from the mean of one foot.
+/// Maximum relative deviation of each quantity from its median. A stance above it is excluded from the mean of one foot.
 const MEASURES: [(Measure, f64); 3] = [
     (Stance::duration_s, 0.1),
     (|s| s.p1.force_n, 0.15),
     (|s| s.impulse_ns, 0.15),
 ];
-/// Minimum number of stances of a channel for outliers: three must agree.
+/// Minimum number of stances of a channel for detecting outliers: three must agree.
 const COMPARABLE: usize = 4;
 
-/// Number of intervals between strikes whose median is the local stride; a foot that crosses plates spoils two of them.
+/// Number of intervals between strikes whose median is the local stride time. A foot that crosses plates affects two of them.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances that last as long as most of them, and notes it if the others are of another speed. If all strides have one speed, the others
-/// show part of a foot, or both feet.
+/// Keeps the stances whose duration is that of most stances, and notes it if the others have another speed. If all strides have one speed, the others
+/// are contacts of a part of the foot, or of both feet.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
     if recording.has_rows() || count < FEWEST {
@@ -65,7 +65,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     out.notes.extend((!steady).then(changes));
 }
 
-/// Whether all strides have one speed, regardless of the contact durations.
+/// Whether all strides have one speed, regardless of the durations of the contacts.
 fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
     let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
     strides.sort_by(f64::total_cmp);
@@ -86,7 +86,7 @@ fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     in_a_row.filter_map(|w| median(w.to_vec())).collect()
 }
 
-/// First and last of the sorted values in the fullest window, and their number.
+/// First and last of the sorted values in the window with the most values, and their number.
 pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     let mut best = (0.0, 0.0, 0);
     let mut end = 0;
@@ -103,7 +103,7 @@ pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     best
 }
 
-/// Marks the outliers in duration, loading peak or impulse of each channel: partial contacts, or contacts with the other foot.
+/// Marks the outliers in duration, loading peak or impulse of each channel. They are partial contacts, or include the other foot.
 pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
     for channel in 0..channels {
         let own: Vec<usize> = (0..used.len())

@@ -1,6 +1,7 @@
 //! Recognition of the movement from contact times, flight, duty factor, peaks and repetition.
 //!
-//! Walking has a duty factor above one half and no flight; running has one below and contacts of 0.1 to 0.35 s (Nilsson and Thorstensson 1989; Keller et al. 1996).
+//! Walking has a duty factor above one half and no flight phase. Running has a duty factor below one half and contacts of 0.1 to 0.35 s (Nilsson and
+//! Thorstensson 1989; Keller et al. 1996).
 
 use super::contact::{Contact, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -10,46 +11,46 @@ use crate::units::G;
 
 /// Minimum duration of a contact in walking, s.
 const SHORT_S: f64 = 0.33;
-/// Duration below which a contact supports the evidence for running, s.
+/// Duration of a contact below which running is likely, s.
 const BRISK_S: f64 = 0.42;
 /// Duty factor below which the movement is running.
 const RUNNING_DUTY: f64 = 0.5;
 /// Maximum stride time that implies running, s.
 const RUNNING_STRIDE_S: f64 = 0.6;
-/// Ratio of peak and mean of a single hump: a half sine has 1.57, a walker's single hump about 1.25.
+/// Ratio of maximum and mean of a force with one peak, above which it is not walking. A half sine has 1.57, a walker with a single peak about 1.25.
 const PEAKED: f64 = 1.45;
-/// Peak force in body weights beyond walking.
+/// Peak force, in body weights, above which it is not walking.
 const HARD_BW: f64 = 1.75;
 /// Range of the flight time of a runner, s.
 const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
-/// Minimum flight time of a jump, s.
+/// Range of the flight time of a jump, s.
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the landing peak to the level before or after it.
+/// Ratio of the landing peak to the level before or after it, above which it is a landing.
 const LANDING: f64 = 1.6;
-/// Maximum time to the impact of a landing from a height, s: before the push-off of the shortest contact of walking (0.76 of `BRISK_S`, 0.32 s).
-/// Synthetic landings have it at 0.06 s; measured ones were not available.
+/// Maximum time to the impact of a landing from a height, s. It is before the push-off of the shortest contact in walking (0.76 of `BRISK_S`, 0.32
+/// s). In synthetic landings it is 0.06 s; measured landings were not available.
 const IMPACT_S: f64 = 0.25;
-/// Ratio of impact and mean of its contact: above the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and below synthetic landings with
-/// 2.6 to 3.6.
+/// Ratio of the impact and the mean of its contact: above that of the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and below that of
+/// synthetic landings, 2.6 to 3.6.
 const DROP: f64 = 1.9;
-/// Fraction of a contact before which the first peak of a landing occurs; that of walking is between 0.18 and 0.3.
+/// Fraction of a contact before which the first peak of a landing occurs; in walking it occurs between 0.18 and 0.3.
 const EARLY: f64 = 0.155;
-/// Number of contacts that is too small for a rhythm.
+/// Maximum number of contacts that do not determine a rhythm.
 const FEW: usize = 2;
-/// Maximum time between the feet in a jump, s.
+/// Maximum time between the landings of both feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
-/// Fraction of the highest force above which a contact is a step.
+/// Fraction of the maximum force above which a contact is a step.
 const MAIN: f64 = 0.4;
 /// Maximum coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
-/// Fraction of the weight below which the feet are those of a seated person.
+/// Fraction of the weight below which the person is seated.
 const SEATED: f64 = 0.6;
-/// Number of points at which a level is sampled.
+/// Number of points at which a force level is sampled.
 const LOOKS: usize = 400;
 
-/// Running or jumping, if the contacts show it; `None` leaves the decision to the stances.
+/// Running or jumping, if the contacts show it; `None` if the stances must determine the movement.
 pub(super) fn ballistic(
     contacts: &[Contact],
     shapes: &[Shape],
@@ -147,13 +148,13 @@ fn steady(levels: &[f64]) -> bool {
     deviation < QUIET * mean
 }
 
-/// Highest force over the mean of the contact.
+/// Ratio of the maximum force and the mean of the contact.
 fn peakedness(contact: &Contact, shape: &Shape) -> f64 {
     let mean = shape.impulse_ns / contact.duration_s().max(1e-9);
     contact.peak_n / mean.max(1e-9)
 }
 
-/// Median duty factor and median stride time, s, from contacts that repeat on a channel.
+/// Median duty factor and median stride time, s, from repeated contacts on a channel.
 fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
     let mut all = Vec::new();
     for (i, (a, _)) in main.iter().enumerate() {
@@ -171,7 +172,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
     Some((median(duties)?, median(strides)?))
 }
 
-/// Whether a flight separates most neighbouring contacts of different channels.
+/// Whether a flight phase separates most adjacent contacts on different channels.
 fn flies(main: &[(&Contact, &Shape)]) -> bool {
     let pairs: Vec<f64> = main
         .windows(2)
@@ -199,7 +200,7 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     })
 }
 
-/// Whether most contacts above `least`, N, are landings from a height: the highest force occurs early, and far above the mean of a long contact.
+/// Whether most contacts above `least`, N, are landings from a height: the maximum force occurs early, and far above the mean of a long contact.
 fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     let main: Vec<bool> = contacts
         .iter()
@@ -248,7 +249,7 @@ fn loaded_spans(contacts: &[Contact]) -> Vec<(f64, f64)> {
     spans
 }
 
-/// Total force of the live channels at `count` even times of a span, N.
+/// Total force of the loaded channels at `count` equally spaced times of a span, N.
 fn levels(recording: &Recording, from_s: f64, to_s: f64, count: usize) -> Vec<f64> {
     let at = |k: usize| {
         let t = from_s + (to_s - from_s) * (k as f64 + 0.5) / count as f64;

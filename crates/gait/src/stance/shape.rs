@@ -1,47 +1,47 @@
-//! The shape of one stance: its two peaks, the valley between, its impulse.
+//! Shape of a stance: two peaks, the valley between them, and the impulse.
 
 use super::types::Point;
 use crate::statistics::ends;
 
-/// Minimum depth of a valley below both peaks, as a fraction of the highest force.
+/// Minimum depth of a valley below both peaks, as a fraction of the maximum force.
 const VALLEY: f64 = 0.01;
 
-/// Ratio of the force at mid-stance to that at the quarters, above which two feet are on the plate.
+/// Ratio of the forces at mid-stance and at the quarters above which both feet are on the plate.
 const DOUBLE_SUPPORT: f64 = 1.12;
 
-/// Peaks, valley and impulse of one stance.
+/// Peaks, valley and impulse of a stance.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     pub p1: Point,
     pub valley: Option<Point>,
     pub p2: Option<Point>,
     pub impulse_ns: f64,
-    /// Number of peaks with a prominence of a tenth of the highest.
+    /// Number of peaks whose prominence is at least a tenth of the maximum.
     pub humps: usize,
-    /// Whether the highest force is in the middle fifth and clearly above the quarters.
+    /// Whether the maximum force is in the middle fifth and clearly above the force at the quarters.
     pub peaks_in_the_middle: bool,
     /// Fraction of the contact at which half of the impulse is reached.
     middle: f64,
 }
 
 impl Shape {
-    /// Whether most of the impulse comes early: only the heel is on the plate.
+    /// Whether most of the impulse is in the first part of the contact, because only the heel is on the plate.
     pub fn is_early(&self) -> bool {
         self.middle < 0.46
     }
 
-    /// Whether most of the impulse comes late.
+    /// Whether most of the impulse is in the last part of the contact.
     pub fn is_late(&self) -> bool {
         self.middle > 0.54
     }
 }
 
-/// Describes the force between two times, s from the first sample.
+/// Determines the shape of the force between two times, s from the first sample.
 ///
-/// The valley is the deepest point relative to the lower of the peaks before and after it, between 15 % and 85 % of the stance; the peaks are those
+/// The valley is the deepest point relative to the lower of the maxima before and after it, between 15 % and 85 % of the stance. The peaks are these
 /// maxima. A stance with an insignificant valley has one peak.
 ///
-/// `noise_n`: deviation of the unloaded reading, N; an interpolated peak exceeds the samples by no more than this.
+/// `noise_n` is the standard deviation of the unloaded reading, N; an interpolated peak exceeds the samples at most by this value.
 pub(super) fn shape(
     force: &[f64],
     rate_hz: f64,
@@ -91,8 +91,8 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     reached.unwrap_or(0) as f64 / samples.len().max(1) as f64
 }
 
-/// Vertex of the parabola through a sample and its neighbours: force and shift in samples. Without an extremum it is the sample itself. The force
-/// differs from the sample by no more than the noise, because a steep flank would move the vertex far above it.
+/// Vertex of the parabola through a sample and its neighbours: force, and shift in samples. Without an extremum it is the sample itself. The force
+/// exceeds the sample at most by the noise, because a steep flank would move the vertex far above it.
 fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     let around = i.checked_sub(1).and_then(|j| samples.get(j..j + 3));
     let Some(&[a, y, b]) = around else {
@@ -107,8 +107,8 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     (y + above.clamp(-noise_n, noise_n), shift)
 }
 
-/// The valley between the highest samples before and after it, in the middle part. One of the two is the highest sample of all; the other is searched
-/// from the opposite end. `None` if it is not deeper than `least`, N.
+/// Valley between the highest samples before and after it, in the middle part of the stance. One of these samples is the maximum; the other one is
+/// searched from the opposite end. `None` if the valley is not deeper than `least`, N.
 fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;

@@ -3,7 +3,7 @@
 use super::types::{RejectReason, Stance, Stances};
 use crate::recording::{Foot, Recording};
 
-/// Assigns feet to plates: by marked strikes, then by the heel markers, then alternately from a stance with a known foot.
+/// Assigns feet to plates: by marked strikes, otherwise by the heel markers, otherwise alternately from a stance with a known foot.
 pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     for s in stances.iter_mut().filter(|s| s.foot.is_none()) {
         let near = |at: f64| (at - s.start_s).abs();
@@ -37,7 +37,7 @@ pub(crate) struct Footfall {
     pub start_s: f64,
     pub end_s: f64,
     pub rejected: Option<RejectReason>,
-    /// Whether the contact is used despite being an outlier of its channel.
+    /// Whether the contact is used although it is an outlier of its channel.
     pub unlike: bool,
 }
 
@@ -55,7 +55,7 @@ impl From<&Stance> for Footfall {
 }
 
 impl Stances {
-    /// The whole stance of a footfall; `None` if the contact was rejected.
+    /// Whole stance of a footfall; `None` if the contact was rejected.
     pub(crate) fn at(&self, fall: &Footfall) -> Option<&Stance> {
         // A rejected contact may start with a stance of its channel.
         let accepted = fall.rejected.is_none();
@@ -66,7 +66,7 @@ impl Stances {
     }
 }
 
-/// Every contact in order of start time.
+/// All contacts in order of their start.
 pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
     let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
     falls.extend(stances.rejected.iter().map(|r| Footfall {
@@ -81,13 +81,13 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// Fraction of a running stance below which a pause in one column precedes the other foot.
+/// Fraction of a running stance below which a pause in one column is followed by the other foot.
 const ALTERNATE: f64 = 0.9;
 
-/// Whether two consecutive stances belong to one foot; `None` if unknown.
+/// Whether two consecutive stances belong to the same foot; `None` if unknown.
 ///
-/// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
-/// a flight comes before the next foot, and more than twice as long a time before the same one.
+/// In walking, the next foot lands before the first one leaves; the same foot lands only after its swing phase. In running (`runs`), a flight phase
+/// precedes the next foot; the time before the same foot is more than twice as long.
 pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> {
     if let (Some(a), Some(b)) = (a.foot, b.foot) {
         return Some(a == b);

@@ -5,7 +5,7 @@ use strum::{IntoStaticStr, VariantNames};
 
 use crate::recording::{Foot, Kind, Note};
 
-/// One point of a stance: force and fraction of the stance.
+/// Point of a stance: force and fraction of the stance.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -30,7 +30,7 @@ pub struct Point {
 /// Fraction of the stance after which a single peak is the push-off.
 const LATE: f64 = 0.6;
 
-/// A whole stance of one foot.
+/// Whole stance of one foot.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -45,25 +45,25 @@ const LATE: f64 = 0.6;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stance {
-    /// Channel of the recording.
+    /// Index of the channel of the recording.
     pub channel: usize,
-    /// The foot, if named or implied by the file.
+    /// Foot of the stance, if the file names or implies it.
     pub foot: Option<Foot>,
-    /// Heel strike, s from the first sample.
+    /// Time of the heel strike, s from the first sample.
     pub start_s: f64,
-    /// Toe-off, s from the first sample.
+    /// Time of the toe-off, s from the first sample.
     pub end_s: f64,
-    /// Loading peak (the only one of a stance with one hump).
+    /// Loading peak; for a stance with one peak the only peak.
     pub p1: Point,
-    /// Mid-stance valley, if the stance has two humps.
+    /// Mid-stance valley, if the stance has two peaks.
     pub valley: Option<Point>,
     /// Push-off peak, if the stance has two peaks.
     pub p2: Option<Point>,
     /// Integral of the force over the stance, N s.
     pub impulse_ns: f64,
-    /// Mass of the walker, kg, if the stance has its own (tables of stances).
+    /// Mass of the walker, kg, if the stance has a separate mass (tables of stances).
     pub mass_kg: Option<f64>,
-    /// Whether duration, loading peak or impulse is an outlier of the channel; the stance then counts only in the sum of both feet.
+    /// Whether duration, loading peak or impulse is an outlier of the channel. The stance is then used only in the sum of both feet.
     pub unlike: bool,
 }
 
@@ -73,30 +73,30 @@ impl Stance {
         self.end_s - self.start_s
     }
 
-    /// The loading peak; `None` if the only peak comes later.
+    /// Loading peak; `None` if the only peak is later.
     pub fn first_peak(&self) -> Option<Point> {
         (self.valley.is_some() || self.p1.at < LATE).then_some(self.p1)
     }
 
-    /// The push-off peak, which may be the only one.
+    /// Push-off peak, which may be the only peak.
     pub fn second_peak(&self) -> Option<Point> {
         self.p2
             .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
     }
 
-    /// Loading peak, valley and push-off peak, where the stance has them.
+    /// Loading peak, valley and push-off peak; `None` for a missing one.
     pub fn landmarks(&self) -> [Option<Point>; 3] {
         [self.first_peak(), self.valley, self.second_peak()]
     }
 
-    /// Highest force of the stance, N.
+    /// Maximum force of the stance, N.
     pub fn peak_n(&self) -> f64 {
         self.p2
             .map_or(self.p1.force_n, |p| p.force_n.max(self.p1.force_n))
     }
 }
 
-/// Reasons why a contact is not used.
+/// Reason for which a contact is not used.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, RejectReason, read, stances};
@@ -117,27 +117,27 @@ pub enum RejectReason {
     CutAtStart,
     /// The recording ends during the contact.
     CutAtEnd,
-    /// The contact is cut and too short.
+    /// The contact is incomplete and too short.
     EdgeFragment,
     /// The plate was loaded from the first sample to the last.
     NeverUnloaded,
     /// Samples are missing during the contact.
     MissingSamples,
-    /// Too short for a step.
+    /// The contact is too short for a step.
     TooShort,
-    /// A contact of running.
+    /// The contact is one of running.
     Running,
-    /// A take-off or landing of both feet.
+    /// The contact is a take-off or landing of both feet.
     Jumping,
-    /// Cross-talk from the force of a foot on another plate.
+    /// The contact is cross-talk from the force of a foot on another plate.
     CrossTalk,
-    /// A whole stance at another speed than most.
+    /// A whole stance at a speed that differs from that of most stances.
     OtherSpeed,
-    /// Too long for a step.
+    /// The contact is too long for a step.
     Standing,
-    /// Longer than the others: the other foot stepped onto the same plate.
+    /// The contact is longer than the others, because the other foot stepped onto the same plate.
     CrossOver,
-    /// Duration, loading peak or impulse is an outlier of the same channel.
+    /// Duration, loading peak or impulse is an outlier among the contacts of the channel.
     Unlike,
     /// Two plates carried the foot at the same time.
     TwoPlates,
@@ -145,7 +145,7 @@ pub enum RejectReason {
     PartialContact,
 }
 
-/// A rejected contact.
+/// Rejected contact.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -159,7 +159,7 @@ pub enum RejectReason {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rejected {
-    /// Channel of the recording.
+    /// Index of the channel of the recording.
     pub channel: usize,
     /// Start of the contact, s from the first sample.
     pub from_s: f64,
@@ -169,7 +169,7 @@ pub struct Rejected {
     pub reason: RejectReason,
 }
 
-/// All contacts of a recording, each used or rejected, in order of time.
+/// Contacts of a recording, each used or rejected, in order of time.
 ///
 /// ```
 /// use gaitcam_gait::{Kind, ReadOptions, read, stances};
@@ -189,7 +189,7 @@ pub struct Stances {
     pub rejected: Vec<Rejected>,
     /// Movement recognised from the contacts.
     pub recognised: Option<Kind>,
-    /// Movement of the average: the requested one, otherwise the recognised one.
+    /// Movement that is averaged: the requested one, otherwise the recognised one.
     pub kind: Option<Kind>,
     /// Notes from the comparison of stances.
     pub notes: Vec<Note>,

@@ -1,10 +1,10 @@
-//! The messages of this crate in English and Spanish.
+//! Messages of this crate in English and Spanish.
 
 use serde::Serialize;
 
 pub use gaitcam_base::wording::{Catalogue, Language, Sentences, code};
 
-/// The Fluent files: names, faults and notes of curves and recordings, faults of files.
+/// Fluent files: names, errors and notes of curves and recordings, errors of files.
 pub const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/force.ftl"), include_str!("es/force.ftl")],
@@ -18,10 +18,10 @@ pub const SENTENCES: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// The messages of this crate and of those below it.
+/// Messages of this crate and of the crates below it.
 pub static WORDS: Catalogue = Catalogue::new(&[gaitcam_base::wording::SENTENCES, SENTENCES]);
 
-/// The message of a note, of a format or of a rejected contact.
+/// Message of a note, of a format or of a rejected contact.
 pub(crate) fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
     WORDS.of(language).sentence(area, message)
 }
