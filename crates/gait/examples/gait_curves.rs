@@ -1,6 +1,6 @@
-//! Writes the force cycles that the project owns into a folder: `gait_curves data/gait_curves`.
+//! Writes the built-in force cycles to a folder: `gait_curves data/gait_curves`.
 //!
-//! Each is a load model of the catalogue with its source and status in the comments.
+//! Each cycle is a load model of the catalogue. Comments in the file state its source and reliability.
 
 use std::path::Path;
 
@@ -33,7 +33,7 @@ pub const CURVES: &[(&str, &str, Option<f64>, f64, Feet)] = &[
     ),
 ];
 
-/// The text of one of the files.
+/// Text of one of the files.
 pub fn text(name: &str, frequency: Option<f64>, load: f64, feet: Feet) -> Result<String> {
     let curve = model(name, frequency, load, feet)?;
     let found = catalogue().iter().find(|m| m.name == name);

@@ -1,4 +1,4 @@
-//! Any bytes as a recording; start from corpus/c3d: `cargo +nightly fuzz run c3d`.
+//! Reads arbitrary bytes as a recording. Start from corpus/c3d: `cargo +nightly fuzz run c3d`.
 #![no_main]
 
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Any bytes as one cycle of force; start from corpus/cycle: `cargo +nightly fuzz run cycle`.
+//! Reads arbitrary bytes as one cycle of force. Start from corpus/cycle: `cargo +nightly fuzz run cycle`.
 #![no_main]
 
 use std::path::Path;

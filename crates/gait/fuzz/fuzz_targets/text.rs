@@ -1,4 +1,4 @@
-//! Any bytes as a recording; start from corpus/text: `cargo +nightly fuzz run text`.
+//! Reads arbitrary bytes as a recording. Start from corpus/text: `cargo +nightly fuzz run text`.
 #![no_main]
 
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! C3D files of every processor, storage and plate type, made here.
+//! Synthetic C3D files of every processor, storage and plate type.
 
 use std::path::Path;
 

@@ -8,14 +8,14 @@ pub enum Processor {
     Sgi,
 }
 
-/// What a file should be like.
+/// Properties of a synthetic file.
 #[derive(Debug, Clone, Copy)]
 pub struct Build {
     pub processor: Processor,
     pub float: bool,
-    /// Idle channels before those of the plate; a file with more than 255 channels needs several parameters for them.
+    /// Number of idle channels before the channels of the plate. More than 255 channels need several parameters.
     pub before: usize,
-    /// FORCE_PLATFORM:TYPE, 1 to 7.
+    /// FORCE_PLATFORM:TYPE of the plate, 1 to 7.
     pub kind: i16,
     /// Analog samples per frame.
     pub per_frame: usize,
@@ -51,7 +51,7 @@ impl Processor {
     }
 }
 
-/// A marker: its label, and its position in mm in a frame where it is seen.
+/// A marker: its label, and its position in mm in each frame in which it is visible.
 pub type Marker<'a> = (&'a str, &'a dyn Fn(usize) -> Option<[f64; 3]>);
 
 struct Writer {
@@ -103,7 +103,7 @@ impl Writer {
     }
 }
 
-/// Channels that one plate of a type has, and how the vertical force is spread over them.
+/// Values of the channels of a plate of a given type, for a vertical force.
 fn channels(kind: i16, force: f64) -> Vec<f64> {
     match kind {
         3 => vec![
@@ -142,8 +142,7 @@ fn channels(kind: i16, force: f64) -> Vec<f64> {
     }
 }
 
-/// Height, width and entries of a plate's calibration matrix: as tall as the forces it gives, as wide as the channels,
-/// first index fastest.
+/// Height, width and entries of the calibration matrix of a plate type: one row per force, one column per channel, first index varying fastest.
 fn matrix(kind: i16) -> (usize, usize, Vec<f32>) {
     let (high, across) = match kind {
         5 => (6, 8),
@@ -165,7 +164,7 @@ fn matrix(kind: i16) -> (usize, usize, Vec<f32>) {
     (high, across, matrix)
 }
 
-/// A letter for the channels of one plate, `c249` and so on for more.
+/// Label of a channel: a letter for the channels of one plate, `c249` and so on for more.
 fn label(k: usize) -> String {
     match u8::try_from(k) {
         Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
@@ -173,7 +172,7 @@ fn label(k: usize) -> String {
     }
 }
 
-/// The parameter section: one plate, mass 70 kg and one strike of the right foot at 0.5 s.
+/// Parameter section: one plate, a mass of 70 kg and one strike of the right foot at 0.5 s.
 fn parameters(b: &Build, count: usize, markers: &[Marker]) -> Vec<u8> {
     let mut w = Writer {
         p: b.processor,
@@ -234,13 +233,12 @@ fn parameters(b: &Build, count: usize, markers: &[Marker]) -> Vec<u8> {
     w.out
 }
 
-/// A file with one plate under `force` (newtons, downwards negative as plates give it), with mass 70 kg and
-/// one strike of the right foot at 0.5 s.
+/// File with one plate and `force` (newtons, downwards negative as in plate data), a mass of 70 kg and one strike of the right foot at 0.5 s.
 pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
     build_with(b, force, &[("M1", &|_| Some([0.1, 0.2, 0.3]))])
 }
 
-/// The same with markers.
+/// As [`build`], with markers.
 pub fn build_with(b: &Build, force: impl Fn(usize) -> f64, markers: &[Marker]) -> Vec<u8> {
     let count = b.before + channels(b.kind, 0.0).len();
     let parameters = parameters(b, count, markers);
@@ -285,7 +283,7 @@ pub fn build_with(b: &Build, force: impl Fn(usize) -> f64, markers: &[Marker]) -
     file
 }
 
-/// Downward force of one stance of 0.6 s from 0.5 s on, at `rate` Hz, peaks 770 N and valley 455 N.
+/// Downward force of one stance of 0.6 s, starting at 0.5 s, sampled at `rate` Hz, with peaks of 770 N and a valley of 455 N.
 pub fn one_stance(i: usize, rate: f64) -> f64 {
     let x = (i as f64 / rate - 0.5) / 0.6;
     if (0.0..=1.0).contains(&x) {

@@ -1,4 +1,4 @@
-//! The mean cycle of recordings whose true mean is known, and what is said about it.
+//! Mean cycles of recordings whose true mean is known, and the notes on them.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ fn stance(x: f64) -> f64 {
     700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
 }
 
-/// A walk with strides of 1.1 s and stances of 0.68 s; step k has its force times `1 ± wobble`, right foot first.
+/// A walk with strides of 1.1 s and stances of 0.68 s, right foot first. The force of step k is multiplied by `1 ± wobble`.
 fn walk(seconds: f64, wobble: f64) -> (Recording, Stances) {
     let force = |t: f64, lead: f64| {
         let k = ((t + lead) / 1.1).floor();
@@ -234,7 +234,7 @@ fn the_overlay_holds_the_stances_their_mean_and_band() {
     assert_eq!(overlay(&r, &Stances::default(), 10), None);
 }
 
-/// A cycle of feet on two plates, each standing from some seconds on.
+/// Cycle of feet on two plates; each stance starts at one of the given times, s.
 fn of_plates(names: &str, seconds: f64, starts: [&[f64]; 2]) -> Cycle {
     let force =
         |t: f64, starts: &[f64]| -> f64 { starts.iter().map(|s| stance((t - s) / 0.68)).sum() };

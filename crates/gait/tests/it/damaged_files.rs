@@ -1,7 +1,7 @@
-//! Damaged files: whatever the bytes, a reader answers or refuses, soon, and never panics.
+//! Damaged files: for any bytes, a reader returns a result or an error quickly, and never panics.
 //!
-//! The corpus is that of the cargo-fuzz targets in fuzz/, which need a nightly compiler; the damage is repeatable.
-//! GAITCAM_FUZZ_ROUNDS makes it run longer.
+//! The corpus is that of the cargo-fuzz targets in fuzz/, which need a nightly compiler. The damage is reproducible. GAITCAM_FUZZ_ROUNDS extends the
+//! test.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -11,7 +11,7 @@ use gaitcam_gait::{
     Feet, ForceUnit, Interpretation, ReadOptions, cycle, force_curve, read, stances,
 };
 
-/// Everything that a user's file goes through; whether it is read as a recording or a cycle.
+/// Applies all readers of a file. Returns whether it is read as a recording or a cycle.
 fn exercise(bytes: &[u8], options: &ReadOptions) -> bool {
     let path = Path::new("fuzz");
     let curve = force_curve(path, bytes, options, Feet::Both);
@@ -31,7 +31,7 @@ fn exercise(bytes: &[u8], options: &ReadOptions) -> bool {
     is_read
 }
 
-/// Xorshift: the same damage every time.
+/// Xorshift generator, which produces the same damage in every run.
 struct Dice(u64);
 
 impl Dice {
@@ -43,7 +43,7 @@ impl Dice {
     }
 }
 
-/// Words that readers give a meaning to.
+/// Words that have a meaning for readers.
 const WORDS: &[&[u8]] = &[
     b"nan",
     b"inf",
@@ -110,10 +110,10 @@ fn folder(reader: &str) -> PathBuf {
         .join(reader)
 }
 
-/// The case at work and when it began.
+/// The present case and the time of its start.
 type Case = Arc<Mutex<(Vec<u8>, Instant)>>;
 
-/// Ends the test, with the case kept in a file, when one case takes longer than ten seconds.
+/// Ends the test if one case takes longer than ten seconds, and stores the case in a file.
 fn watch(reader: &str) -> Case {
     let case: Case = Arc::new(Mutex::new((Vec::new(), Instant::now())));
     let (watched, reader) = (Arc::downgrade(&case), reader.to_string());
@@ -134,7 +134,7 @@ fn watch(reader: &str) -> Case {
     case
 }
 
-/// Options that lead through every branch of the readers.
+/// Options that lead through all branches of the readers.
 fn options() -> [ReadOptions; 5] {
     [
         ReadOptions::default(),

@@ -1,4 +1,4 @@
-//! Recordings that could be misread: clocks that count samples, components beside the vertical one, cut strikes.
+//! Recordings that could be misread: times that count samples, components in addition to the vertical one, incomplete strikes.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use gaitcam_gait::{
 
 const STANCE_S: f64 = 0.66;
 
-/// Force of one foot t s after its heel strike, N; zero before and after the stance.
+/// Force of one foot at t s after its heel strike, N; zero outside the stance.
 fn stance(t: f64) -> f64 {
     let x = t / STANCE_S;
     if !(0.0..1.0).contains(&x) {
@@ -21,12 +21,12 @@ fn stance(t: f64) -> f64 {
     720.0 * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
 }
 
-/// Force of heel strikes at these times, N.
+/// Force of one foot with heel strikes at the given times, N.
 fn foot(strikes: &[f64], t: f64) -> f64 {
     strikes.iter().map(|s| stance(t - s)).sum()
 }
 
-/// Left and right strikes every 1.1 s.
+/// Force of the left and of the right foot, with a heel strike every 1.1 s.
 fn walk(t: f64) -> (f64, f64) {
     let every = |first: f64| (0..6).map(move |i| first + 1.1 * f64::from(i));
     let left: Vec<f64> = every(0.3).collect();
@@ -139,8 +139,7 @@ fn a_person_who_stands_throughout_gives_no_cycle() {
     assert!(open(&text).1.is_err());
 }
 
-/// Total force of a landing from a height, in body weights: an impact of `peak`, settling, standing until `leaves` with a
-/// `sway`.
+/// Total force of a landing from a height, in body weights: an impact of `peak`, settling, then standing until `leaves` with a `sway`.
 fn landing(t: f64, peak: f64, leaves: f64, sway: f64) -> f64 {
     if !(0.0..leaves).contains(&t) {
         return 0.0;

@@ -1,4 +1,4 @@
-//! A raw recording of one stance over a part of the turn: the stance fills it, the idle time of the file does not.
+//! Raw recording of one stance over a part of the turn: the stance fills this part; unloaded time in the file is omitted.
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The joint mean of several recordings against what their walkers were made of.
+//! Joint mean of several recordings, compared with the true values of their walkers.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -19,11 +19,11 @@ const STANCE: f64 = 0.62;
 #[derive(Clone, Copy)]
 struct Walker {
     stride_s: f64,
-    /// Force over that of the usual walker.
+    /// Ratio of the force to that of the usual walker.
     strength: f64,
-    /// Force of the left foot over that of the right.
+    /// Ratio of the force of the left foot to that of the right foot.
     left: f64,
-    /// Time of the first left strike, s.
+    /// Time of the first heel strike of the left foot, s.
     start_s: f64,
 }
 
@@ -34,7 +34,7 @@ const USUAL: Walker = Walker {
     start_s: 0.3,
 };
 
-/// Force of a stance at its share x, N.
+/// Force of a stance at the fraction x of its duration, N.
 fn stance(x: f64) -> f64 {
     if (0.0..1.0).contains(&x) {
         720.0 * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
@@ -64,7 +64,7 @@ impl Walker {
         text
     }
 
-    /// Its mean cycle and what is open about it.
+    /// Mean cycle of the walker's recording, and its interpretation with open questions.
     fn trial(&self) -> (Cycle, Interpretation) {
         let text = self.file();
         let options = ReadOptions::default();

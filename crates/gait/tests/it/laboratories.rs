@@ -1,5 +1,5 @@
-//! Exports of laboratories' programs beyond those of `layouts`, made here after their description: each is
-//! read, or refused with a plain sentence.
+//! Exports of laboratory programs in addition to those of `layouts`, generated from their description: each is read, or rejected with a clear
+//! message.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -23,7 +23,7 @@ fn foot(i: usize, lead_s: f64) -> f64 {
     700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
 }
 
-/// A head and one line per sample, made of time, left and right force.
+/// A header and one line per sample with time, left and right force.
 fn table(head: &str, row: impl Fn(f64, f64, f64) -> String) -> String {
     let mut text = head.to_string();
     for i in 0..SAMPLES {
@@ -37,7 +37,7 @@ fn open(name: &str, text: &[u8]) -> Recording {
     read(Path::new(name), text, &ReadOptions::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Both feet: five whole stances, two whole strides of 1.1 s at the walker's weight; sides where the file has them.
+/// Checks a recording of both feet: five whole stances, two whole strides of 1.1 s, the weight of the walker, and sides if the file has them.
 #[track_caller]
 fn holds_both_feet(name: &str, text: &[u8], sided: bool) -> Recording {
     let r = open(name, text);

@@ -1,4 +1,4 @@
-//! Layouts that laboratories' programs write, each imitated with the same walk.
+//! Layouts of laboratory programs, each generated from the same walk.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ const RATE: f64 = 200.0;
 const STRIDE_S: f64 = 1.1;
 const STANCE_S: f64 = 0.68;
 
-/// Force of one foot at sample `i`, N, upward; peaks of 668 N, valley of 455 N.
+/// Upward force of one foot at sample `i`, N, with peaks of 668 N and a valley of 455 N.
 fn foot(i: usize, lead_s: f64) -> f64 {
     let x = (i as f64 / RATE + lead_s).rem_euclid(STRIDE_S) / STANCE_S;
     if x > 1.0 {
@@ -23,7 +23,7 @@ fn foot(i: usize, lead_s: f64) -> f64 {
     700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
 }
 
-/// Right foot, in swing at first.
+/// Right foot, which starts in the swing phase.
 fn right(i: usize) -> f64 {
     foot(i, 0.75)
 }
@@ -42,7 +42,7 @@ fn open(text: &[u8], options: &ReadOptions) -> Recording {
     read(Path::new("made.txt"), text, options).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Right foot only: three stances; checks rate, count and height of the peaks.
+/// Checks a recording of the right foot: three stances, their rate and the height of the peaks.
 #[track_caller]
 fn holds_right_foot(text: &str, options: &ReadOptions) -> Recording {
     let r = open(text.as_bytes(), options);
@@ -69,7 +69,7 @@ fn holds_right_foot(text: &str, options: &ReadOptions) -> Recording {
     r
 }
 
-/// Highest value of sin a + 0.35 sin 3a, where cos a (3·1.4·cos² a − 2.15) = 0.
+/// Maximum of sin a + 0.35 sin 3a, where cos a (3·1.4·cos² a − 2.15) = 0.
 fn gait_peak() -> f64 {
     let a = (2.15f64 / 4.2).sqrt().acos();
     a.sin() + 0.35 * (3.0 * a).sin()

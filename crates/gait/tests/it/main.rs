@@ -1,4 +1,4 @@
-//! Reading recordings, their mean cycle, and the load models.
+//! Tests of reading recordings, of their mean cycle, and of the load models.
 
 mod c3d;
 mod c3d_file;
@@ -21,12 +21,12 @@ use gaitcam_gait::Recording;
 use gaitcam_gait::error::Error;
 use gaitcam_gait::wording::code;
 
-/// Codes of what was guessed or left out in reading.
+/// Codes of the notes on assumptions and exclusions of a recording.
 fn notes(r: &Recording) -> Vec<String> {
     r.notes.iter().map(|n| code("note", n)).collect()
 }
 
-/// Code of an error, with what its place says.
+/// Code of an error, with its location.
 fn fault(e: &Error) -> String {
     format!("{}{}", e.place, e.code())
 }

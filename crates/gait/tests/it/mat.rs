@@ -1,4 +1,4 @@
-//! MAT files of MATLAB, made here: structs, matrices with labels, both byte orders, compressed or not, and damaged.
+//! Synthetic MAT files of MATLAB: structs, matrices with labels, both byte orders, compressed or not, and damaged.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use gaitcam_gait::{Feet, Format, ReadOptions, Recording, cycle, read, stances};
 
 use crate::hard::dice::Dice;
 
-/// A data element: tag, data, padding.
+/// Data element with tag, data and padding.
 fn element(kind: u32, data: &[u8], big: bool) -> Vec<u8> {
     let mut out = [word(kind, big), word(data.len() as u32, big)].concat();
     out.extend(data);
@@ -42,7 +42,7 @@ fn array(
     element(14, &body, big)
 }
 
-/// Columns of a matrix of f64.
+/// Matrix of f64, given by columns.
 fn numbers(name: &str, columns: &[&[f64]], big: bool) -> Vec<u8> {
     let bytes = |x: &f64| {
         if big {
@@ -86,7 +86,7 @@ fn texts(name: &str, all: &[&str], big: bool) -> Vec<u8> {
     )
 }
 
-/// A struct of fields that are arrays without names.
+/// Struct whose fields are arrays without names.
 fn structure(name: &str, fields: &[(&str, Vec<u8>)], big: bool) -> Vec<u8> {
     let mut names = Vec::new();
     for (field, _) in fields {
@@ -116,7 +116,7 @@ fn file(variables: &[Vec<u8>], big: bool, compressed: bool) -> Vec<u8> {
     out
 }
 
-/// Time and force of two feet of a walker of a mass, N, with a stride time, s.
+/// Time, s, and force of both feet, N, of a walker with a given mass and stride time, s.
 fn walk(mass: f64, stride: f64, rate: f64) -> [Vec<f64>; 3] {
     let count = (9.3 * stride * rate) as usize;
     let time: Vec<f64> = (0..count).map(|i| i as f64 / rate).collect();

@@ -1,4 +1,4 @@
-//! The curves in data/gait_curves are what their models say, and SOURCES.md repeats the catalogue.
+//! Check that the curves in data/gait_curves agree with their models, and that SOURCES.md agrees with the catalogue.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! A cycle as an OpenSim file is the same cycle when it is read.
+//! A cycle that is written as an OpenSim file and read again is unchanged.
 
 use std::path::Path;
 

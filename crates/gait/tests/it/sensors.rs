@@ -1,4 +1,4 @@
-//! Exports of pressure insoles, sensor by sensor, alone and with the force of each foot.
+//! Exports of pressure insoles with single sensors, with and without the force of each foot.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use gaitcam_gait::{ForceUnit, ReadOptions, Recording, force_curve, read, stances
 use crate::hard::dice::Dice;
 use crate::{fault, notes};
 
-/// A walk on two insoles of equal feet, with its truth.
+/// A walk of two equal feet on insoles, with its true values.
 struct Walk {
     mass_kg: f64,
     period_s: f64,
@@ -30,7 +30,7 @@ impl Walk {
         }
     }
 
-    /// Force of one foot, N, whose mean is half the weight: a stance of 62 % of the stride.
+    /// Force of one foot, N: a stance of 62 % of the stride, with a mean of half the weight.
     fn foot(&self, t: f64, lead: f64) -> f64 {
         let x = (t / self.period_s + lead).rem_euclid(1.0) / 0.62;
         if x > 1.0 {
@@ -41,7 +41,7 @@ impl Walk {
         0.5 * self.mass_kg * 9.80665 / mean * (a.sin() + 0.35 * (3.0 * a).sin())
     }
 
-    /// The text: lines above, names, rows of a time, the pressures and what `more` adds.
+    /// Text with the lines above, the names, and rows with time, pressures and the columns of `more`.
     fn text(&self, head: &str, more: &str, row: impl Fn(f64, f64) -> String) -> String {
         let s = self.separator;
         let names = (0..self.sensors).map(|k| format!("{s}{}", k + self.first));
@@ -129,7 +129,7 @@ fn forces_beside_the_pressures_are_read() {
     }
 }
 
-/// Plates and insoles of the same walk in one table; the insoles read `gain` times too much.
+/// Plates and insoles of the same walk in one table; the readings of the insoles are multiplied by `gain`.
 fn both_families(walk: &Walk, families: [[&str; 2]; 2], insole_first: bool, gain: f64) -> String {
     let s = walk.separator;
     let [insole, plate] = families.map(|f| f.join(s));

@@ -1,4 +1,4 @@
-//! Every fault, note and name of a recording has its sentence in both languages.
+//! Every error, note and name of a recording has a message in both languages.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every machine.
+//! Random numbers that are equal on every machine.
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
 pub struct Dice(u64);
@@ -16,22 +16,22 @@ impl Dice {
         z ^ (z >> 31)
     }
 
-    /// Even between two values.
+    /// Uniformly distributed number between two values.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Normal with deviation 1: sum of twelve even numbers.
+    /// Approximately normal number with standard deviation 1: sum of twelve uniform numbers.
     pub fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.between(-0.5, 0.5)).sum()
     }
 
-    /// One element of a list, at random.
+    /// Random element of a list.
     pub fn of<T: Copy>(&mut self, all: &[T]) -> T {
         all[(self.next() % all.len() as u64) as usize]
     }
 
-    /// True in `percent` of 100 cases.
+    /// True in `percent` % of the cases.
     pub fn chance(&mut self, percent: f64) -> bool {
         self.between(0.0, 100.0) < percent
     }

@@ -1,5 +1,5 @@
-//! Classes of recordings that were once believed or refused wrongly: clipping, drift, two speeds, feet that cross named
-//! belts, insoles without a header, running in one column.
+//! Classes of recordings that were misread or wrongly rejected: clipping, drift, two speeds, feet that cross named belts, insoles without a header,
+//! running in one column.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub fn plain(rate_hz: f64) -> Plate {
     }
 }
 
-/// One column for each side; the force of a side passes through `reading`.
+/// One column for each side. `reading` transforms the force of a side.
 pub fn belts(dice: &mut Dice, person: &Person, plate: &Plate, names: [&str; 2]) -> Table {
     let side = |dice: &mut Dice, left: bool| {
         plate.samples(dice, person.seconds, |t| {
@@ -56,7 +56,7 @@ pub fn none() -> ReadOptions {
     ReadOptions::default()
 }
 
-/// What a column goes through after its force: noise of some newtons, gain, drift in N/s, another rate.
+/// Disturbances of a column after its force: noise of some newtons, gain, drift in N/s, another rate.
 fn processed(dice: &mut Dice, table: &mut Table) {
     let noise = dice.of(&[0.0, 1.0, 2.0, 3.0]);
     let (gain, drift) = (dice.between(0.9, 1.1), dice.of(&[0.0, -8.0, 8.0]));
@@ -80,7 +80,7 @@ fn processed(dice: &mut Dice, table: &mut Table) {
     table.rate_hz = if resampled { to } else { from };
 }
 
-/// A table whose forces are changed.
+/// A table with transformed forces.
 fn changed(table: &Table, to: impl Fn(f64) -> f64) -> Table {
     let mut out = table.clone();
     for x in out.columns.iter_mut().flatten() {
@@ -376,7 +376,7 @@ fn both_feet_of_a_runner_in_one_column_give_the_stride() {
     }
 }
 
-/// The columns of contacts in turn, each on a plate of its own.
+/// The columns of successive contacts, each on a separate plate.
 fn plates_in_turn(dice: &mut Dice, person: &Person, contacts: std::ops::Range<usize>) -> Table {
     let plate = plain(dice.of(&[200.0, 500.0, 1000.0]));
     let (first, last) = (person.steps[contacts.start], person.steps[contacts.end - 1]);
@@ -391,7 +391,7 @@ fn plates_in_turn(dice: &mut Dice, person: &Person, contacts: std::ops::Range<us
     }
 }
 
-/// Root mean square and largest size.
+/// Root mean square and maximum absolute value.
 fn errors(all: &[f64]) -> (f64, f64) {
     let square = all.iter().map(|x| x * x).sum::<f64>() / all.len() as f64;
     (square.sqrt(), all.iter().fold(0.0, |m, x| m.max(x.abs())))

@@ -1,4 +1,4 @@
-//! Names and units of columns: every unit of force, units of other quantities, brackets that hold none, zones of insoles.
+//! Names and units of columns: every unit of force, units of other quantities, brackets without a unit, zones of insoles.
 
 use std::path::Path;
 

@@ -1,20 +1,20 @@
-//! Texts in the layouts that laboratories' programs write, with rate, clock, noise and offsets as wanted.
+//! Texts in the layouts of laboratory programs, with given rate, time column, noise and offsets.
 
 use std::fmt::Write as _;
 
 use super::dice::Dice;
 
-/// What the channels of a recording go through before they are written.
+/// Properties of a plate and its recorder that change the channels before they are written.
 #[derive(Debug, Clone, Copy)]
 pub struct Plate {
     pub rate_hz: f64,
     pub noise_n: f64,
     pub offset_n: f64,
-    /// Rise of the unloaded reading over the whole recording, N.
+    /// Increase of the unloaded reading over the whole recording, N.
     pub drift_n: f64,
-    /// −1 where a load is written as negative.
+    /// −1 if a load is written as a negative number.
     pub sign: f64,
-    /// Readings below this are set to zero by the recorder, N.
+    /// Level below which the recorder sets readings to zero, N.
     pub cut_n: f64,
 }
 
@@ -30,7 +30,7 @@ impl Plate {
         }
     }
 
-    /// A recorder that thresholds: exact zeros.
+    /// A recorder with a threshold: exact zeros below it.
     pub fn thresholded(dice: &mut Dice) -> Self {
         Plate {
             noise_n: 0.0,
@@ -42,7 +42,7 @@ impl Plate {
         }
     }
 
-    /// Samples of a force over `seconds`, as this plate gives them.
+    /// Samples of a force over `seconds`, as this plate records them.
     pub fn samples(&self, dice: &mut Dice, seconds: f64, force: impl Fn(f64) -> f64) -> Vec<f64> {
         let n = (seconds * self.rate_hz) as usize;
         (0..n)
@@ -61,7 +61,7 @@ impl Plate {
     }
 }
 
-/// Named columns of one rate.
+/// Named columns with a common sampling rate.
 #[derive(Debug, Clone)]
 pub struct Table {
     pub rate_hz: f64,
@@ -69,14 +69,14 @@ pub struct Table {
     pub columns: Vec<Vec<f64>>,
 }
 
-/// What the column of time holds.
+/// Content of the time column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clock {
-    /// Seconds from some moment, with so many decimals.
+    /// Seconds from some time on, with a number of decimals.
     Seconds { from: f64, decimals: usize },
-    /// Milliseconds; the name says it or not.
+    /// Milliseconds; `named` states whether the column name contains the unit.
     Milliseconds { named: bool },
-    /// 1, 2, 3 … under the name `Time`.
+    /// Counts 1, 2, 3 … with the name `Time`.
     Counts,
 }
 
@@ -102,7 +102,7 @@ impl Table {
         }
     }
 
-    /// Delimited text with one header row; `comma`: semicolons and decimal commas.
+    /// Delimited text with one header row. If `comma`, with semicolons and decimal commas.
     pub fn delimited(&self, clock: Clock, comma: bool) -> String {
         let separator = if comma { ";" } else { "," };
         let mut out = Table::time_name(clock).to_string();
@@ -121,8 +121,8 @@ impl Table {
         out
     }
 
-    /// OpenSim storage: the old header (`datacolumns`, `datarows`) or the new one (`nRows`, `nColumns`); each
-    /// force with its two other components and its centre of pressure.
+    /// OpenSim storage file with the old header (`datacolumns`, `datarows`) or the new one (`nRows`, `nColumns`). Each force has its two other
+    /// components and its centre of pressure.
     pub fn open_sim(&self, old: bool) -> String {
         let (rows, columns) = (self.rows(), 1 + 6 * self.names.len());
         let last = rows as f64 / self.rate_hz;
@@ -156,7 +156,7 @@ impl Table {
         out
     }
 
-    /// Force data with key lines: samples without times, three components and a centre of pressure per plate.
+    /// Force file with key lines: samples without times, three components and a centre of pressure per plate.
     pub fn forces(&self) -> String {
         let mut out = format!(
             "[Force Data]\nNumberOfForcePlates={}\nSampleRate={:.6}\nNumberOfSamples={}\n#Sample",
@@ -184,7 +184,7 @@ impl Table {
         out
     }
 
-    /// Rows of time, three forces and three moments of the first column, without a header.
+    /// Rows with the time and with three forces and three moments of the first column, without a header.
     pub fn amti(&self) -> String {
         let mut out = String::new();
         for (i, f) in self.columns[0].iter().enumerate() {
@@ -202,7 +202,7 @@ impl Table {
         out
     }
 
-    /// Converter counts with a line of names, rates and ranges above, and channels of muscles beside the plates.
+    /// Converter counts with lines of names, rates and ranges above, and with channels of muscles in addition to the plates.
     pub fn counts(&self) -> String {
         let mut out =
             "File_Type:\tAnalog R/C ASCII\tGeneration#:\t1\nBoard_Type:\tA\tPolarity:\tBipolar\n"

@@ -1,4 +1,4 @@
-//! C3D files of one stance, whose foot and whose stride only the heel markers give.
+//! C3D files of one stance, whose foot and stride time follow only from the heel markers.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -19,7 +19,7 @@ const LABELS: [[&str; 2]; 6] = [
     ["Left Heel", "Right Heel"],
 ];
 
-/// A walker over one plate, with heel strikes of the plate's foot at `strike_s` and whole strides from it.
+/// A walker on one plate, with heel strikes of one foot at `strike_s` and in whole strides after it.
 struct Walk {
     stride_s: f64,
     duty: f64,
@@ -27,7 +27,7 @@ struct Walk {
     foot: Foot,
     frames: usize,
     length_mm: f64,
-    /// Speed of a treadmill's belt over that of the walker.
+    /// Ratio of the belt speed of a treadmill and the speed of the walker.
     belt: f64,
     heading: f64,
 }
@@ -47,13 +47,13 @@ impl Walk {
         }
     }
 
-    /// Strides since the plate's foot first landed on it.
+    /// Number of strides since the foot first landed on the plate.
     fn phase(&self, frame: f64) -> f64 {
         (frame / FRAMES_HZ - self.strike_s) / self.stride_s
     }
 
-    /// Position of a heel, mm: still from heel strike until it rises, then to the next place with least jerk (Flash and
-    /// Hogan 1985) and a hump above the floor.
+    /// Position of a heel, mm. It is constant from heel strike until the heel rises, then moves to the next position with minimum jerk (Flash and
+    /// Hogan 1985) and with a rise above the floor.
     fn heel(&self, frame: f64, foot: Foot) -> [f64; 3] {
         let now = self.phase(frame);
         let turn = if foot == self.foot { now } else { now + 0.5 };

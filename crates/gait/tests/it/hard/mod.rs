@@ -1,5 +1,5 @@
-//! A few thousand recordings that are hard to read, each with its known truth: how many are read right, how many are
-//! questioned, and how many are believed although they are wrong.
+//! Several thousand recordings that are difficult to read, each with known true values. The test counts how many are read correctly, how many have
+//! open questions, and how many are accepted although the result is wrong.
 
 mod cases;
 pub mod dice;
@@ -16,18 +16,18 @@ use cases::{Case, FAMILIES};
 use dice::Dice;
 use gaitcam_gait::{Kind, Note, force_curve};
 
-/// Fewest cases that count.
+/// Minimum number of cases.
 const FEWEST: usize = 2000;
-/// Largest error of a stride, and of a mass, that is right.
+/// Maximum relative error of a correct stride time, and of a correct mass.
 const STRIDE: f64 = 0.01;
 const MASS: f64 = 0.03;
 
-/// What became of a recording.
+/// Result of reading a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Fate {
     Right,
     Questioned,
-    /// Wrong, but what was guessed is said.
+    /// The result is wrong, but a note states the assumption.
     Warned,
     Silent,
 }
@@ -64,7 +64,7 @@ fn fate(case: &Case) -> (Fate, String) {
     (fate, said)
 }
 
-/// Notes that tell of a guess on clock, size or kind; not those on rows, samples and names.
+/// Whether a note states an assumption on time base, magnitude or kind, not on rows, samples or names.
 fn concerns(note: &Note) -> bool {
     matches!(
         note,

@@ -1,4 +1,4 @@
-//! Forces of people whose mass, stride and movement are known.
+//! Forces of people with known mass, stride and movement.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use super::dice::Dice;
 use gaitcam_gait::Kind;
 use gaitcam_gait::units::G;
 
-/// One contact of one foot: start, duration and the factor of its force.
+/// Contact of one foot: start, duration and factor of the force.
 #[derive(Debug, Clone, Copy)]
 pub struct Step {
     pub at: f64,
@@ -15,12 +15,12 @@ pub struct Step {
     pub left: bool,
 }
 
-/// A movement that is known.
+/// A person with a known movement.
 #[derive(Debug, Clone)]
 pub struct Person {
     pub kind: Kind,
     pub mass: f64,
-    /// Durations of a stride that are right: the mean of each speed.
+    /// Correct durations of a stride: the mean for each speed.
     pub strides: Vec<f64>,
     pub seconds: f64,
     /// Contacts in order of time; empty for movements without steps.
@@ -30,15 +30,15 @@ pub struct Person {
 
 #[derive(Debug, Clone)]
 enum Shape {
-    /// Two humps: weights of sin πx, sin 2πx and sin 3πx.
+    /// Two peaks: weights of sin πx, sin 2πx and sin 3πx.
     Humps([f64; 3]),
-    /// One sharp hump with an impact of some part at its start.
+    /// One sharp peak with an impact at its start; `impact` is its fraction.
     Hump { impact: f64 },
-    /// Total force in body weights at points of time.
+    /// Total force in body weights at given times.
     Total(Vec<(f64, f64)>, Sway),
 }
 
-/// Slow movement of a standing person: part of the weight and frequency.
+/// Slow movement of a standing person: fraction of the weight, and frequency.
 #[derive(Debug, Clone, Copy)]
 struct Sway {
     part: f64,
@@ -46,7 +46,7 @@ struct Sway {
 }
 
 impl Person {
-    /// Force of one contact at a time since its start, N.
+    /// Force of a contact at a time since its start, N.
     pub fn foot(&self, step: &Step, t: f64) -> f64 {
         let x = (t - step.at) / step.lasts;
         if !(0.0..1.0).contains(&x) {
@@ -64,7 +64,7 @@ impl Person {
             }
     }
 
-    /// Impulse of one contact, N s.
+    /// Impulse of a contact, N s.
     pub fn impulse(&self, step: &Step) -> f64 {
         let n = 400;
         let at = |i: i32| step.at + step.lasts * (f64::from(i) + 0.5) / f64::from(n);
@@ -72,7 +72,7 @@ impl Person {
         mean * step.lasts
     }
 
-    /// Force of the contacts for which `on` holds, N.
+    /// Force of the contacts that satisfy `on`, N.
     pub fn feet(&self, t: f64, on: impl Fn(usize, &Step) -> bool) -> f64 {
         // Steps stand in order of time; few reach over any moment.
         let past = self.steps.partition_point(|s| s.at <= t);
@@ -104,7 +104,7 @@ impl Person {
 }
 
 impl Person {
-    /// Scales the contacts of each speed: the impulse of both feet over a stride is M g T.
+    /// Scales the contacts of each speed so that the impulse of both feet over a stride is M g T.
     fn carry_the_weight(&mut self, speeds: &[(f64, f64, f64)]) {
         let unit = Step {
             at: 0.0,
@@ -128,7 +128,7 @@ impl Person {
     }
 }
 
-/// Contacts of one speed after another: durations of strides and share of each that a foot stands.
+/// Contacts at one speed after another: durations of strides, and fraction of each stride in which a foot is on the ground.
 fn gait(
     dice: &mut Dice,
     kind: Kind,
@@ -177,12 +177,12 @@ fn gait(
     person
 }
 
-/// Two humps as measured: valley 0.55 to 0.9 of the peaks, either peak the higher.
+/// Two peaks as in measurements: the valley is 0.55 to 0.9 of the peaks; either peak may be the higher one.
 fn humps(dice: &mut Dice) -> Shape {
     Shape::Humps([1.0, dice.between(-0.06, 0.06), dice.between(0.12, 0.36)])
 }
 
-/// A person of 30 to 115 kg who walks at one speed.
+/// A person of 30 to 115 kg who walks at a constant speed.
 pub fn walker(dice: &mut Dice, seconds: f64) -> Person {
     let stride = dice.between(0.92, 1.42);
     let duty = 0.615 + 0.12 * (stride - 1.1) + dice.between(-0.015, 0.015);
@@ -229,7 +229,7 @@ pub fn slow_walker(dice: &mut Dice, seconds: f64) -> Person {
     )
 }
 
-/// A limping person: steps of two durations.
+/// A limping person, whose steps have two durations.
 pub fn limper(dice: &mut Dice, seconds: f64) -> Person {
     let stride = dice.between(1.05, 1.4);
     let shape = humps(dice);
@@ -245,7 +245,7 @@ pub fn limper(dice: &mut Dice, seconds: f64) -> Person {
     )
 }
 
-/// A person whose speed changes in steps.
+/// A person whose speed changes stepwise.
 pub fn changing(dice: &mut Dice) -> Person {
     let shape = humps(dice);
     let mass = dice.between(50.0, 100.0);
@@ -308,7 +308,7 @@ pub fn stander(dice: &mut Dice) -> Person {
     still(Kind::Standing, mass, vec![(0.0, 1.0), (seconds, 1.0)], sway)
 }
 
-/// A person who stands, jumps once or more, and lands.
+/// A person who stands, jumps at least once, and lands.
 pub fn jumper(dice: &mut Dice) -> Person {
     let mass = dice.between(45.0, 100.0);
     let mut points = vec![(0.0, 1.0)];
@@ -336,7 +336,7 @@ pub fn jumper(dice: &mut Dice) -> Person {
     still(Kind::Jumping, mass, points, sway)
 }
 
-/// A person who hops on the spot: contact and flight by turns.
+/// A person who hops on the spot, with alternating contact and flight.
 pub fn hopper(dice: &mut Dice) -> Person {
     let mass = dice.between(45.0, 95.0);
     let (contact, air) = (dice.between(0.18, 0.42), dice.between(0.2, 0.45));
@@ -356,7 +356,7 @@ pub fn hopper(dice: &mut Dice) -> Person {
     still(Kind::Jumping, mass, points, none)
 }
 
-/// A person who rises from a chair, and perhaps sits down again.
+/// A person who rises from a chair, and possibly sits down again.
 pub fn riser(dice: &mut Dice) -> Person {
     let mass = dice.between(45.0, 110.0);
     let seat = dice.between(0.1, 0.3);
@@ -381,7 +381,7 @@ pub fn riser(dice: &mut Dice) -> Person {
     still(Kind::SitToStand, mass, points, sway)
 }
 
-/// A person who bends the knees again and again.
+/// A person who bends the knees repeatedly.
 pub fn squatter(dice: &mut Dice) -> Person {
     let mass = dice.between(45.0, 100.0);
     let turn = dice.between(1.4, 3.0);

@@ -1,11 +1,11 @@
-//! What the heel markers of the C3D files say, against what their events and the README say.
+//! Feet and stride times from the heel markers of C3D files, compared with the events in the files and the README.
 
 use std::path::Path;
 
 use super::{middle, open};
 use gaitcam_gait::{Feet, Foot, PeriodSource, Recording, Stance, cycle, stances};
 
-/// Files with heel markers and marked strikes.
+/// Files with heel markers and marked heel strikes.
 const MARKED: [&str; 5] = [
     "c3d/HC002D06.c3d",
     "c3d/HC030A05.c3d",
@@ -14,7 +14,7 @@ const MARKED: [&str; 5] = [
     "c3d/treadmill_events.c3d",
 ];
 
-/// The stances of a recording, their feet from the heel markers alone.
+/// Stances of a recording, with the feet determined only by the heel markers.
 fn by_heels(r: &Recording) -> Vec<Stance> {
     let mut unmarked = r.clone();
     unmarked.strikes.clear();

@@ -1,4 +1,4 @@
-//! P1, V and P2 of stances.
+//! Tests of the peaks P1 and P2 and of the valley V of stances.
 
 use std::path::Path;
 
@@ -6,17 +6,17 @@ use gaitcam_gait::units::G;
 
 use super::{both, open};
 
-/// One stance: forces as recorded (N) and positions (%) of P1, V and P2; `None` where the README names none.
+/// Forces as recorded (N) and positions (%) of P1, V and P2 of one stance; `None` if the README does not contain the point.
 type Landmarks = [Option<(f64, f64)>; 3];
 
-/// A position that the README does not give.
+/// A position that the README does not contain.
 const NOT_SAID: f64 = f64::NAN;
 
 const fn n(force: f64, at: f64) -> Option<(f64, f64)> {
     Some((force, at))
 }
 
-/// File, number of the stance, and what the README says of it.
+/// File, number of the stance, and its values in the README.
 const ROWS: &[(&str, usize, Landmarks)] = &[
     (
         "c3d/ADemo1_pc_float.c3d",

@@ -1,4 +1,4 @@
-//! Long tables of standardised gait sets: a cycle for every subject, task and step.
+//! Long tables of standardised gait data: one cycle for each subject, task and step.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::hard::dice::Dice;
 
 const ROWS: usize = 150;
 
-/// Vertical force of a foot in body weights at a part of the cycle, with a mean of one half.
+/// Vertical force of a foot in body weights at a fraction of the cycle, with a mean of one half.
 fn share(phase: f64) -> f64 {
     let x = phase / 0.62;
     if x > 1.0 {
@@ -21,7 +21,7 @@ fn share(phase: f64) -> f64 {
     0.5 / mean * (a.sin() + 0.35 * (3.0 * a).sin())
 }
 
-/// A table of so many subjects, tasks and steps.
+/// A long table with given numbers of subjects, tasks and steps.
 fn table(dice: &mut Dice, subjects: usize, tasks: usize, steps: usize) -> String {
     let s = dice.of(&[",", ";", "\t"]);
     let words = dice.chance(60.0);

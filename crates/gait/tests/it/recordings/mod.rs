@@ -1,7 +1,7 @@
-//! Every recording of the shared folder against its row in that folder's README.
+//! Compares every recording in the shared folder with its row in the README of the folder.
 //!
-//! Stances exactly, peaks within 1 % of body weight, positions within 3 % of the stance. The README gives peaks
-//! as recorded, offset and all; they are compared so, by adding the baseline that was removed.
+//! Tolerances: stances exactly, peaks within 1 % of the body weight, positions within 3 % of the stance. The README gives the peaks as recorded,
+//! including the offset; for the comparison, the subtracted baseline is added.
 
 mod heels;
 mod landmarks;
@@ -19,7 +19,7 @@ use gaitcam_gait::{
     metadata_name, read, stances,
 };
 
-/// Folder of the recordings, beside the project or one level higher.
+/// Folder of the recordings, next to the project or one level higher.
 fn folder() -> Option<PathBuf> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let places =
@@ -43,7 +43,7 @@ fn both(r: &Recording, s: &Stances) -> Cycle {
     cycle(r, s, Feet::Both).unwrap()
 }
 
-/// Slivers of contacts at the edges of a file are neither whole nor cut stances: the README does not count them.
+/// Number of short pieces of contacts at the edges of a file. They are neither whole nor incomplete stances; the README does not count them.
 fn slivers(s: &Stances) -> usize {
     s.rejected
         .iter()
@@ -235,7 +235,7 @@ fn marked_strikes_and_turns_name_the_feet(folder: &Path) {
     assert_eq!(feet("text/walk1.forces"), ["-", "-", "-"]);
 }
 
-/// Files of the folder, each of which a check below opens.
+/// Files of the folder; a check below opens each of them.
 const FILES: [&str; 29] = [
     "c3d/ADemo1_pc_float.c3d",
     "c3d/ADemo1_pc_integer.c3d",
@@ -287,7 +287,7 @@ fn named<F: Fn(&Path) + 'static>(check: F) -> Named {
     (std::any::type_name::<F>(), Box::new(check))
 }
 
-/// Runs every check on the recordings; says how many could not run where the folder is missing.
+/// Runs all checks of the recordings. If the folder is missing, reports how many checks could not run.
 #[test]
 fn recordings_are_as_their_readme_says() {
     let checks = [

@@ -1,4 +1,4 @@
-//! Recordings that are not of plain walking: a jump, a run, belts that feet cross.
+//! Recordings other than plain walking: a jump, a run, belts that feet cross.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use super::{middle, open};
 
 const EVERY_FEET: [Feet; 5] = Feet::ALL;
 
-/// A person who stands on the plate before the jump is no offset of the plate.
+/// The weight of a person who stands on the plate before the jump is not an offset of the plate.
 pub fn a_person_who_jumps_is_not_tared_away(folder: &Path) {
     let (r, s) = open(folder, "text/jump1.txt");
     assert_eq!(s.recognised, Some(Kind::Jumping));
@@ -26,7 +26,7 @@ pub fn a_person_who_jumps_is_not_tared_away(folder: &Path) {
     }
 }
 
-/// README: running, contact about 0.3 s, flight phases; believed as walking it gave 119.9 kg and 0.42 s.
+/// README: running, contacts of about 0.3 s, flight phases. If it is read as walking, it results in 119.9 kg and 0.42 s.
 pub fn running_is_named_and_read_when_asked_for(folder: &Path) {
     let file = "opensim/grf_run.mot";
     let (r, s) = open(folder, file);
@@ -67,8 +67,7 @@ pub fn running_is_named_and_read_when_asked_for(folder: &Path) {
     );
 }
 
-/// README: undisturbed stances have P1 555 to 581 N and last 0.73 s; five contacts of 0.82 to 1.03 s
-/// carry both feet.
+/// README: undisturbed stances have a P1 of 555 to 581 N and a duration of 0.73 s. Five contacts of 0.82 to 1.03 s include both feet.
 pub fn belts_that_feet_cross_are_summed(folder: &Path) {
     let (r, s) = open(folder, "c3d/treadmill_events.c3d");
     // The README counts 17 strikes, the events of the file are 22; they alternate.

@@ -7,11 +7,11 @@ use gaitcam_gait::{RejectReason, Stance, stances};
 
 use super::{both, highest, open, slivers};
 
-/// Channel, whole stances, and of these the highest force as recorded, N.
+/// Channel, number of whole stances, and their maximum force as recorded, N.
 type Row<'a> = (&'a str, usize, f64);
 
-/// Files: mass in the file, samples per second, plates in the order of the file with stances and peak, and the
-/// number of stances that the recording cuts.
+/// For each file: mass in the file, samples per second, plates in the order of the file with stances and maximum force, and number of stances that
+/// the recording cuts.
 #[allow(clippy::type_complexity)]
 const TABLE: &[(&str, Option<f64>, f64, &[Row], usize)] = &[
     // Peaks in BW of the README times the mass it names.
@@ -187,8 +187,8 @@ pub fn stances_mass_rate_and_peaks_are_those_of_the_readme(folder: &Path) {
     }
 }
 
-/// Every two stances in turn of a long walk, alone on two plates: the mass from the force while both feet are on record
-/// against that from the impulse of both over a doubled step.
+/// Each pair of consecutive stances of a long walk, alone on two plates: the mass from the force while both feet are recorded is compared with the
+/// mass from the impulse of both over a doubled step.
 pub fn two_stances_in_turn_weigh_the_walker(folder: &Path) {
     let (r, s) = open(folder, "opensim/subject01_walk1_grf_15s_oldheader.mot");
     let (mut window, mut doubled, mut count) = (0.0, 0.0, 0.0);

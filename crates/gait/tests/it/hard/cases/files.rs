@@ -1,4 +1,4 @@
-//! Layouts of files: laboratories, OpenSim, C3D.
+//! Formats of files: laboratories, OpenSim, C3D.
 
 use super::*;
 
@@ -51,7 +51,7 @@ pub fn forces(dice: &mut Dice) -> Case {
     }
 }
 
-/// One contact of a person whose mass is given: the impulse tells the stride.
+/// One contact of a person with a given mass; the stride time follows from the impulse.
 pub fn asc(dice: &mut Dice) -> Case {
     let person = some_walker(dice);
     let plate = Plate::of(dice);
@@ -82,7 +82,7 @@ pub fn anc(dice: &mut Dice) -> Case {
     made
 }
 
-/// One plate, one stance, 70 kg in the file; the third word of the header may hold channels.
+/// One plate and one stance, with 70 kg in the file. The third word of the header may contain the number of channels.
 pub fn c3d(dice: &mut Dice) -> Case {
     let (stride, peak) = (dice.between(1.0, 1.3), dice.between(0.12, 0.36));
     let lasts = 0.62 * stride;

@@ -1,4 +1,4 @@
-//! Recordings with a known truth: movements, plates, traps and layouts, one of each by its seed.
+//! Recordings with known true values: movements, plates, misleading data and layouts, each determined by a seed.
 
 mod contacts;
 mod files;
@@ -30,14 +30,14 @@ use super::person::{
 };
 use crate::c3d_file::{Build, Processor, build};
 
-/// What a reader should find.
+/// Values that a reader should find.
 #[derive(Debug, Clone)]
 pub struct Truth {
-    /// The kind of movement that a cycle may be made of.
+    /// Kind of movement of the cycle.
     pub kind: Kind,
-    /// Right durations of a stride, s.
+    /// Permitted durations of a stride, s.
     pub strides: Vec<f64>,
-    /// Mass, kg, where the plates (or the options) give it.
+    /// Mass, kg, if the plates (or the options) determine it.
     pub mass: Option<f64>,
 }
 
@@ -49,14 +49,14 @@ pub struct Case {
     pub options: ReadOptions,
     pub feet: Feet,
     pub truth: Truth,
-    /// Nothing about it is ambiguous: it should be read, not questioned.
+    /// Whether the recording is unambiguous: it should be read without open questions.
     pub plain: bool,
 }
 
-/// Name of a family of cases, how many are drawn, and how one is.
+/// Name of a family of cases, number of cases, and function that generates one.
 pub type Family = (&'static str, usize, fn(&mut Dice) -> Case);
 
-/// Every family of cases with how many seeds it gets.
+/// All families of cases, with the number of seeds of each.
 pub const FAMILIES: &[Family] = &[
     ("two belts or insoles", 260, two_belts),
     ("plates in a row", 260, plates_in_a_row),
@@ -129,7 +129,7 @@ fn case(name: &'static str, text: String, truth: Truth, plain: bool) -> Case {
     }
 }
 
-/// A person whose recording begins and ends beside the plates or on them.
+/// A person whose recording begins and ends next to the plates or on them.
 fn some_walker(dice: &mut Dice) -> Person {
     let seconds = dice.between(5.0, 9.0);
     walker(dice, seconds)
@@ -168,7 +168,7 @@ fn two_belts(dice: &mut Dice) -> Case {
     case("two belts or insoles", text, truth(&person), true)
 }
 
-/// Each contact of some neighbours on a plate of its own; all others beside the plates.
+/// Several consecutive contacts, each on a separate plate; all others are next to the plates.
 fn row_of_plates(
     dice: &mut Dice,
     person: &Person,
@@ -192,8 +192,7 @@ fn row_of_plates(
     }
 }
 
-/// The strides that a row of contacts shows: their mean, each foot's own, and each step doubled, since the contacts
-/// that can be used may be two.
+/// Permitted strides of a row of contacts: their mean, the stride of each foot, and each step doubled, because only two contacts may be usable.
 fn row_truth(person: &Person, first: usize, count: usize) -> Truth {
     let at = |i: usize| person.steps[i].at;
     let strides: Vec<f64> = (first..first + count.saturating_sub(2))

@@ -46,7 +46,7 @@ pub fn running_asked(dice: &mut Dice) -> Case {
     made
 }
 
-/// The total of a person without steps on one plate, or shared by two.
+/// Total force of a person without steps, on one plate or distributed over two.
 pub fn without_steps(dice: &mut Dice, name: &'static str, person: &Person) -> Case {
     let plate = Plate::of(dice);
     let share = dice.between(0.35, 0.65);

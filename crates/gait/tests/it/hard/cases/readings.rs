@@ -1,4 +1,4 @@
-//! Readings that programs and amplifiers spoil: words for nothing, spikes, hum, cross-talk, copies, odd numbers.
+//! Readings with disturbances from programs and amplifiers: words for missing values, spikes, hum, cross-talk, copies, unusual numbers.
 
 use super::*;
 
@@ -15,7 +15,7 @@ fn belts(dice: &mut Dice, plate: &Plate) -> (Person, Table) {
     (person, table)
 }
 
-/// A quiet plate of a rate at which neighbouring samples are alike.
+/// A plate with low noise, at a rate at which adjacent samples are similar.
 fn dense(dice: &mut Dice) -> Plate {
     Plate {
         rate_hz: dice.of(&[200.0, 250.0, 500.0]),
@@ -26,7 +26,7 @@ fn dense(dice: &mut Dice) -> Plate {
     }
 }
 
-/// Cells of an unloaded plate are empty or hold a word.
+/// Cells of an unloaded plate are empty or contain a word.
 pub fn words_for_unloaded(dice: &mut Dice) -> Case {
     let plate = Plate {
         cut_n: dice.of(&[5.0, 10.0, 20.0]),
@@ -43,7 +43,7 @@ pub fn words_for_unloaded(dice: &mut Dice) -> Case {
     case("words for unloaded", text, truth(&person), true)
 }
 
-/// Single samples far off, high or low.
+/// Single samples are much too high or too low.
 pub fn spikes(dice: &mut Dice) -> Case {
     let plate = dense(dice);
     let (person, mut table) = belts(dice, &plate);
@@ -56,7 +56,7 @@ pub fn spikes(dice: &mut Dice) -> Case {
     case("spikes", text, truth(&person), true)
 }
 
-/// The mains in the amplifier.
+/// Mains hum in the amplifier.
 pub fn hum(dice: &mut Dice) -> Case {
     let plate = dense(dice);
     let (person, mut table) = belts(dice, &plate);
@@ -72,7 +72,7 @@ pub fn hum(dice: &mut Dice) -> Case {
     case("hum", text, truth(&person), false)
 }
 
-/// A part of each belt's force is read on the other one.
+/// A part of the force on each belt also appears in the readings of the other belt.
 pub fn coupled_plates(dice: &mut Dice) -> Case {
     let plate = dense(dice);
     let (person, mut table) = belts(dice, &plate);
@@ -87,7 +87,7 @@ pub fn coupled_plates(dice: &mut Dice) -> Case {
     case("coupled plates", text, truth(&person), false)
 }
 
-/// Raw columns beside the same ones filtered, or beside copies.
+/// Raw columns together with the same columns filtered, or with copies.
 pub fn columns_twice(dice: &mut Dice) -> Case {
     let plate = dense(dice);
     let (person, mut table) = belts(dice, &plate);
@@ -108,7 +108,7 @@ pub fn columns_twice(dice: &mut Dice) -> Case {
     case("columns twice", text, truth(&person), true)
 }
 
-/// `"1,050.22"` beside `999.12`, and minus signs of Unicode.
+/// Numbers such as `"1,050.22"` together with `999.12`, and Unicode minus signs.
 pub fn odd_numbers(dice: &mut Dice) -> Case {
     let plate = Plate {
         sign: 1.0,
@@ -133,7 +133,7 @@ pub fn odd_numbers(dice: &mut Dice) -> Case {
     case("odd numbers", text, truth(&person), true)
 }
 
-/// Two rows of names, zones beside their totals, a column of time for each sensor.
+/// Two rows of names, zones together with their totals, and a time column for each sensor.
 pub fn loadsol(dice: &mut Dice) -> Case {
     let plate = Plate {
         rate_hz: dice.of(&[100.0, 200.0]),
@@ -171,7 +171,7 @@ pub fn loadsol(dice: &mut Dice) -> Case {
     case("loadsol", text, truth(&person), false)
 }
 
-/// Five rows of names, a counter, and blanks where no foot is on a plate.
+/// Five rows of names, a counter, and empty cells while no foot is on a plate.
 pub fn visual3d(dice: &mut Dice) -> Case {
     let plate = Plate {
         cut_n: 10.0,
@@ -209,7 +209,7 @@ pub fn visual3d(dice: &mut Dice) -> Case {
     made
 }
 
-/// Exactly one stride on two belts, from heel strike to heel strike, of feet that carry unlike.
+/// Exactly one stride on two belts, from heel strike to heel strike, of feet with different forces.
 pub fn one_stride(dice: &mut Dice) -> Case {
     let plate = Plate {
         noise_n: dice.of(&[0.0, 1.0]),
@@ -246,7 +246,7 @@ pub fn one_stride(dice: &mut Dice) -> Case {
     case("one stride of unlike feet", text, truth, false)
 }
 
-/// A jump down on one leg: one contact that rises at once, without a step before or after.
+/// A jump down on one leg: a single contact with a fast rise, without a step before or after.
 pub fn landing(dice: &mut Dice) -> Case {
     let plate = Plate {
         rate_hz: dice.of(&[200.0, 500.0, 1000.0]),
@@ -293,7 +293,7 @@ pub fn landing(dice: &mut Dice) -> Case {
     made
 }
 
-/// A clock of a computer: a large number of some unit, without a name of the unit.
+/// Time of a computer clock: a large number in some unit, without the name of the unit.
 pub fn clock_units(dice: &mut Dice) -> Case {
     let plate = dense(dice);
     let (person, table) = belts(dice, &plate);
@@ -313,7 +313,7 @@ pub fn clock_units(dice: &mut Dice) -> Case {
     )
 }
 
-/// Packets that a wireless insole loses: zeros of some hundredths of a second.
+/// Packets lost by a wireless insole: zeros of some hundredths of a second.
 pub fn drop_outs(dice: &mut Dice) -> Case {
     let plate = Plate {
         rate_hz: dice.of(&[100.0, 200.0]),
@@ -331,7 +331,7 @@ pub fn drop_outs(dice: &mut Dice) -> Case {
     case("lost packets", text, truth(&person), false)
 }
 
-/// Newtons per kilogram under a header of newtons.
+/// Values in newtons per kilogram, although the header states newtons.
 pub fn per_kilogram(dice: &mut Dice) -> Case {
     let plate = Plate {
         offset_n: 0.0,

@@ -1,4 +1,4 @@
-//! Walkers: one foot, totals, children, limping, speeds, clocks, units.
+//! Walkers: one foot, total forces, children, limping, several speeds, time bases, units.
 
 use super::*;
 
