@@ -66,14 +66,14 @@ LAWS = {
     "3-4-5": ("10x³ − 15x⁴ + 6x⁵", powers((3, 10), (4, -15), (5, 6))),
     "4-5-6-7": ("35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", powers((4, 35), (5, -84), (6, 70), (7, -20))),
     "5-6-7-8-9": ("126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹", powers((5, 126), (6, -420), (7, 540), (8, -315), (9, 70))),
-    "polynomial-5": ("between rests 3-4-5; otherwise the degree 5 that joins its neighbours", None),
-    "polynomial-7": ("between rests 4-5-6-7; otherwise the degree 7 that joins its neighbours", None),
+    "polynomial-5": ("3-4-5 between dwells; otherwise the polynomial of degree 5 that joins its neighbours", None),
+    "polynomial-7": ("4-5-6-7 between dwells; otherwise the polynomial of degree 7 that joins its neighbours", None),
     "berzak-d": ("12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷", powers((3, 12.1), (4, -25.5), (5, 24.9), (6, -14.7), (7, 4.2))),
     "gutman-1-3": ("x − (15/32π) sin 2πx − (1/96π) sin 6πx", sines((2, 15 / (32 * pi)), (6, 1 / (96 * pi)))),
     "freudenstein-1-3": ("x − (27/56π)(sin 2πx + sin(6πx)/54)", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 54)))),
     "freudenstein-1-3-at-rest": ("x − (27/56π)(sin 2πx + sin(6πx)/81)", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 81)))),
     "freudenstein-1-3-5": ("x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192", sines((2, ALPHA / (2 * pi)), (6, ALPHA / (108 * pi)), (10, ALPHA / (2500 * pi)))),
-    "eccentric": ("½(1 − cos πx) under a flat face; of a disc under a roller its ratio matters", None),
+    "eccentric": ("½(1 − cos πx) with a flat face; with a roller it depends on the ratio", None),
 }
 HEAD = """# Rise laws
 
@@ -83,34 +83,34 @@ HEAD = """# Rise laws
 gaitcam laws
 ```
 
-The names are those of `law.segment.N.motion`. A rise by h over the angle β, x = θ/β from 0 to 1, has
+The names are used in `law.segment.N.motion`. A rise by h over the angle β, with x = θ/β from 0 to 1, has
 
     lift s = h·f(x),  velocity ≤ Cv·h/β,  acceleration ≤ Ca·h/β²,  jerk ≤ Cj·h/β³
 
-and in time with ω in addition: ω, ω², ω³. Ct = max|a·v| scales the peak of the inertia torque. A fall is the
-rise inverted, for an unsymmetrical law also mirrored in x. In the picture every curve is scaled to its own maximum; an arrow is an infinite
-jerk. At the ends the jerk is infinite too where the neighbour has another acceleration.
+Derivatives in time have the additional factors ω, ω², ω³. The peak of the inertia torque is proportional to Ct = max|a·v|. A fall is the
+inverted rise; for an unsymmetrical law it is also mirrored in x. In the picture every curve is scaled to its own maximum; an arrow is an infinite
+jerk. The jerk is also infinite at an end if the acceleration of the neighbour is different.
 
 | law | f(x) | Cv | Ca | Cj | Ct | joins at its start → end |
 |---|---|---|---|---|---|---|
 """
 TAIL = """
-*Joins* names the neighbours without a jump of velocity or acceleration: a dwell, a constant velocity, or a fall that
-begins with the same acceleration. A law for an equal return has a jump of acceleration next to a dwell:
+*Joins* lists the neighbours that cause no jump of velocity or acceleration: a dwell, a constant velocity, or a fall that
+begins with the same acceleration. Next to a dwell, the acceleration of a law for an equal return jumps, and the verdict is
 `not-for-high-speed`.
 
-| required | law |
+| requirement | law |
 |---|---|
-| the smallest peak acceleration between dwells | `modified-trapezoid` |
-| the smallest peak velocity, torque and pressure angle between dwells | `modified-sine` |
-| jerk without jumps between dwells, little vibration at high speed | `4-5-6-7`, `5-6-7-8-9` |
+| minimum peak acceleration between dwells | `modified-trapezoid` |
+| minimum peak velocity, torque and pressure angle between dwells | `modified-sine` |
+| continuous jerk between dwells, little vibration at high speed | `4-5-6-7`, `5-6-7-8-9` |
 | a simple law for most machines | `cycloidal`, `3-4-5` |
 | rise and return without dwell | `simple-harmonic` |
 | constant velocity in the middle | `semicycloidal-start`, `constant-velocity`, `semicycloidal-end` |
-| a given force | none: `law.family = "spline"` computes the law |
+| a given force | no law of this table; `law.family = "spline"` computes the law |
 
-`scca b c d` and `eccentric ratio` take their parameters behind the name. SCCA, residual vibration and sources:
-[theory §7](../theory/cams.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
+The parameters of `scca b c d` and `eccentric ratio` follow the name. [Theory §7](../theory/cams.md#7-rise-laws) describes SCCA, residual
+vibration and sources. `docs/laws.py` evaluates every formula and writes this page.
 """
 
 
