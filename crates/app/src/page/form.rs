@@ -233,6 +233,7 @@ fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64
             let half = tidy(std::f64::consts::PI / factor);
             (-half, half)
         }
+        Range::Any if dimension == Dimension::Force && at > 0.0 => (0.0, round_above(1.3 * at)),
         Range::Any => {
             let size = match at {
                 0.0 => round_above(0.05 / factor),

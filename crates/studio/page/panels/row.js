@@ -1,7 +1,7 @@
 // One value of the form: its name, which opens its help, its text or choice, and its slider.
 
 import { html, nothing, live } from "../core/dom.js";
-import { t, local } from "../core/words.js";
+import { t, local, language } from "../core/words.js";
 import { typeset } from "../core/units.js";
 import * as typed from "../core/typed.js";
 import * as slider from "./slider.js";
@@ -50,6 +50,7 @@ export function listeners(key, { of, send, draw, help: open }) {
     },
     end: ({ target }) => {
       slider.setEnd(name, of(name).slider, target.dataset.end, target.value);
+      forget(name);
       draw();
     },
   };
@@ -59,11 +60,36 @@ export function listeners(key, { of, send, draw, help: open }) {
 
 const unitOf = (field) => field?.slider?.unit.trim() || typed.unitOf(field?.text) || typed.unitOf(field?.placeholder);
 
-// `row`: {key, field, text (what stands in it), fault, isMain, isAway, isOpen, on}.
+// What tells lit-html to leave a part as it is.
+const noChange = Symbol.for("lit-noChange");
+// What the rows were drawn from, and the contents of fields as one text.
+const drawn = new Map();
+const contents = new WeakMap();
+
+function content(field) {
+  if (!field) return "";
+  if (!contents.has(field)) contents.set(field, JSON.stringify(field));
+  return contents.get(field);
+}
+
+// Draws the row anew although nothing of it has changed: something else is typed in it.
+export const forget = (name) => drawn.delete(name);
+
+// `row`: {key, field, text (what stands in it), fault, isHidden, isMain, isAway, isOpen, isAimed, on}. Most rows are as they were.
 export function template(row) {
+  const { key: { key: name }, field, text, fault, isHidden, isAway, isOpen, isAimed } = row;
+  const range = field?.slider && field.slider.to - field.slider.from > 1e-9 ? slider.extent(name, field.slider) : null;
+  const seen = isAimed && range ? possible.shown(name, range) : null;
+  const flags = [isHidden, isAway, isOpen, isAimed].map(Number).join("");
+  const of = [language(), content(field), text, fault?.message, flags, slider.held(name)?.at, range?.from, range?.to, seen?.gradient, seen?.words].join("|");
+  if (drawn.get(name) === of) return noChange;
+  drawn.set(name, of);
+  return whole(row, range, seen);
+}
+
+function whole(row, range, seen) {
   const { key, field, fault, on } = row;
   const name = key.key;
-  const range = field?.slider && field.slider.to - field.slider.from > 1e-9 ? field.slider : null;
   const kinds = { row: true, main: row.isMain, idle: field && !field.acts, set: row.text !== "", unused: row.isAway, faulty: fault };
   const kind = Object.keys(kinds).filter((k) => kinds[k]).join(" ");
   const taken = row.text === "auto" && field?.taken;
@@ -72,7 +98,7 @@ export function template(row) {
       aria-controls="${id(name)}-help" @click=${on.open}>${label(name)}</button>
     ${isNumber(key) || key.kind.startsWith("text") ? input(row) : select(row)}
     ${taken ? html`<small class="taken">→ ${local(typeset(field.taken))}</small>` : nothing}
-    ${range ? track(row, range) : nothing}
+    ${range ? track(row, range, seen) : nothing}
     <p class="help" id="${id(name)}-help" ?hidden=${!row.isOpen}>${row.isOpen ? html`${help(key)} <code>${name}</code>` : nothing}</p>
     <p class="row-fault" id="${id(name)}-fault" ?hidden=${!fault}>${fault ? fault.message + (fault.help ? `; ${fault.help}` : "") : ""}</p>
   </div>`;
@@ -80,11 +106,17 @@ export function template(row) {
 
 const described = (name) => `${id(name)}-help ${id(name)}-fault`;
 
+// What stands in a field that is left open: what the design has, else the default.
+function left(key, field) {
+  if (!field) return "";
+  if (field.taken && key.default === "auto") return `auto → ${typeset(field.taken)}`;
+  const isReached = field.placeholder !== (key.default ?? "");
+  return isReached ? t("studio-reached", { value: typeset(field.placeholder) }) : typeset(field.placeholder);
+}
+
 function input({ key, field, text, fault, isAway, on }) {
   const name = key.key;
-  const open = field?.taken
-    ? (key.default === "auto" ? `auto → ${typeset(field.taken)}` : t("studio-reached", { value: typeset(field.taken) }))
-    : typeset(field?.placeholder ?? "");
+  const open = left(key, field);
   return html`<input type="text" id=${id(name)} name=${name} autocomplete="off" spellcheck="false" aria-labelledby="${id(name)}-label"
     aria-describedby=${described(name)} aria-invalid=${fault ? "true" : nothing} tabindex=${isAway ? -1 : 0}
     placeholder=${isNumber(key) ? local(open) : open} .value=${live(text)}
@@ -104,12 +136,10 @@ function select({ key, field, text, fault, isAway, on }) {
   </select>`;
 }
 
-function track({ key, text, isAway, isAimed, on }, field) {
+function track({ key, field, text, isAway, isAimed, on }, range, seen) {
   const name = key.key;
-  const range = slider.extent(name, field);
   const pending = typed.unitOf(text) === range.unit.trim() ? typed.number(text) : NaN;
-  const at = slider.held(name)?.at ?? (Number.isFinite(pending) ? pending : field.at);
-  const seen = isAimed ? possible.shown(name, range) : null;
+  const at = slider.held(name)?.at ?? (Number.isFinite(pending) ? pending : field.slider.at);
   const end = (which) => html`<input class="end" data-end=${which} inputmode="decimal" tabindex=${isAimed && !isAway ? 0 : -1}
     aria-label="${t(`studio-end-${which}`)}: ${label(name)}" .value=${live(slider.shownEnd(range[which]))} @change=${on.end}>`;
   return html`<div class="track">
