@@ -1,4 +1,4 @@
-//! A motion of one turn that follows a square wave as well as limits on velocity and acceleration permit.
+//! Motion of one turn that approximates a square wave as closely as limits on velocity and acceleration permit.
 
 use splineqp::poly::SplineSpace;
 use splineqp::{Basis, Derivative, Failure, Limit, Program, Quadratic, certificate};

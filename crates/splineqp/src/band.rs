@@ -1,33 +1,31 @@
-//! Cholesky factors of symmetric matrices that are banded except for a border of a few last rows.
+//! Cholesky factors of symmetric matrices that are banded, except for a border of a few last rows.
 //!
-//! The Gram matrix of periodic B-splines is banded with two corner blocks. With the last unknowns as a border, the rest is a band and a small dense
-//! block; the cost is linear in the number of spans.
+//! The Gram matrix of periodic B-splines is banded with two corner blocks. If the last unknowns form a border, the rest is a band and a small dense
+//! block. The cost is linear in the number of spans.
 
 use super::frame::dot;
 
-/// Entries of a column in the band of quintics, the default degree, as a constant for faster loops.
+/// Number of entries of a column in the band of quintics, the default degree; a constant for faster loops.
 const QUINTIC: usize = 6;
 
-/// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
-/// rows for the last `border`.
+/// Symmetric positive definite matrix with half-bandwidth `band` for the first `n − border` unknowns and full rows for the last `border` ones.
 #[derive(Debug, Clone)]
 pub struct ArrowMatrix {
     n: usize,
     band: usize,
     border: usize,
-    /// Lower band of the leading block by columns: entry (j + k, j) at `core[j*(band+1) + k]`.
+    /// Lower band of the leading block by columns: entry (j + k, j) is `core[j*(band+1) + k]`.
     core: Vec<f64>,
-    /// Border rows, each of length n (its own block in the last columns, lower part used).
+    /// Border rows, each of length n. The last columns contain the block of the border itself; only its lower part is used.
     rows: Vec<f64>,
 }
 
-/// Factor L of an [`ArrowMatrix`] in the same layout, with its diagonal inverted, so that substitution multiplies instead of dividing.
+/// Factor L of an [`ArrowMatrix`] in the same layout, with an inverted diagonal, so that substitution multiplies instead of dividing.
 #[derive(Debug, Clone)]
 pub struct ArrowFactor(ArrowMatrix);
 
 impl ArrowMatrix {
-    /// The zero matrix. Unknowns coupled beyond `band` must both lie in the last `border` ones, or one of
-    /// them must.
+    /// Zero matrix. Of two unknowns that are coupled beyond `band`, at least one must be among the last `border` ones.
     pub fn zero(n: usize, band: usize, border: usize) -> Self {
         let border = border.min(n);
         let core = vec![0.0; (n - border) * (band + 1)];
@@ -40,7 +38,7 @@ impl ArrowMatrix {
         }
     }
 
-    /// Number of unknowns: rows of the matrix.
+    /// Number of unknowns, which is the number of rows.
     pub fn dimension(&self) -> usize {
         self.n
     }
@@ -50,10 +48,11 @@ impl ArrowMatrix {
         (self.band, self.border)
     }
 
-    /// Adds `value` to entries (i, j) and (j, i).
+    /// Adds `value` to the entries (i, j) and (j, i).
     ///
     /// # Panics
-    /// When the entry lies outside the pattern: an error of the caller.
+    ///
+    /// If the entry is outside the pattern, which is an error of the caller.
     #[inline]
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
@@ -68,9 +67,8 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds the symmetric block of band + 1 unknowns from `first` on, laid out as the band itself: entry
-    /// (k, l), l ≤ k, at `block[l*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
-    /// band, as it must; otherwise nothing is added.
+    /// Adds a symmetric block of band + 1 unknowns from `first` on, in the layout of the band: entry (k, l), l ≤ k, is `block[l*(band+1) + k − l]`.
+    /// Returns whether the block lies in the band; otherwise nothing is added.
     pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
@@ -82,7 +80,7 @@ impl ArrowMatrix {
         true
     }
 
-    /// Adds the circulant matrix with `row[k]` at distance k from the diagonal, indices modulo n.
+    /// Adds the circulant matrix with `row[k]` at the distance k from the diagonal, with indices modulo n.
     pub fn add_circulant(&mut self, row: &[f64]) {
         let (n, m, w) = (self.n, self.n - self.border, self.band + 1);
         for (j, column) in self.core.chunks_exact_mut(w).enumerate() {
@@ -100,14 +98,14 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds the product of two functions whose indices differ by `apart` before they are taken modulo n. Where they are the same
-    /// afterwards, both symmetric entries fall on the diagonal.
+    /// Adds the product of two functions whose indices differ by `apart` before they are reduced modulo n. If they are equal after the reduction,
+    /// both symmetric entries are added to the diagonal.
     pub fn add_pair(&mut self, i: usize, j: usize, apart: usize, value: f64) {
         let twice = if i == j && apart > 0 { 2.0 } else { 1.0 };
         self.add(i, j, twice * value);
     }
 
-    /// Adds `factor` times another matrix of the same pattern.
+    /// Adds `factor` times another matrix with the same pattern.
     pub fn add_scaled(&mut self, other: &ArrowMatrix, factor: f64) {
         let own = self.core.iter_mut().chain(&mut self.rows);
         for (a, b) in own.zip(other.core.iter().chain(&other.rows)) {
@@ -160,7 +158,7 @@ impl ArrowMatrix {
         out
     }
 
-    /// Product with a vector.
+    /// Product of the matrix and a vector.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let (m, w) = (self.n - self.border, self.band + 1);
         let mut y = vec![0.0; self.n];
@@ -188,12 +186,12 @@ impl ArrowMatrix {
         y
     }
 
-    /// Largest entry of the diagonal.
+    /// Maximum entry of the diagonal.
     pub fn largest_diagonal(&self) -> f64 {
         (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
     }
 
-    /// Cholesky factor, or `None` if a pivot is not positive.
+    /// Cholesky factor; `None` if a pivot is not positive.
     pub fn factor(mut self) -> Option<ArrowFactor> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
@@ -229,7 +227,7 @@ fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     }
 }
 
-/// Replaces b by L⁻¹b for the band alone; b is zero before `start`.
+/// Replaces x by L⁻¹x for the band alone; x is zero before `start`.
 fn forward_in_band(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     match w {
         QUINTIC => forward_of_width(core, QUINTIC, x, start),
@@ -251,7 +249,7 @@ fn forward_of_width(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     }
 }
 
-/// Replaces y by L⁻ᵀy for the band alone.
+/// Replaces x by L⁻ᵀx for the band alone.
 fn backward_in_band(core: &[f64], w: usize, x: &mut [f64]) {
     match w {
         QUINTIC => backward_of_width(core, QUINTIC, x),
@@ -295,7 +293,7 @@ fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
 }
 
 impl ArrowFactor {
-    /// Every stored entry of L as (row, column, value).
+    /// All stored entries of L as (row, column, value).
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
         let entries = self.0.lower_entries().into_iter();
         entries.map(|(i, j, l)| (i, j, if i == j { 1.0 / l } else { l }))
@@ -307,7 +305,7 @@ impl ArrowFactor {
         self.backward(x);
     }
 
-    /// Replaces b by L⁻¹b.
+    /// Replaces x by L⁻¹x.
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
@@ -321,7 +319,7 @@ impl ArrowFactor {
         }
     }
 
-    /// Replaces y by L⁻ᵀy.
+    /// Replaces x by L⁻ᵀx.
     pub fn backward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;

@@ -1,32 +1,32 @@
-//! Basis functions of a law, and rows on their coefficients.
+//! Basis functions of a law, and rows of their coefficients.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
 
-/// Maximum number of Bernstein coefficients of a piece kept on the stack; wider pieces are allocated.
+/// Maximum number of Bernstein coefficients of a piece that are stored on the stack; more are allocated.
 pub const WIDEST: usize = 12;
 
-/// One linear functional of the law: Σ value·coefficient.
+/// Linear functional of the law: Σ value·coefficient.
 pub type Entries = Vec<(usize, f64)>;
 
-/// Weights of one derivative alone.
+/// Weights with a single derivative.
 pub fn only(order: usize, weight: f64) -> [f64; 5] {
     let mut weights = [0.0; 5];
     weights[order] = weight;
     weights
 }
 
-/// A linear family of laws: every law is Σ xᵢ·(basis function i).
+/// Linear family of laws: every law is Σ xᵢ·(basis function i).
 #[derive(Debug, Clone)]
 pub enum Basis {
-    /// B-splines, closed over one turn or open.
+    /// B-splines, periodic over one turn or open.
     Spline {
         /// Degree, breaks and continuity of the splines.
         space: SplineSpace,
         /// Whether the law is periodic.
         closed: bool,
     },
-    /// Mean, then cosine and sine of 1 … count over one turn.
+    /// Harmonics over one turn: mean, then cosine and sine of 1 … count.
     Harmonic {
         /// Number of harmonics in the sum.
         count: usize,
@@ -43,7 +43,7 @@ impl Basis {
         }
     }
 
-    /// Half-bandwidth and border of Gram matrices.
+    /// Half-bandwidth and border of the Gram matrices.
     pub fn pattern(&self) -> (usize, usize) {
         match self {
             Basis::Spline {
@@ -58,7 +58,7 @@ impl Basis {
         }
     }
 
-    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids enter by Taylor polynomials with remainders below rounding, with weights up to w₃.
+    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids are replaced by Taylor polynomials with remainders below rounding errors, for weights up to w₃.
     pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
             Basis::Spline { space, .. } => {
@@ -88,7 +88,7 @@ impl Basis {
         }
     }
 
-    /// Smallest value of a derivative of the law.
+    /// Minimum of a derivative of the law.
     pub(crate) fn least(&self, x: &[f64], order: usize) -> f64 {
         self.combination(x, &only(order, 1.0)).extremes().0.value
     }
@@ -111,7 +111,7 @@ impl Basis {
         }
     }
 
-    /// Piece of [`Basis::breaks`] that contains an angle of the first turn, and u ∈ [0, 1] on it.
+    /// Piece of [`Basis::breaks`] that contains an angle of the first turn, and position u ∈ [0, 1] on this piece.
     pub fn locate(&self, theta: f64) -> (usize, f64) {
         match self {
             Basis::Spline { space, .. } => space.locate(theta),
@@ -123,7 +123,7 @@ impl Basis {
         }
     }
 
-    /// The law with its lift changed by a constant.
+    /// Coefficients of the law with its lift changed by a constant.
     pub fn raised(&self, mut x: Vec<f64>, by: f64) -> Vec<f64> {
         match self {
             Basis::Spline { .. } => x.iter_mut().for_each(|c| *c += by),
@@ -132,8 +132,7 @@ impl Basis {
         x
     }
 
-    /// Row of w₀s + w₁v + w₂a + w₃j (a fourth derivative follows if `weights` has five entries), on
-    /// piece `i` of [`Basis::breaks`] at u ∈ [0, 1].
+    /// Row of w₀s + w₁v + w₂a + w₃j (with the fourth derivative if `weights` has five entries) at u ∈ [0, 1] on the piece `i` of [`Basis::breaks`].
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
@@ -148,7 +147,7 @@ impl Basis {
         }
     }
 
-    /// The row at an angle; at a break it belongs to the piece to the right.
+    /// Row at an angle. At a break it belongs to the piece to the right.
     pub fn row(&self, theta: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, closed } => {
@@ -187,7 +186,7 @@ impl Basis {
     }
 }
 
-/// Row of Σ wₖ s⁽ᵏ⁾ at u of a span, for splines of this degree.
+/// Row of Σ wₖ s⁽ᵏ⁾ at u on a span, for splines of this degree.
 #[inline(always)]
 fn row_on_span(
     space: &SplineSpace,
@@ -240,8 +239,8 @@ fn row_on_span(
     on_unknowns(space, span, sums)
 }
 
-/// Differences of neighbouring rows, the first `left` of them: the derivative's Bernstein coefficients of all B-splines on a span. They are taken
-/// before multiplication because of cancellation.
+/// Differences of adjacent rows, for the first `left` rows: Bernstein coefficients of the derivative of all B-splines on a span. They are computed
+/// before multiplication to avoid cancellation.
 #[inline(always)]
 fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     for k in 0..left {
@@ -252,8 +251,8 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     }
 }
 
-/// Weights dᵢ of coefficients cᵢ, which sum to 0, as those of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). For a jerk that is small
-/// relative to the stroke, the weights of the cᵢ would lose digits.
+/// Converts weights dᵢ of coefficients cᵢ with the sum 0 to weights of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). For a jerk that is
+/// small relative to the stroke, the weights of cᵢ would lose digits.
 #[inline(always)]
 pub fn by_steps(weights: &mut [f64]) {
     let mut sum = 0.0;
@@ -267,7 +266,7 @@ pub fn by_steps(weights: &mut [f64]) {
     }
 }
 
-/// Values of the B-splines on a span as entries of their coefficients.
+/// Converts values of the B-splines on a span to entries of their coefficients.
 fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     let (first, all) = (space.index(span, 0), space.dimension());
     // Few spans let one coefficient appear twice on a span of a periodic spline: its weights add.
@@ -283,7 +282,7 @@ fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     places.zip(values.iter().copied()).collect()
 }
 
-/// The Bernstein polynomials of one degree at u.
+/// Bernstein polynomials of one degree at u.
 fn bernstein_basis(u: f64, out: &mut [f64]) {
     let v = 1.0 - u;
     out[0] = 1.0;
@@ -304,7 +303,7 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     }
 }
 
-/// A row with its entries, `n` of them.
+/// Dense row of length `n` with the given entries.
 pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
     let mut out = vec![0.0; n];
     for &(i, a) in entries {
@@ -313,13 +312,13 @@ pub fn dense(entries: &Entries, n: usize) -> Vec<f64> {
     out
 }
 
-/// Value of a row on coefficients.
+/// Value of a row for given coefficients.
 #[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()
 }
 
-/// Magnitude of a row for coefficients of typical size; the length itself for a row over further variables alone.
+/// Magnitude of a row for coefficients of typical size; `length` for a row that contains only further variables.
 pub fn row_unit(entries: &Entries, length: f64) -> f64 {
     let unit = entries
         .iter()

@@ -1,15 +1,15 @@
-//! Certificate of a law: a bound on its distance from the optimum, and the cost of each limit.
+//! Certificate of a law: an upper bound of its distance from the optimum.
 //!
-//! With multipliers λ ≥ 0 on the active rows, Lagrange's dual of the program is a lower bound on its
-//! objective. At a law x with residual r = Hx + g + Eᵀν + Aᵀλ the two differ by
+//! With multipliers λ ≥ 0 of the active rows, the Lagrange dual of the program is a lower bound of its objective. For a law x with the residual r =
+//! Hx + g + Eᵀν + Aᵀλ, the difference is
 //!
 //! ```text
 //! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
 //! ```
 //!
-//! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from x by at most ½ rᵀH⁻¹r.
-//! This replaces an xᵀr that is not small, because xᵀr multiplies the rounding of r by the whole lift. The rows are limits at exact angles, so the
-//! bound holds for the whole turn.
+//! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from its value at x by at most
+//! ½ rᵀH⁻¹r. This term replaces xᵀr if the latter is not small, because xᵀr multiplies the rounding error of r by the whole lift. The rows are limits
+//! at exact angles, so the bound is valid for the whole turn.
 
 use super::basis::{Basis, apply, dense};
 use super::equality;
@@ -43,49 +43,49 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
-    /// Objective less the lower bound from the multipliers, in units of the objective (N² for a force error's half mean square).
+    /// Objective minus the lower bound from the multipliers, in units of the objective (N² for half the mean square of a force error).
     pub duality_gap: f64,
-    /// The absolute gap relative to the size of the objective.
+    /// Duality gap relative to the size of the objective.
     pub relative_gap: f64,
-    /// Objective less a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if a sequence of convex
-    /// programs proves only a local optimum; `None` without such a bound.
+    /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if a sequence of convex
+    /// programs proves only a local optimum. `None` without such a bound.
     pub global_gap: Option<f64>,
-    /// Size of the objective: its value, or a millionth of the sum of its terms, which is the rounding error.
+    /// Size of the objective: its value, or a millionth of the sum of its terms, which is the rounding error, whichever is larger.
     pub size: f64,
-    /// Largest entry of the Lagrangian's gradient, relative to its largest term.
+    /// Maximum entry of the gradient of the Lagrangian, relative to its largest term.
     pub stationarity: f64,
-    /// Largest violation of any limit on the continuum, relative to its scale.
+    /// Maximum violation of a limit over all angles, relative to the scale of the limit.
     pub violation: f64,
 }
 
-/// Maximum relative gap, and maximum relative gradient, of an optimum that counts as proved.
+/// Maximum relative gap and maximum relative gradient for which an optimum counts as proved.
 pub const PROVED: f64 = 1e-6;
 
 impl Certificate {
-    /// Whether every limit holds to [`TOLERANCE`].
+    /// Whether every limit is satisfied to [`TOLERANCE`].
     pub fn keeps_limits(&self) -> bool {
         self.violation <= TOLERANCE * 1.000_001
     }
 
-    /// Whether gap and stationarity prove the optimum: both at most [`PROVED`].
+    /// Whether gap and stationarity prove the optimum: both are at most [`PROVED`].
     pub fn proves_optimum(&self) -> bool {
         self.relative_gap <= PROVED && self.stationarity <= PROVED
     }
 
-    /// Whether a larger gap than [`PROVED`] is proved.
+    /// Increases the gap by a further contribution.
     pub fn widen(&mut self, gap: f64) {
         self.duality_gap = self.duality_gap.max(gap);
         self.relative_gap = self.duality_gap / self.size;
         self.global_gap = Some(self.relative_gap);
     }
 
-    /// The certificate of a local optimum with its distance to a lower bound over all laws, if known.
+    /// Adds the distance to a lower bound over all laws, if known, to the certificate of a local optimum.
     pub fn bounded_by(&mut self, gap: Option<f64>) {
         self.global_gap = gap.map(|gap| self.relative_gap.max(gap / self.size));
     }
 }
 
-/// The certificate of a solution. A peak is taken from the law itself, whatever the solution states.
+/// Certificate of a solution. The value of a peak is computed from the law, regardless of the value in the solution.
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;
@@ -120,17 +120,18 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     }
 }
 
-/// The Lagrangian's gradient for the multipliers of the active rows, without those of the equalities.
+/// Gradient of the Lagrangian for the multipliers of the active rows, without the multipliers of the equalities.
 struct Lagrangian {
     /// Gradient with respect to the coefficients.
     residual: Vec<f64>,
-    /// Largest term of that gradient.
+    /// Largest term of the gradient with respect to the coefficients.
     largest_term: f64,
-    /// Component along the constant function. For an open level, H contributes only rounding to it, which no factor shows.
+    /// Component of the gradient along the constant function. For a free level, the contribution of H is only a rounding error, which no factor
+    /// shows.
     level: f64,
     /// Gradient with respect to the further variables.
     of_extra: Values,
-    /// Sums of the magnitudes of the terms of that gradient.
+    /// Sum of the magnitudes of the terms in each component of `of_extra`.
     terms_of_extra: Values,
     /// Complementarity sum Σ λᵢ (bᵢ − aᵢᵀx).
     slack: f64,
@@ -176,8 +177,8 @@ impl Lagrangian {
     }
 }
 
-/// Duality gap and stationarity with the part of the further variables. A component of the gradient is small relative to its largest term, or if
-/// changing the variable by its own size leaves the objective unchanged.
+/// Duality gap and stationarity including the further variables. A component of the gradient is small relative to its largest term, or if changing
+/// the variable by its own size leaves the objective unchanged.
 fn with_further_variables<N: Names>(
     program: &Program<N>,
     lagrangian: &Lagrangian,
@@ -245,7 +246,7 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
     if value > 0.0 { value } else { 1.0 }
 }
 
-/// Projects a residual onto the orthogonal complement of the equalities' rows; returns |νᵀ(Ex − d)| of the removed part −Eᵀν.
+/// Projects a residual onto the orthogonal complement of the rows of the equalities. Returns |νᵀ(Ex − d)| for the removed part −Eᵀν.
 fn project_off_equalities<N: Names>(
     program: &Program<N>,
     residual: &mut Vec<f64>,

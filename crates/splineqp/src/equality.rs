@@ -1,32 +1,33 @@
-//! The optimum under equality constraints alone: one factorisation of H, and a dense system of the size of the equalities.
+//! Optimum with only equality constraints: one factorisation of H, and a dense system with the size of the number of equalities.
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
-/// The optimum under the equalities alone, and its factorisation.
+/// Optimum with only the equalities, and its factorisation.
 pub struct Unlimited {
-    /// H, regularised to positive definite by multiples of the equalities' outer products.
+    /// H, made positive definite by multiples of the outer products of the equalities.
     pub hessian: ArrowMatrix,
     /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
-    /// The vector −g of the objective with that H.
+    /// Vector −g of the objective that belongs to `hessian`.
     pub pull: Vec<f64>,
-    /// The optimum under the equalities alone.
+    /// Coefficients of the optimum with only the equalities.
     pub x: Vec<f64>,
-    /// For a level fixed by neither objective nor equalities: the coefficient with an added quadratic term, and its weight.
+    /// Coefficient with an added quadratic term, and its weight, if neither objective nor equalities fix the level.
     pub pin: Option<(usize, f64)>,
 }
 
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
-/// H may be singular on directions that the equalities fix: multiples of their outer products make it positive definite without changing the
-/// constrained optimum. An undetermined constant (a moving axis does not depend on the absolute lift) gets a quadratic term on one coefficient, with
-/// a small weight if limits determine the level.
+/// H may be singular in directions that the equalities fix. Multiples of their outer products make it positive definite without changing the
+/// constrained optimum. If a constant is undetermined (on a moving axis, the force does not depend on the level of the lift), a quadratic term is
+/// added for one coefficient. Its weight is small if limits determine the level.
 ///
 /// # Errors
-/// Contradictory equalities, an objective that cannot be factorised.
+///
+/// The equalities contradict each other; the objective cannot be factorised.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;
@@ -45,13 +46,13 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     })
 }
 
-/// Weight of the equalities' outer products, in units of H.
+/// Weight of the outer products of the equalities, in units of H.
 fn penalty<N: Names>(program: &Program<N>) -> f64 {
     let h = program.hessian.largest_diagonal();
     if h > 0.0 { h } else { 1.0 }
 }
 
-/// Equalities at one angle, whose outer products fit into the band. Equalities on an integral over the law are treated by the dense system alone.
+/// Equalities at a single angle, whose outer products fit into the band. Equalities on an integral over the law are only part of the dense system.
 fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
@@ -93,8 +94,8 @@ fn regular<N: Names>(program: &Program<N>) -> (ArrowMatrix, Option<(usize, f64)>
     (h, pin)
 }
 
-/// ½rᵀH⁻¹r: largest decrease of an objective with the gradient r under the equalities and at a fixed level. `None` where H
-/// is singular on further directions.
+/// ½rᵀH⁻¹r: maximum decrease of an objective with the gradient r, with the equalities and a fixed level. `None` if H is singular in further
+/// directions.
 pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Option<f64> {
     let factor = regular(program).0.factor()?;
     let mut whitened = gradient.to_vec();
@@ -102,7 +103,7 @@ pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Opt
     Some(0.5 * whitened.iter().map(|w| w * w).sum::<f64>())
 }
 
-/// g − ρ Σ value·row: the linear part that belongs to the augmented H.
+/// g − ρ Σ value·row: linear part that belongs to the augmented H.
 fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     let mut g = program.gradient.clone();
     let rho = penalty(program);
@@ -117,7 +118,8 @@ fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     g
 }
 
-/// Projects `x` onto the equalities along H⁻¹Eᵀ. Dependent equalities are omitted, in the order of their pivots, and must hold at the result.
+/// Projects `x` onto the equalities along H⁻¹Eᵀ. Dependent equalities are omitted, in the order of their pivots; they must be satisfied by the
+/// result.
 fn correct<N: Names>(
     program: &Program<N>,
     factor: &ArrowFactor,
@@ -178,8 +180,7 @@ fn correct<N: Names>(
     }
 }
 
-/// Rows of a symmetric matrix in the order of the pivots of its Cholesky factor, and those whose pivots would fall below
-/// `dependent`.
+/// Rows of a symmetric matrix in the order of the pivots of its Cholesky factor, and rows whose pivots would be below `dependent`.
 fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
     let mut order: Vec<usize> = (0..s.len()).collect();
     for p in 0..s.len() {
@@ -204,7 +205,7 @@ fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
 }
 
 impl<N: Names> Equality<N> {
-    /// Residual of the equality for coefficients of typical size `length`, relative to its own size.
+    /// Residual of the equality for coefficients of typical size `length`, relative to the size of the equality.
     pub(crate) fn missed(&self, x: &[f64], length: f64) -> f64 {
         let size = self.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * length;
         (apply(&self.entries, x) - self.value).abs() / size.max(self.value.abs())

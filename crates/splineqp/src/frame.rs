@@ -1,22 +1,21 @@
-//! Normals of active planes as an orthonormal basis Q and a triangle R, Z = QR; one is added or removed in O(n·planes)
-//! operations.
+//! Normals of active planes as an orthonormal basis Q and a triangle R, Z = QR. A plane is added or removed in O(n·planes) operations.
 
-/// The planes of an active set, represented by their normals.
+/// Planes of an active set, represented by their normals.
 #[derive(Default)]
 pub struct Frame {
-    /// Vectors of the basis, one after the other.
+    /// Vectors of the basis in sequence.
     q: Vec<f64>,
     /// Columns of the upper triangle.
     r: Vec<Vec<f64>>,
 }
 
-/// A normal split into its part in the span of Q and the orthogonal part.
+/// A normal, split into a part in the span of Q and an orthogonal part.
 pub struct Apart {
     /// Coordinates of the part in the span of Q.
     pub along: Vec<f64>,
-    /// Part outside the span of Q.
+    /// Orthogonal part of the normal.
     pub rest: Vec<f64>,
-    /// Squared length of that part.
+    /// Squared length of the orthogonal part.
     pub left: f64,
 }
 
@@ -65,7 +64,7 @@ impl Frame {
         self.forget_last();
     }
 
-    /// Removes plane `j`, and moves a normal's component along the removed direction to its orthogonal part, which saves a second split.
+    /// Removes plane `j`, and moves the component of a normal along the removed direction to its orthogonal part. This avoids a second split.
     pub fn remove_beside(&mut self, j: usize, apart: &mut Apart) {
         self.rotate_out(j, &mut apart.along);
         let n = apart.rest.len();
@@ -84,7 +83,7 @@ impl Frame {
         self.q.truncate(self.q.len() / (planes + 1) * planes);
     }
 
-    /// Removes column `j` from R and rotates Q until its last vector is the removed direction, together with the coordinates in Q.
+    /// Removes column `j` from R and rotates Q, and the coordinates in Q, until the last vector is the removed direction.
     fn rotate_out(&mut self, j: usize, along: &mut [f64]) {
         let n = self.q.len() / self.r.len();
         self.r.remove(j);
@@ -124,7 +123,7 @@ impl Frame {
         out
     }
 
-    /// The point nearest to `free` on all planes, and the displacement in coordinates of Q; R⁻¹ times the displacement gives the multipliers.
+    /// Point nearest to `free` on all planes, and the displacement in coordinates of Q. R⁻¹ times the displacement gives the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = free.len();
         let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();
@@ -146,7 +145,7 @@ impl Frame {
     }
 }
 
-/// Inner product in four independent sums, for vectorisation.
+/// Inner product as four independent sums, for vectorisation.
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
@@ -171,7 +170,7 @@ pub fn square(a: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Normals in four dimensions, none of which depends on the others.
+    /// Linearly independent normals in four dimensions.
     const NORMALS: [[f64; 4]; 4] = [
         [1.0, 2.0, 0.0, -1.0],
         [0.0, 1.0, 1.0, 3.0],
@@ -204,7 +203,7 @@ mod tests {
         }
     }
 
-    /// The point nearest to (1, 1, 1, 1) on two planes has the planes' values and differs by multiples of their normals.
+    /// The point on two planes that is nearest to (1, 1, 1, 1) satisfies both planes, and the displacement is a combination of their normals.
     #[test]
     fn the_nearest_point_lies_on_the_planes() {
         let bounds = [0.5, -2.0];

@@ -1,4 +1,4 @@
-//! Convex programs over periodic splines whose limits hold everywhere, not on samples; with certificates.
+//! Convex programs over periodic splines. The limits hold at every point, not only at samples, and each solution has a certificate.
 //!
 //! ```text
 //! minimise   ½ xᵀHx + gᵀx + cᵀy
@@ -8,35 +8,35 @@
 //!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are a few further variables with names (a minimised peak, sizes in a cone, ends of ranges).
-//! A limit is infinitely many rows: the exact worst points of s come from the roots of its derivatives in Bernstein form and enter as rows until no
-//! limit is exceeded between them. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics. y are a few further variables with names (a minimised peak, sizes in a cone, ends of ranges).
+//! A limit is equivalent to infinitely many rows. The exact worst points of s, from the roots of its derivatives in Bernstein form, are added as rows
+//! until no limit is exceeded between them. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
-//! Limits and equalities have names of the caller's types ([`Names`]); `()` names them by text.
+//! The types of the names of limits and equalities are chosen by the caller ([`Names`]); with `()` the names are texts.
 //!
 //! | file | |
 //! |---|---|
-//! | `program` | the program, its limits, rows and solution |
-//! | `variable` | variables beside the coefficients, and their cones |
-//! | `basis` | B-splines or harmonics, rows on their coefficients |
+//! | `program` | program, limits, rows and solution |
+//! | `variable` | further variables and their cones |
+//! | `basis` | B-splines or harmonics, and rows of their coefficients |
 //! | `objective` | H and g of a distance or an energy |
 //! | `band` | Cholesky factor of a banded matrix with a border |
-//! | `equality` | the optimum under equalities alone |
-//! | `pieces` | derivatives in Bernstein form on all spans at once |
+//! | `equality` | optimum with only equalities |
+//! | `pieces` | derivatives in Bernstein form on all spans |
 //! | `separation` | exact points at which a law violates its limits |
 //! | `dual` | dual active-set method of Goldfarb and Idnani |
-//! | `active_set` | its rounds with separation, on the banded factor |
-//! | `proximal` | the same for a peak that is minimised |
+//! | `active_set` | active-set method with separation, on the banded factor |
+//! | `proximal` | active-set method for minimising a peak |
 //! | `frame` | active planes as an orthonormal basis and a triangle |
-//! | `solve` | which method solves |
-//! | `row_solver` | what the rounds ask of a solver of finitely many rows |
-//! | `exchange` | rounds of separation and solution |
+//! | `solve` | selection of the method |
+//! | `row_solver` | interface to a solver of programs with finitely many rows |
+//! | `exchange` | iterations of separation and solution |
 //! | `clarabel` | interior-point method, by Clarabel |
-//! | `rms` | a limit on a root mean square, by the weight at which it holds with equality |
-//! | `refine` | Newton's method on the contacts: the last digits of a solution and its proof |
-//! | `settings` | every tuning constant with its reason |
-//! | `squares` | weights of several squares at which the worst is least |
-//! | `certificate` | duality gap, stationarity |
+//! | `rms` | limit on a root mean square, by the weight for which it is active |
+//! | `refine` | refinement of solution and certificate to rounding, by Newton's method |
+//! | `settings` | tuning constants with reasons |
+//! | `squares` | weights of several squares that minimise the maximum square |
+//! | `certificate` | duality gap and stationarity |
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -67,7 +67,7 @@ pub use settings::{Settings, TOLERANCE};
 pub use solve::exchange::solve as solve_by_interior_point;
 pub use squares::{LeastWorst, Square, least_worst};
 
-/// Types of the caller's names of limits and equalities.
+/// Types, chosen by the caller, for the names of limits and equalities.
 ///
 /// ```
 /// use splineqp::Names;
@@ -87,7 +87,7 @@ pub trait Names: std::fmt::Debug + Copy + PartialEq {
     type Limit: std::fmt::Debug + Copy + PartialEq;
     /// Name of an equality.
     type Equality: std::fmt::Debug + Copy + PartialEq;
-    /// Meaning of a bound to the caller, such as the number of which it is a function.
+    /// Meaning of a bound for the caller, such as the quantity from which it is computed.
     type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 
@@ -97,7 +97,7 @@ impl Names for () {
     type Meaning = ();
 }
 
-/// The program in the README compiles and runs.
+/// Compiles and runs the program in the README as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

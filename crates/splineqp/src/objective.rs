@@ -1,23 +1,23 @@
-//! Quadratic objectives: squared distance of the force from the target, and energies of derivatives.
+//! Quadratic objectives: squared distance between force and target, and energies of derivatives.
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply, only};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 
-/// The quadratic ½xᵀHx + gᵀx + constant.
+/// Quadratic function ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]
 pub struct Quadratic {
-    /// The symmetric matrix H.
+    /// Symmetric matrix H.
     pub hessian: ArrowMatrix,
-    /// The vector g of the linear part.
+    /// Vector g of the linear part.
     pub gradient: Vec<f64>,
-    /// The constant term, so that the value is meaningful.
+    /// Constant term, so that the value is meaningful.
     pub constant: f64,
 }
 
 impl Quadratic {
-    /// The zero quadratic over a basis.
+    /// The zero function for a basis.
     pub fn zero(basis: &Basis) -> Self {
         let (band, border) = basis.pattern();
         let n = basis.columns();
@@ -28,10 +28,9 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·mean over the law of weight(θ)·(w·svaj − target(θ))², with at least `nodes` quadrature
-    /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative; `target`
-    /// fills in the values at the nodes of a piece given by its start and width (`pointwise` makes one
-    /// of a function of θ).
+    /// Adds ½·mean over the law of weight(θ)·(w·svaj − target(θ))², with at least `nodes` quadrature nodes on every piece of the basis. `weights`
+    /// contains w₀ … w₄ for s … the fourth derivative. `target` computes the values at the nodes of a piece, given by its start and width
+    /// (`pointwise` converts a function of θ to this form).
     pub fn add_distance(
         &mut self,
         basis: &Basis,
@@ -80,7 +79,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds pᵀx of the local functions of one span.
+    /// Adds pᵀx for the local functions of one span.
     fn add_pull(&mut self, space: &SplineSpace, span: usize, pull: &[f64]) {
         let first = space.index(span, 0);
         match self.gradient.get_mut(first..first + pull.len()) {
@@ -93,7 +92,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½xᵀGx of the local functions of one span.
+    /// Adds ½xᵀGx for the local functions of one span.
     fn add_gram(&mut self, space: &SplineSpace, span: usize, gram: &[f64]) {
         if self.hessian.add_block(space.index(span, 0), gram) {
             return;
@@ -108,7 +107,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½xᵀGx of all spans of a uniform space.
+    /// Adds ½xᵀGx for all spans of a uniform space.
     fn add_equal_spans(&mut self, space: &SplineSpace, gram: &[f64]) {
         let n = space.degree() + 1;
         let product = |apart: usize| (0..n - apart).map(|l| gram[l * n + apart]).sum();
@@ -137,7 +136,7 @@ impl Quadratic {
         self.add_distance(basis, &weights, nodes, |_, _, _, out| out.fill(0.0), None);
     }
 
-    /// Adds another objective over the same basis, `factor` times.
+    /// Adds `factor` times another objective with the same basis.
     pub fn add(&mut self, other: &Quadratic, factor: f64) {
         self.hessian.add_scaled(&other.hessian, factor);
         for (own, g) in self.gradient.iter_mut().zip(&other.gradient) {
@@ -156,26 +155,26 @@ impl Quadratic {
         out
     }
 
-    /// Value of the quadratic at `x`.
+    /// Value of the function at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         quadratic(&self.hessian, &self.gradient, x) + self.constant
     }
 
-    /// The root of twice the value at `x`: the RMS, if the value is half a mean square.
+    /// Square root of twice the value at `x`. It is the RMS if the value is half a mean square.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 }
 
-/// Half a mean square, ½ Σ factor (row·x − value)² + rest. A sum of squares keeps the digits that ½xᵀHx + gᵀx + c loses on many spans, where the
+/// Half a mean square, ½ Σ factor (row·x − value)² + rest. A sum of squares keeps the digits that ½xᵀHx + gᵀx + c loses for many spans, where the
 /// terms are 10¹⁰ times their sum.
 #[derive(Debug, Clone)]
 pub struct MeanSquare {
-    /// The same as ½xᵀHx + gᵀx + c.
+    /// The half mean square in the form ½xᵀHx + gᵀx + c.
     pub whole: Quadratic,
-    /// Rows at the quadrature nodes, with factor and value.
+    /// Rows at the quadrature nodes, with their factors and values.
     nodes: Vec<(Entries, f64, f64)>,
-    /// Constant part that no law can remove.
+    /// Constant part that is independent of the law.
     rest: f64,
 }
 
@@ -211,7 +210,7 @@ impl MeanSquare {
         }
     }
 
-    /// The distance with the exact mean square of the target, whose values at the nodes come from the nearest polynomials.
+    /// The distance with the exact mean square of the target; the values at the nodes belong to its least-squares polynomials.
     #[must_use]
     pub fn with_mean_square(mut self, square: f64) -> Self {
         self.rest = 0.5 * square - self.whole.constant;
@@ -227,12 +226,12 @@ impl MeanSquare {
         self.nodes.iter().map(square).sum::<f64>() + self.rest
     }
 
-    /// The root of twice the value at `x`.
+    /// Square root of twice the value at `x`.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 
-    /// The gradient at `x`.
+    /// Gradient at `x`.
     pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
         for (row, factor, value) in &self.nodes {
@@ -242,7 +241,7 @@ impl MeanSquare {
         out
     }
 
-    /// First and second derivative at `x` along the direction `way`.
+    /// First and second derivatives at `x` along the direction `way`.
     pub(crate) fn along(&self, x: &[f64], way: &[f64]) -> (f64, f64) {
         let terms = self.nodes.iter().map(|(row, factor, value)| {
             let moved = apply(row, way);
@@ -271,25 +270,25 @@ pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mu
     }
 }
 
-/// The local functions of one span at the quadrature nodes; equal spans share them.
+/// Local functions of one span at the quadrature nodes; equal spans share them.
 #[derive(Default)]
 struct Table {
     matrix: Option<usize>,
     width: f64,
-    /// Each function's values at all nodes, one function after the other.
+    /// Values of the functions at all nodes, function by function.
     values: Vec<f64>,
-    /// Values of the functions times the nodes' weights.
+    /// Values of the functions times the weights of the nodes.
     weighed: Vec<f64>,
     /// Quadrature weights of the nodes.
     factors: Vec<f64>,
-    /// Products of the functions k and l ≤ k at l·n + k − l, in the layout of [`ArrowMatrix::add_block`].
+    /// Products of the functions k and l ≤ k at the position l·n + k − l, in the layout of [`ArrowMatrix::add_block`].
     gram: Vec<f64>,
-    /// Negative products of the functions with the target: their part of g.
+    /// Negative products of the functions with the target: their contribution to g.
     pull: Vec<f64>,
 }
 
 impl Table {
-    /// Moves to a span; false if it differs from the one before.
+    /// Moves to a span; `false` if it equals the previous span.
     fn fit(
         &mut self,
         space: &SplineSpace,
@@ -334,7 +333,7 @@ impl Table {
         }
     }
 
-    /// Sets the products with the target at the nodes; returns half its weighted square.
+    /// Sets the products with the target at the nodes. Returns half its weighted square.
     fn pull(&mut self, target: &[f64]) -> f64 {
         // Loops of known length cost half; quintics with a node for each function are the rule.
         match target.len() {

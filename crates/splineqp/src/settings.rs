@@ -1,6 +1,6 @@
-//! Tuning constants of the solvers, with reasons. None of them is a key of a scene.
+//! Tuning constants of the solvers, with reasons. They are not keys of a scene.
 
-/// Tolerance of a finished law: a stroke, whose top and bottom may each use it, keeps 1e-9 of its value.
+/// Relative tolerance of a finished law. A stroke, whose maximum and minimum may both use it, is accurate to 1e-9.
 pub const TOLERANCE: f64 = 4e-10;
 
 /// Groups of settings with default values, one line per setting.
@@ -23,7 +23,7 @@ macro_rules! settings {
 }
 
 settings! {
-    /// Settings of a program's solution.
+    /// Settings of the solution of a program.
     Settings {
         /// Relative excess below which a limit counts as satisfied.
         tolerance: f64 = TOLERANCE,
@@ -31,13 +31,13 @@ settings! {
         equality: EqualitySettings = EqualitySettings::default(),
         /// Settings of the dual active-set method.
         active_set: ActiveSetSettings = ActiveSetSettings::default(),
-        /// Settings of the proximal steps for minimax objectives.
+        /// Settings of the proximal method for minimax objectives.
         proximal: ProximalSettings = ProximalSettings::default(),
         /// Settings of separation and interior-point iterations.
         exchange: ExchangeSettings = ExchangeSettings::default(),
         /// Settings of a limit on a root mean square.
         rms: RmsSettings = RmsSettings::default(),
-        /// Settings of Newton's method on the contacts.
+        /// Settings of the refinement by Newton's method.
         refinement: RefinementSettings = RefinementSettings::default(),
         /// Settings of the duality gap.
         certificate: CertificateSettings = CertificateSettings::default(),
@@ -45,15 +45,15 @@ settings! {
 
     /// Settings of the least squares under equalities.
     EqualitySettings {
-        /// Relative pivot below which equalities depend on the others, or contradict them.
+        /// Relative pivot below which an equality depends on the others, or contradicts them.
         dependent: f64 = 1e-11,
-        /// Relative residual of a dependent equality above which it is a contradiction.
+        /// Relative residual of a dependent equality above which it contradicts the others.
         consistent: f64 = 1e-8,
-        /// Weight, relative to H, that fixes a level which limits may move.
+        /// Weight, relative to H, of the term that fixes a level which limits may move.
         light_pin: f64 = 1e-6,
-        /// Curvature along the constant function, relative to the maximum, below which the level is open …
+        /// Curvature along the constant function, relative to the maximum, below which the level is free.
         level_is_free: f64 = 1e-10,
-        /// … unless the entries of an equality sum to more than this fraction of their magnitude.
+        /// Sum of the entries of an equality, relative to the sum of their magnitudes, above which the equality fixes the level.
         fixes_level: f64 = 1e-6,
     }
 
@@ -63,51 +63,51 @@ settings! {
         rounds: usize = 60,
         /// Maximum number of steps over all iterations, per unknown.
         steps_per_unknown: usize = 60,
-        /// Number of initial rows above which a dense basis is avoided.
+        /// Number of initial rows above which a dense basis is not used.
         rows: usize = 1000,
-        /// Maximum number of active rows; more are left to the interior-point method.
+        /// Maximum number of active rows; with more, the interior-point method is used.
         active: usize = 400,
-        /// Excess relative to the limit's scale above which a row is violated; far below the tolerance of the iterations.
+        /// Excess, relative to the scale of the limit, above which a row is violated; far below the tolerance of the iterations.
         resolved: f64 = 1e-12,
         /// Violation below which a law without further progress is accepted as exact to rounding.
         resolved_at_last: f64 = 1e-7,
-        /// Fraction of the smallest violation above which an iteration made no progress …
+        /// Fraction of the minimum violation so far; an iteration with a violation above it made no progress.
         progress: f64 = 0.9,
-        /// … and number of such iterations that end the method.
+        /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Fraction of its squared length outside the span of the active rows below which a row is dependent.
+        /// Squared fraction of a row outside the span of the active rows below which the row is dependent.
         dependent: f64 = 1e-13,
-        /// Distance (relative to the piece) from an old row of the same limit below which a new row replaces it.
+        /// Distance, relative to the piece, between a new row and an old row of the same limit below which the new row replaces the old one.
         coincident: f64 = 1e-5,
         /// Maximum number of iterations that refine contacts.
         refinements: usize = 8,
-        /// Maximum number of moves of the pin of an open level …
+        /// Maximum number of times that the fixed level of a free law is moved.
         pin_moves: usize = 12,
-        /// … until the level moves by at most this fraction of the typical lift.
+        /// Move of the level, relative to the typical lift, below which it is final.
         pin_settled: f64 = 1e-9,
     }
 
-    /// Settings of the proximal steps for minimax objectives.
+    /// Settings of the proximal method for minimax objectives.
     ProximalSettings {
-        /// ε: initial weight of a change of the law by its own size, in units of the peak …
+        /// ε: initial weight of the change of the law in a proximal step, in units of the peak.
         nearness: f64 = 1e-2,
-        /// … final weight …
+        /// Minimum of the weight ε.
         least_nearness: f64 = 1e-9,
-        /// … factor from one centre to the next …
+        /// Factor of the weight ε from one centre to the next.
         fall: f64 = 0.2,
-        /// … and factor after a step that ends in rounding errors.
+        /// Factor of the weight ε after a step that ends in rounding errors.
         heavier: f64 = 100.0,
-        /// Decrease of the peak, as a fraction of the predicted one, above which a law becomes the centre.
+        /// Decrease of the peak, as a fraction of the predicted decrease, above which a law becomes the centre.
         kept: f64 = 0.3,
-        /// Fraction of the gap that a step may leave if its rows are those of its law.
+        /// Fraction of the gap below which a step is accepted if its rows are those of its law.
         proved: f64 = 0.3,
-        /// Relative excess over other limits below which laws are compared by their peaks.
+        /// Relative excess over the other limits below which laws are compared by their peaks.
         compared: f64 = 1e-4,
         /// Maximum number of iterations of rows and centres; 20 are usual.
         rounds: usize = 150,
-        /// Factor of the refinement threshold within which the search stops.
+        /// Factor between the final certificate and the refinement threshold within which the search stops.
         accepted: f64 = 1e3,
-        /// Number of iterations without a better certificate that end the search.
+        /// Number of iterations without a better certificate after which the search ends.
         patience: usize = 25,
     }
 
@@ -115,102 +115,102 @@ settings! {
     RmsSettings {
         /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
-        /// First step of ln p, doubled each time.
+        /// First step of ln p; each further step is twice as large.
         peak_step: f64 = 0.2,
-        /// First step of ln μ, relative to the logarithm of the excess …
+        /// First step of ln μ, relative to the logarithm of the excess.
         step: f64 = 4.0,
-        /// … at least this, quadrupled each time …
+        /// Minimum first step of ln μ; each further step is four times larger.
         least_step: f64 = 1e-6,
-        /// … for this number of steps; also for a peak.
+        /// Maximum number of steps of ln μ or ln p.
         steps: usize = 24,
-        /// Relative distance of the smallest trial peak from the minimum.
+        /// Relative distance between the smallest trial peak and the minimum.
         pinch: f64 = 2e-7,
         /// Number of trial weights between two others.
         weights: usize = 40,
-        /// Difference of logarithms below which weights are equal.
+        /// Difference of logarithms below which two weights are equal.
         same_weight: f64 = 1e-11,
-        /// Relative gap of the law between two optima.
+        /// Relative gap of a law between two optima below which it is accepted.
         gap: f64 = 1e-10,
     }
 
-    /// Settings of Newton's method on the contacts.
+    /// Settings of the refinement by Newton's method.
     RefinementSettings {
-        /// Relative gap below which no refinement is needed …
+        /// Relative gap below which no refinement is necessary.
         gap: f64 = 1e-7,
-        /// … and stationarity, which often ends at 1e-7 with a closed gap. A law is certified with both below 1e-6.
+        /// Stationarity below which no refinement is necessary; it often stops at 1e-7 with a closed gap. A law with both below 1e-6 is certified.
         stationarity: f64 = 3e-7,
         /// Tolerance above which a program is a step of a sequence and is not refined.
         finest_tolerance: f64 = TOLERANCE,
-        /// Maximum number of steps on the banded factor; three are usual.
+        /// Maximum number of steps with the banded factor; three are usual.
         band_steps: usize = 5,
-        /// Maximum number of dense steps; a handful is usual.
+        /// Maximum number of dense steps; about five are usual.
         steps: usize = 12,
-        /// Maximum number of dense systems in all, since rows leave one by one.
+        /// Maximum total number of dense systems, because rows are removed one by one.
         solves: usize = 40,
-        /// Number of steps without a better certificate that end the search.
+        /// Number of steps without a better certificate after which the refinement ends.
         patience: usize = 4,
-        /// Gap and stationarity at which the search ends …
+        /// Gap and stationarity at which the refinement ends.
         clean: f64 = 1e-8,
-        /// … and those accepted if rounding prevents better ones.
+        /// Gap and stationarity that are accepted if rounding prevents smaller ones.
         proved: f64 = 1e-6,
         /// Relative violation below which contacts are refined together.
         from: f64 = 1e-3,
-        /// Ratio to the initial violation above which a step has lost its contacts.
+        /// Ratio of the violation to the initial violation above which a step has lost its contacts.
         divergence: f64 = 30.0,
-        /// Relative distance from the bound within which maxima are candidates.
+        /// Relative distance from the bound within which maxima are candidates for contacts.
         below: f64 = 0.05,
         /// Relative decrease over the width of a piece below which a limit has no contact point.
         flat: f64 = 1e-6,
-        /// Distance, as a fraction of a piece, below which contacts coincide.
+        /// Distance, as a fraction of a piece, below which two contacts coincide.
         same: f64 = 1e-7,
-        /// Multiplier relative to the largest below which a row is not a contact.
+        /// Multiplier, relative to the maximum, below which a row is not a contact.
         weakest: f64 = 1e-6,
-        /// Negative multiplier relative to the largest below which a row is not active.
+        /// Negative multiplier, relative to the maximum, beyond which a row is not active.
         negative_multiplier: f64 = 1e-9,
         /// Maximum number of rows per unknown that determine a vertex.
         rows_per_unknown: usize = 24,
-        /// Maximum number of iterations in which violated points join a step …
+        /// Maximum number of iterations that add violated points to a step.
         joins: usize = 8,
-        /// … with at least this relative violation …
+        /// Minimum relative violation of an added point.
         resolved: f64 = 1e-10,
-        /// … and no row of the limit nearer than this fraction of a piece.
+        /// Minimum distance of an added point from the rows of the same limit, as a fraction of a piece.
         apart: f64 = 0.25,
         /// Maximum size of a dense system.
         largest: usize = 500,
-        /// Proximal weight of the step, in units of the solver …
+        /// Proximal weight of the step, in units of the solver.
         held: f64 = 1e-9,
-        /// … multiplied by this factor …
+        /// Factor of the proximal weight after a failed factorisation.
         raised: f64 = 100.0,
-        /// … at most this number of times while the matrix cannot be factorised.
+        /// Maximum number of increases of the proximal weight.
         raises: i32 = 4,
         /// Proximal weight of the multipliers, for linearly dependent rows.
         light: f64 = 1e-13,
         /// Maximum number of steps of the quadratic program, per unknown; two are usual.
         steps_per_unknown: usize = 10,
-        /// Excess at which one of its planes is satisfied.
+        /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// As `ActiveSetSettings::dependent`, for its planes.
+        /// As `ActiveSetSettings::dependent`, for the planes of the quadratic program.
         dependent: f64 = 1e-25,
-        /// Violation of a dependent plane below which it is attributed to rounding.
+        /// Violation of a dependent plane below which it is a rounding error.
         rounding: f64 = 1e-9,
     }
 
-    /// Settings of the rounds of separation and interior-point solution.
+    /// Settings of the iterations of separation and interior-point solution.
     ExchangeSettings {
-        /// Maximum number of iterations; a handful is usual.
+        /// Maximum number of iterations; about five are usual.
         rounds: usize = 60,
-        /// Fraction of the smallest violation above which an iteration has stalled.
+        /// Fraction of the minimum violation so far above which an iteration has stalled.
         stalled: f64 = 0.5,
-        /// After a stall, margin of every limit as a multiple of the violation, added to the previous margin …
+        /// After a stall, increase of the margin of every limit, as a multiple of the violation.
         margin_growth: f64 = 2.0,
-        /// … limited to this fraction of the scale.
+        /// Maximum margin, as a fraction of the scale of the limit.
         largest_margin: f64 = 1e-6,
         /// Residual of the solver for a second-order cone, which is not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance (relative to the piece) from an old row of the same limit below which a new row replaces it.
+        /// Distance, relative to the piece, between a new row and an old row of the same limit below which the new row replaces the old one.
         coincident: f64 = 1e-4,
-        /// Gap and feasibility tolerance of the interior-point method: tighter ones end in "insufficient progress" on some
-        /// fits, and refinement restores the digits.
+        /// Gap and feasibility tolerance of the interior-point method. Smaller ones end in "insufficient progress" for some fits; the refinement
+        /// restores the digits.
         solver_tolerance: f64 = 1e-9,
         /// Maximum number of iterations of the interior-point method; 20 are usual.
         solver_iterations: u32 = 200,
@@ -218,7 +218,7 @@ settings! {
 
     /// Settings of the certificate.
     CertificateSettings {
-        /// Objective relative to its terms below which it is a rounding error: a force error of a thousandth of the force.
+        /// Objective, relative to its terms, below which it is a rounding error. It corresponds to a force error of a thousandth of the force.
         least_objective: f64 = 1e-6,
         /// Fraction of the objective below which xᵀr is small.
         small: f64 = 1e-9,

@@ -1,12 +1,12 @@
-//! Weights of several squares for which a point of a convex hull minimises the worst of them.
+//! Weights of several squares for which a point of a convex hull minimises the maximum square.
 //!
 //! ```text
 //! minimise   max qᵢ(v)   or   min over η of η + Σ capᵢ max(qᵢ(v) − η, 0)
 //! such that  v in the convex hull of points,   qᵢ(v) = γᵢ² |v|² − 2γᵢ bᵢ·v + cᵢ
 //! ```
 //!
-//! The squares share |v|²: with ρ ≥ |v|² as a variable each is one linear row, and the program needs one
-//! second-order cone in total. Its multipliers are the weights.
+//! All squares contain |v|². With ρ ≥ |v|² as a variable, each square is a linear row, and the program needs a single second-order cone. Its
+//! multipliers are the weights.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};
@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::solve::exchange::clarabel::{prepared, run};
 
-/// A square of a distance, q(v) = γ² |v|² − 2γ b·v + c.
+/// Square of a distance, q(v) = γ² |v|² − 2γ b·v + c.
 ///
 /// ```
 /// use splineqp::Square;
@@ -26,16 +26,16 @@ use crate::solve::exchange::clarabel::{prepared, run};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Square {
-    /// Factor γ of v.
+    /// Factor γ of the vector v.
     pub scale: f64,
     /// Vector b, the target of γv.
     pub towards: Vec<f64>,
-    /// Constant c, added to the square.
+    /// Constant c that is added to the square.
     pub constant: f64,
 }
 
 impl Square {
-    /// Value of the squared norm.
+    /// Value of the square for the vector v.
     pub fn at(&self, v: &[f64]) -> f64 {
         let dot: f64 = self.towards.iter().zip(v).map(|(b, v)| b * v).sum();
         let square: f64 = v.iter().map(|v| v * v).sum();
@@ -43,28 +43,28 @@ impl Square {
     }
 }
 
-/// Number of rows added at once, and initially.
+/// Number of rows that are added together, and initially.
 const ENTERING: usize = 24;
-/// Relative excess over the largest square allowed for a square without a row.
+/// Relative excess over the maximum square that is permitted for a square without a row.
 const EXCEEDS: f64 = 1e-10;
-/// Singular values below this count as zero.
+/// Singular value below which it counts as zero.
 const DEPENDENT: f64 = 1e-9;
-/// Maximum number of programs.
+/// Maximum number of programs that are solved.
 const ROUNDS: usize = 40;
 
-/// The optimal point of a hull, with its proof.
+/// Optimal point of a hull, with its multipliers as proof.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeastWorst {
-    /// Weights of the squares: this point of the hull minimises their weighted sum. Their sum is 1, each is at most its cap.
+    /// Weights of the squares. The point of the hull minimises their weighted sum. The sum of the weights is 1, and each is at most its cap.
     pub weights: Vec<f64>,
-    /// Weights of the points, sum 1.
+    /// Weights of the points of the hull; their sum is 1.
     pub parts: Vec<f64>,
     at: Vec<f64>,
     level: f64,
 }
 
-/// The point of a hull that minimises the largest square or, without the largest, the capped sum of squares. The squares should be of order 1. `None`
-/// if the solver fails.
+/// Point of a hull that minimises the maximum square or, with caps, the mean of the largest squares. The squares should be of order 1. `None` if the
+/// solver fails.
 ///
 /// ```
 /// use splineqp::{Square, least_worst};
@@ -104,8 +104,8 @@ fn worst_first(squares: &[Square], at: &[f64], of: &mut [usize], most: usize) ->
     of.iter().copied().take(most).collect()
 }
 
-/// The weights nearest to the given ones for which the point is stationary on its face of the hull: an interior-point method gives the point to ten
-/// digits, but the weights to half as many.
+/// Weights nearest to the given ones for which the point is stationary on its face of the hull. An interior-point method gives the point to ten
+/// digits, but the weights only to five.
 fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[f64]], at: &[f64]) {
     if free.is_empty() {
         return;
@@ -143,7 +143,7 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// The minimum with the rows of some squares; the level is that of the largest of them (with infinite caps).
+/// Minimum with the rows of some squares. The level is the maximum of these squares (with infinite caps).
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],

@@ -1,4 +1,4 @@
-//! Extreme values of a function.
+//! Extreme value of a function.
 
 use serde::Serialize;
 
@@ -13,14 +13,14 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extreme {
-    /// The abscissa, in the units of the breaks.
+    /// Abscissa of the extreme, in the units of the breaks.
     pub at: f64,
     /// Value of the extreme.
     pub value: f64,
 }
 
 impl Extreme {
-    /// Another value at the same abscissa.
+    /// Applies a function to the value; the abscissa is unchanged.
     pub fn map(self, f: impl FnOnce(f64) -> f64) -> Extreme {
         Extreme {
             at: self.at,
@@ -28,7 +28,7 @@ impl Extreme {
         }
     }
 
-    /// The largest absolute value between the two extremes of a function.
+    /// Maximum absolute value of a function with the given two extremes.
     pub fn largest((low, high): (Extreme, Extreme)) -> Extreme {
         if high.value >= -low.value {
             high

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Maximum number of nodes of one rule; for more, rules are repeated on equal parts.
+/// Maximum number of nodes of one rule. For more nodes, rules are repeated on equal parts.
 const LARGEST: usize = 16;
 
-/// At least `n` nodes in (0, 1) with their weights (sum 1): one Gauss–Legendre rule, or several side by
-/// side when `n` exceeds 16. A rule of m nodes integrates degree 2m − 1 exactly.
+/// At least `n` nodes in (0, 1) with their weights (sum 1): a Gauss–Legendre rule, or several rules on equal parts if `n` exceeds 16. A rule with m
+/// nodes integrates degree 2m − 1 exactly.
 pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let parts = n.max(1).div_ceil(LARGEST);
     let m = n.max(1).div_ceil(parts);
@@ -21,14 +21,14 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The rule of m ≤ 16 nodes, computed once each.
+/// Rule with m ≤ 16 nodes; each rule is computed once.
 fn cached_rule(m: usize) -> &'static [(f64, f64)] {
     static RULES: [OnceLock<Vec<(f64, f64)>>; LARGEST + 1] =
         [const { OnceLock::new() }; LARGEST + 1];
     RULES[m].get_or_init(|| single_rule(m))
 }
 
-/// Nodes by Newton's method on the Legendre polynomial, from the usual cosine estimate.
+/// Nodes by Newton's method for the Legendre polynomial, from the usual cosine estimate.
 fn single_rule(m: usize) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = (0..m)
         .map(|i| {

@@ -1,11 +1,11 @@
-//! A polynomial on each of several consecutive intervals.
+//! Piecewise polynomials on consecutive intervals.
 
 use super::{Extreme, bernstein};
 use serde::Serialize;
 
-/// Piecewise polynomial on `breaks[0] ..= breaks[n]`, each piece in Bernstein form on its interval.
+/// Piecewise polynomial on `breaks[0] ..= breaks[n]`. Each piece is in Bernstein form on its interval.
 ///
-/// Pieces need not join continuously; at a break the value is that of the piece to its right.
+/// The pieces need not be continuous at the breaks. At a break, the value is that of the piece to its right.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -21,22 +21,22 @@ use serde::Serialize;
 pub struct PiecewisePoly {
     breaks: Vec<f64>,
     degree: usize,
-    /// Row-major: piece i has `coef[i*(degree+1) ..]`.
+    /// Bernstein coefficients by rows: piece i starts at `coef[i*(degree+1)]`.
     #[serde(rename = "coefficients")]
     coef: Vec<f64>,
 }
 
-/// Relative difference below which two values are equal except for rounding.
+/// Relative difference below which two values are equal up to rounding errors.
 const SAME: f64 = 1e-12;
 
-/// Smallest and largest of the values seen so far.
+/// Minimum and maximum of the values so far.
 struct Range {
     low: Extreme,
     high: Extreme,
 }
 
 impl Range {
-    /// Updates the extremes; of two equal values up to rounding, the first is kept.
+    /// Updates the extremes. Of two values that are equal up to rounding errors, the first is kept.
     fn take(&mut self, at: f64, value: f64) {
         let tie = SAME * value.abs();
         if value < self.low.value {
@@ -52,7 +52,7 @@ impl Range {
     }
 }
 
-/// A local maximum, with the piece it belongs to, which identifies the side of a break.
+/// Local maximum, with the piece to which it belongs. The piece identifies the side of a break.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -66,7 +66,7 @@ impl Range {
 pub struct Peak {
     /// Index of the piece.
     pub piece: usize,
-    /// Position within the piece, 0 … 1.
+    /// Position on the piece, 0 … 1.
     pub u: f64,
     /// Abscissa of the maximum.
     pub at: f64,
@@ -75,7 +75,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// A peak at this position, with value 0.
+    /// A peak at the given position, with the value 0.
     pub fn place(piece: usize, u: f64, at: f64) -> Peak {
         let value = 0.0;
         Peak {
@@ -88,10 +88,11 @@ impl Peak {
 }
 
 impl PiecewisePoly {
-    /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
+    /// Creates the function from increasing breaks (n + 1) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
     /// # Panics
-    /// If the lengths do not match or the breaks do not increase: an error of the caller.
+    ///
+    /// If the lengths do not match or the breaks do not increase, which is an error of the caller.
     pub fn new(breaks: Vec<f64>, degree: usize, coef: Vec<f64>) -> Self {
         assert!(breaks.len() >= 2 && coef.len() == (breaks.len() - 1) * (degree + 1));
         assert!(
@@ -105,7 +106,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Another function on the same breaks.
+    /// Another function with the same breaks.
     fn with_pieces(&self, degree: usize, coef: Vec<f64>) -> Self {
         PiecewisePoly {
             breaks: self.breaks.clone(),
@@ -114,7 +115,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Breaks, increasing, one more than pieces.
+    /// Breaks in ascending order, one more than pieces.
     #[inline]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks
@@ -138,13 +139,13 @@ impl PiecewisePoly {
         &self.coef[i * (self.degree + 1)..(i + 1) * (self.degree + 1)]
     }
 
-    /// Bernstein coefficients of all pieces, one piece after the other.
+    /// Bernstein coefficients of all pieces, piece by piece.
     #[inline]
     pub fn coefficients(&self) -> &[f64] {
         &self.coef
     }
 
-    /// Index of the piece that contains `x` (the first or last one outside) and u ∈ [0, 1] within it.
+    /// Index of the piece that contains `x` (outside the breaks the first or last piece), and position u ∈ [0, 1] on it.
     #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
@@ -152,14 +153,14 @@ impl PiecewisePoly {
         (i, (x - a) / (b - a))
     }
 
-    /// Value at `x`; the end pieces continue outside the breaks.
+    /// Value at `x`. Outside the breaks, the end pieces are extended.
     #[inline]
     pub fn eval(&self, x: f64) -> f64 {
         let (i, u) = self.locate(x);
         bernstein::eval(self.piece(i), u)
     }
 
-    /// The derivative, piece by piece; jumps at breaks stay jumps.
+    /// Derivative, piece by piece. Jumps at breaks are not differentiated.
     #[must_use]
     pub fn derivative(&self) -> Self {
         let n = self.degree;
@@ -182,7 +183,7 @@ impl PiecewisePoly {
             .sum()
     }
 
-    /// Integral of the square over the whole range, exact.
+    /// Exact integral of the square over the whole range.
     pub fn integral_of_square(&self) -> f64 {
         let gram = bernstein::gram(self.degree);
         (self
@@ -193,7 +194,7 @@ impl PiecewisePoly {
         .sum()
     }
 
-    /// Applies `f(coefficients, width)` to every piece; the result is written at `degree`.
+    /// Applies `f(coefficients, width)` to every piece. The result has the degree `degree`.
     pub fn map(&self, degree: usize, f: impl Fn(&[f64], f64) -> Vec<f64>) -> Self {
         let mut coef = Vec::with_capacity(self.pieces() * (degree + 1));
         for i in 0..self.pieces() {
@@ -203,10 +204,11 @@ impl PiecewisePoly {
         self.with_pieces(degree, coef)
     }
 
-    /// Weighted sum of functions on the same breaks, plus a constant.
+    /// Weighted sum of functions with the same breaks, plus a constant.
     ///
     /// # Panics
-    /// When the breaks differ.
+    ///
+    /// If the breaks differ.
     pub fn combine(terms: &[(f64, &PiecewisePoly)], constant: f64) -> Self {
         let first = terms[0].1;
         let degree = terms.iter().map(|t| t.1.degree).max().unwrap_or(0);
@@ -232,10 +234,11 @@ impl PiecewisePoly {
         first.with_pieces(degree, coef)
     }
 
-    /// Product of two functions on the same breaks.
+    /// Product of two functions with the same breaks.
     ///
     /// # Panics
-    /// When the breaks differ.
+    ///
+    /// If the breaks differ.
     #[must_use]
     pub fn times(&self, other: &PiecewisePoly) -> Self {
         assert_eq!(self.breaks, other.breaks, "products need equal breaks");
@@ -246,7 +249,7 @@ impl PiecewisePoly {
         self.with_pieces(degree, coef)
     }
 
-    /// Smallest and largest value, from the roots of the derivative and both sides of every break.
+    /// Minimum and maximum, from the roots of the derivative and both sides of every break.
     pub fn extremes(&self) -> (Extreme, Extreme) {
         let start = Extreme {
             at: self.breaks[0],
@@ -283,8 +286,7 @@ impl PiecewisePoly {
         (range.low, range.high)
     }
 
-    /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included
-    /// where the function rises towards them.
+    /// Local maxima above `level` on [from, to] (clipped to the breaks), including ends of pieces towards which the function rises.
     pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {
@@ -313,7 +315,7 @@ impl PiecewisePoly {
         out
     }
 
-    /// The function with its pieces divided at further breaks inside the range.
+    /// The function with its pieces divided at further breaks within the range.
     #[must_use]
     pub fn cut_at(&self, further: &[f64]) -> Self {
         if further == self.breaks {
@@ -351,7 +353,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Points at which the function changes sign, in increasing order, jumps through zero included.
+    /// Points at which the function changes sign, in ascending order, including jumps through zero.
     pub fn roots(&self) -> Vec<f64> {
         let mut out: Vec<f64> = Vec::new();
         for i in 0..self.pieces() {
@@ -374,8 +376,7 @@ impl PiecewisePoly {
 mod tests {
     use super::*;
 
-    /// sin on four quarter turns by its degree-11 Taylor polynomial would not be exact; use x(1−x)(x−2)
-    /// on two pieces instead: extremes at 1 ± 1/√3.
+    /// x(1−x)(x−2) on two pieces, with the extremes at 1 ± 1/√3.
     fn cubic() -> PiecewisePoly {
         let on = |a: f64, w: f64| {
             let f = |x: f64| [x, 1.0 - x, x - 2.0];

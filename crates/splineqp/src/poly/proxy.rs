@@ -1,23 +1,22 @@
-//! Piecewise Chebyshev interpolants of smooth functions, so that their extremes come from roots, not from samples.
+//! Piecewise Chebyshev interpolants of smooth functions, used to compute extremes from roots instead of samples.
 
 use std::f64::consts::PI;
 
 use super::{PiecewisePoly, bernstein};
 
-/// Degree of the interpolant on each part; a part is halved until this degree is sufficient.
+/// Degree of the interpolant on each part. A part is halved until this degree is sufficient.
 const DEGREE: usize = 12;
 /// Maximum number of halvings of a part, reached at a cusp or jump inside a piece.
 const MAX_HALVINGS: u32 = 30;
-/// Maximum number of parts of one piece: a cusp needs one per halving, noise would need any number.
+/// Maximum number of parts of one piece. A cusp needs one part per halving; noise would need any number.
 const MOST_PARTS: usize = 512;
-/// Last coefficients below this fraction of the scale that halving does not reduce are rounding noise of the function, which further halving cannot
-/// reduce.
+/// Fraction of the scale below which last coefficients that halving does not reduce are rounding noise of the function.
 const NOISE: f64 = 1e-9;
 
-/// Piecewise polynomial that agrees with `f` to about `tolerance` times its scale on every interval of
-/// `breaks`; `f` must be smooth between breaks and is evaluated only strictly inside them, with the index of its interval.
+/// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth between
+/// the breaks. It is evaluated only strictly inside the intervals, with the index of the interval.
 ///
-/// Interpolates at Chebyshev points and halves an interval until the last coefficients are negligible.
+/// The function is interpolated at Chebyshev points, and intervals are halved until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
     let transform = Transform::new();
     let first: Vec<Values> = (breaks.windows(2).enumerate())
@@ -26,8 +25,8 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     joined(&transform, breaks, tolerance, 0.0, &first, f)
 }
 
-/// The proxies of several functions that are computed together; `terms` are the sizes of the large terms whose difference each of them is,
-/// because their rounding limits the accuracy.
+/// Interpolants of several functions that are computed together. `terms` contains the sizes of the large terms of which each function is a
+/// difference, because their rounding errors limit the accuracy.
 pub fn stand_ins_for_differences(
     breaks: &[f64],
     tolerance: f64,
@@ -55,7 +54,7 @@ pub fn stand_ins_for_differences(
 /// Values of a function at the nodes of a part.
 type Values = [f64; DEGREE + 1];
 
-/// The proxy of a function, from its `first` values on whole intervals.
+/// Interpolant of a function, from its `first` values on whole intervals.
 fn joined(
     transform: &Transform,
     breaks: &[f64],
@@ -117,12 +116,12 @@ impl Transform {
         }
     }
 
-    /// The nodes between two ends.
+    /// Nodes between two ends.
     fn nodes_on(&self, [a, b]: [f64; 2]) -> [f64; DEGREE + 1] {
         self.nodes.map(|x| a + (b - a) * 0.5 * (1.0 + x))
     }
 
-    /// Chebyshev coefficients of the interpolant of these values at the nodes.
+    /// Chebyshev coefficients of the interpolant for the given values at the nodes.
     fn of(&self, values: &Values) -> [f64; DEGREE + 1] {
         std::array::from_fn(|k| {
             let terms = values.iter().zip(&self.waves[k]);
@@ -143,13 +142,13 @@ impl Transform {
     }
 }
 
-/// The interpolant on one part of a piece.
+/// Interpolant on one part of a piece.
 struct Part {
     ends: [f64; 2],
     chebyshev: [f64; DEGREE + 1],
-    /// Largest absolute value at the nodes.
+    /// Maximum absolute value at the nodes.
     largest: f64,
-    /// Largest of the last coefficients, for this part and before the last halving.
+    /// Maximum of the last coefficients, for this part and before the last halving.
     tail: f64,
     parent_tail: f64,
     halvings: u32,
@@ -186,7 +185,7 @@ impl Part {
     }
 }
 
-/// A piece divided into parts, from left to right: the roughest is halved until all are smooth, or there are too many.
+/// A piece divided into parts, from left to right. The part with the largest error is halved until all parts are accurate, or there are too many.
 fn parts(
     transform: &Transform,
     f: &impl Fn(f64) -> f64,

@@ -4,16 +4,16 @@ use std::f64::consts::TAU;
 
 use super::{Extreme, fourier};
 
-/// Minimum number of grid points per period of the fastest harmonic.
+/// Minimum number of grid points per period of the highest harmonic.
 const POINTS_PER_WAVE: usize = 16;
 /// Minimum number of grid points.
 const FEWEST_POINTS: usize = 64;
-/// Maximum number of steps within a cell: Newton's method needs three or four, halving all of them.
+/// Maximum number of steps within a cell. Newton's method needs three or four; bisection needs all of them.
 const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum to rounding.
 const FLAT: f64 = 1e-5;
 
-/// Values and two derivatives at `x` of sums with equally many terms.
+/// Values and two derivatives at `x` of sums with equal numbers of terms.
 pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
     let (sin, cos) = x.sin_cos();
     let (mut c, mut s) = (1.0, 0.0);
@@ -32,7 +32,7 @@ pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64;
     out
 }
 
-/// Values at even steps over the turn; their number is a power of two, at least 16 per period of the fastest harmonic.
+/// Values at equal steps over the turn. Their number is a power of two, at least 16 per period of the highest harmonic.
 pub fn harmonic_values(terms: &[(f64, f64)]) -> Vec<f64> {
     fourier::samples(terms, 0, grid_for(terms.len()))
 }
@@ -43,8 +43,8 @@ fn grid_for(harmonics: usize) -> usize {
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Smallest and largest value, to rounding: every candidate cell of the grid is searched by Newton's method. Between grid points the sum exceeds the
-/// higher end of its cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
+/// Minimum and maximum, exact to rounding: Newton's method in every candidate cell of the grid. Between grid points, the sum exceeds the higher end
+/// value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
@@ -89,7 +89,7 @@ const NOTHING: Extreme = Extreme {
     at: 0.0,
 };
 
-/// The search for the largest value of sign·f among the cells of a grid over the turn.
+/// Search for the maximum of sign·f among the cells of a grid over the turn.
 struct Search<'a> {
     terms: &'a [(f64, f64)],
     /// Values of f′ at the points of the grid.
@@ -98,12 +98,12 @@ struct Search<'a> {
     sign: f64,
     best: f64,
     at: f64,
-    /// The last searched cell, by the point at its end.
+    /// The cell that was searched last, given by the point at its end.
     searched: Option<usize>,
 }
 
 impl Search<'_> {
-    /// Examines a point of the grid with its value, and the cells on both sides.
+    /// Evaluates a point of the grid with its value, and searches the cells on both sides.
     fn around(&mut self, i: usize, value: f64) {
         self.take(self.sign * value, i as f64 * self.step);
         for end in [i, i + 1] {
@@ -127,8 +127,8 @@ impl Search<'_> {
         }
     }
 
-    /// The maximum in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method on f′ from a linear estimate,
-    /// with bisection as a safeguard.
+    /// Maximum in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method for f′ from a linear estimate, with
+    /// bisection as a safeguard.
     fn crest(&mut self, i: usize) {
         let points = self.slopes.len();
         let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);
@@ -172,7 +172,7 @@ mod tests {
     use super::*;
     use crate::poly::bernstein::binomial;
 
-    /// (1 + cos θ)ᵏ = Σ C(2k, k − n) cos nθ · 2^(1−k) + its mean: 2ᵏ at 0, 0 at π.
+    /// (1 + cos θ)ᵏ = Σ C(2k, k − n) cos nθ · 2^(1−k) + its mean, with the values 2ᵏ at 0 and 0 at π.
     #[test]
     fn powers_of_one_plus_cosine_have_known_extremes() {
         for k in 1..=12 {

@@ -1,10 +1,10 @@
-//! Sinusoidal terms of a function on pieces, and their Taylor polynomials.
+//! Sinusoids of a function on pieces, and their Taylor polynomials.
 
 use super::{PiecewisePoly, bernstein};
 use serde::Serialize;
 use std::sync::OnceLock;
 
-/// cos·cos(rate·x) + sin·sin(rate·x), where x counts from the start of the piece.
+/// Sinusoid cos·cos(rate·x) + sin·sin(rate·x), where x is measured from the start of the piece.
 ///
 /// ```
 /// use splineqp::poly::Wave;
@@ -16,21 +16,21 @@ use std::sync::OnceLock;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Wave {
-    /// Radians of phase per unit of x.
+    /// Phase per unit of x, rad.
     pub rate: f64,
-    /// Amplitude of the cosine.
+    /// Amplitude of the cosine term.
     pub cos: f64,
-    /// Amplitude of the sine.
+    /// Amplitude of the sine term.
     pub sin: f64,
 }
 
-/// Largest phase of a wave on one Taylor polynomial, rad: ±½ about its middle.
+/// Maximum phase of a sinusoid on one Taylor polynomial, rad: ±½ about its middle.
 const PHASE_PER_PIECE: f64 = 1.0;
 /// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
 const TAYLOR_DEGREE: usize = 14;
 
 impl Wave {
-    /// Adds the value and three derivatives at `x`.
+    /// Adds the value and three derivatives at `x` to `out`.
     #[inline]
     pub fn add_to(&self, x: f64, out: &mut [f64; 4]) {
         let (sin, cos) = (self.rate * x).sin_cos();
@@ -43,7 +43,7 @@ impl Wave {
         out[3] -= square * slope;
     }
 
-    /// The wave shifted to a later start: g(x) = f(x + later).
+    /// The sinusoid with a later start: g(x) = f(x + later).
     pub fn from(&self, later: f64) -> Wave {
         let (sin, cos) = (self.rate * later).sin_cos();
         Wave {
@@ -53,7 +53,7 @@ impl Wave {
         }
     }
 
-    /// The wave reversed on a piece of given width: g(x) = f(width − x).
+    /// The sinusoid reversed on a piece of given width: g(x) = f(width − x).
     pub fn mirrored(&self, width: f64) -> Wave {
         let (sin, cos) = (self.rate * width).sin_cos();
         Wave {
@@ -75,8 +75,8 @@ impl Wave {
     }
 }
 
-/// Splits pieces until one Taylor polynomial is accurate for every wave on a piece. Each wave returned contains the x at
-/// the start of its new piece.
+/// Splits pieces until one Taylor polynomial is accurate for every sinusoid on a piece. Each returned sinusoid contains the x at the start of its new
+/// piece.
 pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, Vec<Vec<Shifted>>) {
     if waves.is_empty() {
         return (poly.clone(), Vec::new());
@@ -106,13 +106,13 @@ pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, V
     (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
 }
 
-/// A wave on a part of its piece that starts at x = `start`.
+/// A sinusoid on a part of its piece that starts at x = `start`.
 pub struct Shifted {
     wave: Wave,
     start: f64,
 }
 
-/// Adds Σ wₖ dᵏ of the waves of each piece to `sum`, whose pieces are those of [`subdivide`].
+/// Adds Σ wₖ dᵏ of the sinusoids of each piece to `sum`, whose pieces are those of [`subdivide`].
 pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4]) -> PiecewisePoly {
     if waves.is_empty() {
         return sum;
@@ -148,7 +148,7 @@ pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4])
     PiecewisePoly::new(sum.breaks().to_vec(), degree, coef)
 }
 
-/// Bernstein coefficients of (2u − 1)ᵏ at the Taylor degree, k = 0 … degree.
+/// Bernstein coefficients of (2u − 1)ᵏ at the degree of the Taylor polynomials, k = 0 … degree.
 fn symmetric_powers() -> &'static [[f64; TAYLOR_DEGREE + 1]; TAYLOR_DEGREE + 1] {
     static POWERS: OnceLock<[[f64; TAYLOR_DEGREE + 1]; TAYLOR_DEGREE + 1]> = OnceLock::new();
     POWERS.get_or_init(|| {

@@ -1,26 +1,26 @@
-//! Reasons why a program has no solution.
+//! Reasons for which a program has no solution.
 
 use crate::Names;
 use serde::Serialize;
 
-/// Reasons for a missing solution. Only the first two prove infeasibility.
+/// Reason for a missing solution. Only the first two prove infeasibility.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failure<N: Names> {
     /// The equalities contradict each other.
     Inconsistent {
-        /// Names of the independent equalities among them.
+        /// Names of the independent equalities among the contradictory ones.
         equalities: Vec<N::Equality>,
     },
     /// The limits are infeasible.
     Infeasible,
-    /// The solver stopped without an answer.
+    /// The solver stopped without a result.
     Numerical {
-        /// Reason why the solver stopped.
+        /// Reason for which the solver stopped.
         stop: Stop,
     },
 }
 
-/// Reasons why a solver stopped without an answer, which prove nothing.
+/// Reason for which a solver stopped without a result. It does not prove infeasibility.
 ///
 /// ```
 /// use splineqp::{Failure, Stop};
@@ -31,9 +31,9 @@ pub enum Failure<N: Names> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stop {
-    /// The objective's matrix cannot be factorised.
+    /// The matrix of the objective cannot be factorised.
     SingularObjective,
-    /// The equalities' matrix cannot be factorised.
+    /// The matrix of the equalities cannot be factorised.
     SingularEqualities,
     /// The caller stopped the search.
     OutOfTime,
@@ -43,7 +43,7 @@ pub enum Stop {
     NoProgress,
     /// The objective has no lower bound.
     Unbounded,
-    /// Rounding errors spoiled the iteration or its result.
+    /// Rounding errors made the iteration or its result inaccurate.
     NumericalError,
     /// The interior-point method rejected its settings or data.
     Refused,

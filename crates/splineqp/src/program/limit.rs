@@ -1,4 +1,4 @@
-//! A linear limit on the law over a range of angles.
+//! Linear limits on the law over a range of angles.
 
 use super::variable::{PEAK, Values, Variable};
 use crate::Names;
@@ -20,7 +20,7 @@ pub enum Derivative {
 }
 
 impl Derivative {
-    /// Weights of this derivative alone, by the order of the derivative.
+    /// Weights of this derivative alone, indexed by the order of the derivative.
     pub fn weights(self) -> [f64; 5] {
         LeftSide::from(self).weights()
     }
@@ -40,7 +40,7 @@ impl Derivative {
 pub struct LeftSide([f64; 5]);
 
 impl LeftSide {
-    /// Weights of the law and its derivatives, by their order.
+    /// Weights of the law and its derivatives, indexed by their order.
     pub fn weights(self) -> [f64; 5] {
         self.0
     }
@@ -63,7 +63,7 @@ impl<const K: usize> From<[(Derivative, f64); K]> for LeftSide {
 }
 
 impl From<[f64; 5]> for LeftSide {
-    /// Weights by the order of the derivative.
+    /// Left side with the given weights, indexed by the order of the derivative.
     fn from(weights: [f64; 5]) -> Self {
         LeftSide(weights)
     }
@@ -76,34 +76,34 @@ impl Neg for LeftSide {
     }
 }
 
-/// A linear limit on the law, everywhere or over a range of angles.
+/// A linear limit on the law, for all angles or for a range of angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<N: Names> {
-    /// Name for users; both signs of a two-sided limit share it.
+    /// Name of the limit for users. Both signs of a two-sided limit share it.
     pub name: N::Limit,
-    /// Weights of the law and its derivatives, by their order.
+    /// Weights of the law and its derivatives, indexed by their order.
     pub weights: [f64; 5],
-    /// Σ weights·s⁽ᵏ⁾ + Σ extra·y ≤ bound + shape(θ).
+    /// Bound of the limit: Σ weights·s⁽ᵏ⁾ + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Index into the program's shapes, for the part of the bound that varies with θ.
+    /// Index in the shapes of the program, for the part of the bound that varies with θ.
     pub shape: Option<usize>,
-    /// Whether the law counts from its value at the program's reference angle.
+    /// Whether the law is measured from its value at the reference angle of the program.
     pub from_reference: bool,
     /// First and last angle of the domain, rad.
     pub domain: (f64, f64),
-    /// Scale of a violation: |bound| unless that is 0.
+    /// Scale of a violation: |bound|, or 1 if the bound is 0.
     pub scale: f64,
-    /// Whether a solver may tighten it by a margin, which is wrong if a law may have to lie on its bound over a whole range.
+    /// Whether a solver may tighten the limit by a margin. This is wrong if a law may have to lie on its bound over a whole range.
     pub has_room: bool,
-    /// Whether it is one end of a range whose position is free.
+    /// Whether the limit is one end of a range with free position.
     pub is_window: bool,
-    /// Meaning of a change of the bound to the caller.
+    /// Meaning of a change of the bound for the caller.
     pub meaning: N::Meaning,
 }
 
-/// The left side of a limit, without its bound.
+/// Left side of a limit, without its bound.
 #[derive(Debug, Clone, Copy)]
 pub struct Limited<N: Names> {
     name: N::Limit,
@@ -111,7 +111,7 @@ pub struct Limited<N: Names> {
 }
 
 impl<N: Names> Limited<N> {
-    /// Limits the left side to at most this bound everywhere. A violation is relative to the bound, or to 1 if the bound is 0.
+    /// Limits the left side to at most `bound`. A violation is relative to the bound, or to 1 if the bound is 0.
     pub fn at_most(self, bound: f64) -> Limit<N> {
         Limit {
             name: self.name,
@@ -128,7 +128,7 @@ impl<N: Names> Limited<N> {
         }
     }
 
-    /// Limits the left side to at least this bound everywhere.
+    /// Limits the left side to at least `bound`.
     pub fn at_least(self, bound: f64) -> Limit<N> {
         let side = -self.side;
         Limited { side, ..self }.at_most(-bound)
@@ -144,7 +144,7 @@ impl<N: Names> Limited<N> {
 }
 
 impl<N: Names> Limit<N> {
-    /// The left side of a limit on a derivative or on a combination of derivatives.
+    /// Left side of a limit on a derivative or on a combination of derivatives.
     ///
     /// ```
     /// use splineqp::{Derivative, Limit};
@@ -161,7 +161,7 @@ impl<N: Names> Limit<N> {
         }
     }
 
-    /// The limit with another scale of violations.
+    /// The limit with another scale for violations.
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
         self.scale = scale;
@@ -175,7 +175,7 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// The limit with its bound (beyond the shape) replaced by the peak variable.
+    /// The limit with its bound, except the shape, replaced by the peak variable.
     #[must_use]
     pub fn minimised(mut self) -> Self {
         self.bound = 0.0;
@@ -183,7 +183,7 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Scale of an excess over the given margin. For a range of values it is the width, not the distance from 0.
+    /// Scale of an excess for the given bound. For a range of values it is the width, not the distance from 0.
     pub fn size(&self, room: f64) -> f64 {
         if self.is_window {
             self.scale
@@ -192,12 +192,12 @@ impl<N: Names> Limit<N> {
         }
     }
 
-    /// Highest derivative in the left side.
+    /// Order of the highest derivative in the left side.
     pub fn highest_order(&self) -> usize {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 
-    /// Whether it applies at an angle, rad.
+    /// Whether the limit applies at an angle, rad.
     pub(crate) fn covers(&self, at: f64) -> bool {
         at >= self.domain.0 && at <= self.domain.1
     }
@@ -210,22 +210,22 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Whether its domain is empty.
+    /// Whether the domain of the limit is empty.
     pub(crate) fn is_idle(&self) -> bool {
         self.domain.0 == f64::INFINITY
     }
 
-    /// Whether it contains further variables only.
+    /// Whether the limit contains only further variables.
     pub fn is_on_variables_alone(&self) -> bool {
         self.weights == [0.0; 5] && !self.extra.is_none()
     }
 
-    /// Whether its bound is the minimised peak.
+    /// Whether the bound of the limit is the minimised peak.
     pub fn is_peak(&self) -> bool {
         self.extra[PEAK] != 0.0
     }
 
-    /// The bound less the terms of the further variables.
+    /// Bound minus the terms of the further variables.
     pub fn room(&self, extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra)
     }

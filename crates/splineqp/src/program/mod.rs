@@ -1,9 +1,8 @@
-//! The convex program over the coefficients of a law, and its solution by exchange of rows.
+//! Convex program for the coefficients of a law, and its solution by exchange of rows.
 //!
-//! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
-//! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `separation` finds its exact worst points,
-//! `solve` chooses the method: `active_set` over the coefficients alone, `exchange` with sizes and
-//! peaks among the variables.
+//! Minimises ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold at *every* point of their domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is
+//! equivalent to infinitely many rows. `separation` finds its exact worst points. `solve` selects the method: `active_set` for the coefficients
+//! alone, `exchange` if sizes and peaks are variables.
 
 use crate::Names;
 mod failure;
@@ -27,27 +26,27 @@ use crate::poly::{Peak, PiecewisePoly};
 use gaitcam_base::halt::Halt;
 use variable::Declared;
 
-/// An equality constraint on the law: Σ entries·x = value.
+/// Equality constraint on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality<N: Names> {
     /// Name of the equality.
     pub name: N::Equality,
     /// Coefficients of the row.
     pub entries: Entries,
-    /// Value of the equality.
+    /// Value of the left side.
     pub value: f64,
 }
 
-/// A complete convex program.
+/// Convex program.
 #[derive(Debug, Clone)]
 pub struct Program<N: Names> {
     /// Basis functions of the law.
     pub basis: Basis,
-    /// H of the quadratic objective (may be singular or zero).
+    /// Matrix H of the quadratic objective (may be singular or zero).
     pub hessian: ArrowMatrix,
-    /// g of the quadratic objective.
+    /// Vector g of the quadratic objective.
     pub gradient: Vec<f64>,
-    /// Part of the objective outside the quadratic.
+    /// Constant part of the objective.
     pub constant: f64,
     /// Equality constraints on the law.
     pub equalities: Vec<Equality<N>>,
@@ -57,26 +56,26 @@ pub struct Program<N: Names> {
     pub rms: Vec<RmsLimit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
-    /// The law's value at the reference angle from which limits may count it; `None` if they count from zero.
+    /// Row for the value of the law at the reference angle, from which limits may measure the law; `None` if they measure it from zero.
     pub reference: Option<Entries>,
-    /// Rows that belong to no limit (linearised curvature), kept in every iteration.
+    /// Rows that do not belong to a limit (linearised curvature); they are kept in every iteration.
     pub fixed: Vec<Row<N>>,
-    /// Initial rows of the exchange: the contacts of a neighbouring program.
+    /// Initial rows of the exchange: contacts of a similar program.
     pub seeds: Vec<Row<N>>,
     /// Cost of each further variable.
     pub cost: Values,
     /// Second-order cones of the further variables.
     pub cones: Vec<Cone<N>>,
     variables: Vec<Declared>,
-    /// Typical size of the coefficients, m, used as unit of the solver.
+    /// Typical size of the coefficients, used as unit of the solver.
     pub length: f64,
-    /// Settings of the solution.
+    /// Settings of the solvers.
     pub settings: Settings,
-    /// Condition that stops the solution.
+    /// Stop condition of the solvers.
     pub halt: Halt,
 }
 
-/// A row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
+/// Row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
 #[derive(Debug, Clone)]
 pub struct Row<N: Names> {
     /// Index of the limit; `None` for a fixed row.
@@ -89,20 +88,20 @@ pub struct Row<N: Names> {
     pub weights: [f64; 5],
     /// Coefficients of the row.
     pub entries: Entries,
-    /// Coefficients of the reference value.
+    /// Coefficients of the row for the reference value.
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
     /// Bound of the row.
     pub bound: f64,
-    /// Scale of the margin; 0 if none is allowed.
+    /// Scale of the margin; 0 if no margin is permitted.
     pub scale: f64,
     /// Multiplier of the last solution, in units of the objective per unit of the bound.
     pub multiplier: f64,
 }
 
 impl<N: Names> Row<N> {
-    /// A row that belongs to no limit: Σ entries·x ≤ bound. An excess counts if the row has a scale.
+    /// A row that does not belong to a limit: Σ entries·x ≤ bound. Its excess is checked if the row has a scale.
     pub fn of_no_limit(name: N::Limit, peak: Peak, entries: Entries, bound: f64) -> Self {
         Row {
             limit: None,
@@ -118,12 +117,12 @@ impl<N: Names> Row<N> {
         }
     }
 
-    /// Bound less left side.
+    /// Bound minus left side.
     pub(crate) fn slack(&self, x: &[f64], extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra) - apply(&self.entries, x)
     }
 
-    /// Whether a row of the same limit is nearer than this fraction of the piece.
+    /// Whether a row of the same limit is closer than this fraction of the piece.
     pub(crate) fn coincides(&self, other: &Row<N>, part: f64) -> bool {
         self.limit == other.limit
             && self.peak.piece == other.peak.piece
@@ -131,7 +130,7 @@ impl<N: Names> Row<N> {
     }
 }
 
-/// A solution with its certificate data.
+/// Solution of a program, with the data for its certificate.
 #[derive(Debug, Clone)]
 pub struct Solution<N: Names> {
     /// Coefficients of the law.
@@ -140,13 +139,13 @@ pub struct Solution<N: Names> {
     pub extra: Values,
     /// Active rows with their multipliers.
     pub active: Vec<Row<N>>,
-    /// Whether any inequality was needed.
+    /// Whether inequalities were necessary.
     pub used_rows: bool,
     /// Total number of interior-point iterations.
     pub iterations: usize,
     /// Number of exchange iterations.
     pub rounds: usize,
-    /// Largest violation of any limit on the continuum, relative to its scale.
+    /// Maximum violation of a limit over all angles, relative to its scale.
     pub violation: f64,
 }
 
@@ -179,29 +178,29 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of a limit's left side on a law: the bound less the terms of the further variables, and for a lift counted from the touching angle its
-    /// increase.
+    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables; for a lift measured from the touching angle,
+    /// the bound of its increase.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
     }
 
-    /// A derivative of a solution's law, or a combination of derivatives.
+    /// A derivative of the law of a solution, or a combination of derivatives.
     pub fn curve(&self, solution: &Solution<N>, side: impl Into<LeftSide>) -> PiecewisePoly {
         self.basis.combination(&solution.x, &side.into().weights())
     }
 
-    /// Makes limits count the law from its value at an angle, rad.
+    /// Sets the angle, rad, from whose value limits measure the law.
     pub fn count_from(&mut self, angle: f64) {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// The value from which a limit counts the law, if it is not zero.
+    /// Row of the value from which a limit measures the law, if it is not zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// The program without the ranges of free position; `None` without such limits, and next to a program in which one of them was active.
+    /// The program without the ranges of free position; `None` if there are no such limits, or if one of them was active in a similar program.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
@@ -219,7 +218,7 @@ impl<N: Names> Program<N> {
         Some(free)
     }
 
-    /// Lower ends of the ranges of free position for a law.
+    /// Lower ends of the ranges with free position, for a law.
     pub fn windows(&self, x: &[f64]) -> Values {
         let mut extra = Values::NONE;
         if self.limits.iter().any(|l| l.is_window) {
@@ -230,7 +229,7 @@ impl<N: Names> Program<N> {
         extra
     }
 
-    /// Whether H is zero on the constant function: a moving axis does not depend on the absolute lift.
+    /// Whether H is zero for constant functions. Example: on a moving axis the force does not depend on the level of the lift.
     pub fn constant_is_free(&self) -> bool {
         let energy = match self.basis {
             Basis::Spline { .. } => self.hessian.sum(),
@@ -240,7 +239,7 @@ impl<N: Names> Program<N> {
         energy <= free * self.hessian.largest_diagonal()
     }
 
-    /// Whether neither the objective nor an equality fixes the level of the law.
+    /// Whether neither the objective nor an equality determines the level of the law.
     pub fn level_is_open(&self) -> bool {
         let fixes_level = |e: &Equality<N>| {
             let (sum, size) = e
@@ -252,7 +251,7 @@ impl<N: Names> Program<N> {
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
 
-    /// The law, raised until its minimum is zero if nothing fixes its level.
+    /// The law, raised until its minimum is zero if nothing determines its level.
     pub(crate) fn with_least_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         if !self.level_is_open() {
             return x;
@@ -272,7 +271,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Scale by which solvers divide the objective: its value for coefficients of typical size.
+    /// Scale of the objective in the solvers: its value for coefficients of typical size.
     pub fn objective_unit(&self) -> f64 {
         let h = self.hessian.largest_diagonal() * self.length * self.length;
         let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
@@ -282,7 +281,7 @@ impl<N: Names> Program<N> {
         if unit > 0.0 { unit } else { 1.0 }
     }
 
-    /// Unit of the solver's multipliers: that of the objective, or of a peak alone.
+    /// Unit of the multipliers in the solver: the unit of the objective, or of the peak if only the peak is minimised.
     pub fn multiplier_unit(&self, peak: f64) -> f64 {
         if self.cost[PEAK] == 0.0 {
             return self.objective_unit();

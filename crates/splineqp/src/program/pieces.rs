@@ -1,21 +1,21 @@
-//! Derivatives of the law in Bernstein form on all spans at once, and the maxima of the limits' left sides.
+//! Derivatives of the law in Bernstein form on all spans, and the maxima of the left sides of limits.
 
 use super::Limit;
 use crate::Names;
 use crate::basis::{WIDEST, by_steps};
 use crate::poly::{Peak, Span, SplineSpace, bernstein};
 
-/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that a limit contains.
+/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest order in any limit.
 ///
-/// Row k holds coefficient k of all spans, so each operation runs over all spans at once.
+/// Row k contains coefficient k of all spans, so each operation processes all spans together.
 pub struct Pieces {
     spans: usize,
     degree: usize,
-    /// Rows of s, then of v and so on, one row fewer each time.
+    /// Rows of s, then of v and so on, with one row fewer per derivative.
     rows: Vec<f64>,
 }
 
-/// Bernstein coefficients of one function on every span, and their maxima.
+/// Bernstein coefficients of a function on every span, and its maxima.
 #[derive(Default)]
 pub struct Curve {
     spans: usize,
@@ -66,7 +66,7 @@ impl Pieces {
         &self.rows[before * self.spans..][..(self.degree + 1 - order) * self.spans]
     }
 
-    /// Visits the local maxima of a limit's left side above `level` within its domain.
+    /// Visits the local maxima of the left side of a limit above `level` in its domain.
     pub fn peaks_above<N: Names>(
         &self,
         space: &SplineSpace,
@@ -88,7 +88,7 @@ impl Pieces {
         });
     }
 
-    /// Visits the pieces in a limit's domain on which its left side may exceed `level`.
+    /// Visits the pieces in the domain of a limit on which its left side may exceed `level`.
     pub fn each_above<N: Names>(
         &self,
         space: &SplineSpace,
@@ -106,7 +106,7 @@ impl Pieces {
         }
     }
 
-    /// Bernstein coefficients of Σ wₖ s⁽ᵏ⁾ on every span, all of one degree.
+    /// Bernstein coefficients of Σ wₖ s⁽ᵏ⁾ on every span, all with the same degree.
     fn left_side<N: Names>(&self, limit: &Limit<N>, curve: &mut Curve) {
         let lowest = limit.weights.iter().position(|w| *w != 0.0).unwrap_or(0);
         let n = (self.degree + 1).saturating_sub(lowest).max(1);
@@ -154,7 +154,7 @@ impl Curve {
         &room[..n]
     }
 
-    /// Visits the local maxima on one piece above `level` within a limit's domain.
+    /// Visits the local maxima on one piece above `level` in the domain of a limit.
     fn peaks_above<N: Names>(
         &self,
         piece: usize,
@@ -226,8 +226,8 @@ fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     weights
 }
 
-/// Bernstein coefficients of a function on all spans, a row for each: `n` of them by `n` of the numbers `own`, with the
-/// weights of the span.
+/// Writes the Bernstein coefficients of a function on all spans, one row per coefficient. Each coefficient is the inner product of `n` weights of the
+/// span and `n` consecutive values of `own`.
 fn fill(
     space: &SplineSpace,
     own: &[f64],
@@ -259,7 +259,7 @@ fn fill(
     }
 }
 
-/// Inner products of the weights with the coefficients at every offset.
+/// Inner products of the weights and the coefficients at every offset.
 #[inline(always)]
 fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     for (out, own) in out.iter_mut().zip(coefficients.windows(weights.len())) {
@@ -267,7 +267,7 @@ fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     }
 }
 
-/// Whether the values on both sides of a break agree to rounding.
+/// Whether the values on both sides of a break are equal up to rounding errors.
 fn joins(left: f64, right: f64, level: f64) -> bool {
     (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
 }
@@ -290,7 +290,7 @@ mod tests {
     use super::*;
     use crate::basis::Basis;
 
-    /// Uniform, with fewer spans than a span has B-splines, with breaks of any multiplicity, and open at both ends.
+    /// Spline spaces for tests: uniform; with fewer spans than B-splines on a span; with breaks of any multiplicity; open at both ends.
     fn spaces() -> [SplineSpace; 4] {
         let breaks = [0.0, 0.4, 1.3, 2.0, 2.2, 4.0];
         [

@@ -6,36 +6,36 @@ use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
-/// Rounding of a difference of q's terms, relative to its constant.
+/// Rounding error of a difference of the terms of q, relative to its constant.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Relative increase of the diagonal of H, so that it can be factorised if it is zero on a constant.
+/// Relative increase of the diagonal of H, so that H can be factorised if it is zero for constant functions.
 const RIDGE: f64 = 1e-13;
 
-/// A limit on a root mean square as a cone: ‖Lᵀx + h‖ ≤ radius.
+/// Limit on a root mean square as a cone: ‖Lᵀx + h‖ ≤ radius.
 pub struct Ball {
-    /// The Cholesky factor L of q's H.
+    /// Cholesky factor L of the Hessian H of the quadratic q (see [`RmsLimit`]).
     pub factor: ArrowFactor,
-    /// The shift h of the cone.
+    /// Shift h of the cone.
     pub shift: Vec<f64>,
-    /// The radius √(most² − 2 min q).
+    /// Radius √(most² − 2 min q) of the cone.
     pub radius: f64,
 }
 
-/// The limit √(2 q(x)) ≤ most, with a convex quadratic q: half a mean square.
+/// Limit √(2 q(x)) ≤ most with a convex quadratic q, which is half a mean square.
 #[derive(Debug, Clone)]
 pub struct RmsLimit<N: Names> {
     /// Name of the limit for users.
     pub name: N::Limit,
     /// The quadratic q as a mean square.
     pub half: MeanSquare,
-    /// Maximum root mean square; above 0.
+    /// Maximum root mean square, above 0.
     pub most: f64,
-    /// Meaning of `most` to the caller.
+    /// Meaning of `most` for the caller.
     pub meaning: N::Meaning,
 }
 
 impl<N: Names> RmsLimit<N> {
-    /// Relative excess over the limit, beyond the rounding of q's terms; negative if the limit holds.
+    /// Relative excess over the limit, beyond the rounding errors of q; negative if the limit is satisfied.
     pub fn excess(&self, x: &[f64]) -> f64 {
         let square = 2.0 * self.half.value(x) - ROUNDING * self.half.whole.constant.abs();
         square.max(0.0).sqrt() / self.most - 1.0
@@ -65,7 +65,7 @@ impl<N: Names> RmsLimit<N> {
         row.limit.is_none() && row.name == self.name
     }
 
-    /// The tangent at x. Since q is convex, every law z within the limit satisfies it: ∇q(x)·(z − x) ≤ ½ most² − q(x), divided by `most`.
+    /// Tangent of the limit at x. Since q is convex, every law z within the limit satisfies ∇q(x)·(z − x) ≤ ½ most² − q(x), divided by `most`.
     pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
         let mut gradient = self.half.gradient(x);
         gradient.iter_mut().for_each(|g| *g /= self.most);
@@ -80,8 +80,8 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// The final active rows of a neighbouring program as initial rows of this one: contacts of limits, whose bounds and sizes may differ, and the
-    /// tangents of root-mean-square limits.
+    /// Active rows of a similar program as initial rows of this one: contacts of limits, whose bounds and sizes may differ, and tangents of
+    /// root-mean-square limits.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
         let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());
         let own = |row: &Row<N>| match row.limit {
@@ -94,7 +94,7 @@ impl<N: Names> Program<N> {
         active.iter().filter_map(own).collect()
     }
 
-    /// The program with `weight` times q in its objective instead of the limit on √(2 q).
+    /// The program with `weight` times q in its objective, instead of the limit √(2 q) ≤ most.
     pub(crate) fn weighing(&self, limit: &RmsLimit<N>, weight: f64) -> Program<N> {
         let mut out = self.clone();
         out.rms.retain(|l| l.name != limit.name);
@@ -107,7 +107,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// The program that minimises the root mean square of this name under the other limits; `None` if it is not limited.
+    /// Program that minimises the root mean square with this name, with the other limits; `None` if there is no limit with this name.
     pub fn of_least_rms(&self, name: N::Limit) -> Option<Program<N>> {
         let mut out = self.clone();
         let limit = out.rms.iter().position(|l| l.name == name)?;
@@ -115,7 +115,7 @@ impl<N: Names> Program<N> {
         Some(out.minimising(limit.half.whole))
     }
 
-    /// The program with another objective, over the coefficients alone. Its limits keep their indices, so that rows can be shared.
+    /// The program with another objective for the coefficients alone. Its limits keep their indices, so that rows can be shared.
     #[must_use]
     pub fn minimising(mut self, objective: Quadratic) -> Program<N> {
         (self.hessian, self.gradient) = (objective.hessian, objective.gradient);
@@ -125,7 +125,7 @@ impl<N: Names> Program<N> {
         self
     }
 
-    /// Removes limits that a variable without a cost makes void: an unbounded peak or size.
+    /// Removes limits that have no effect because they contain a variable without a cost: an unbounded peak or size.
     fn without_idle_limits(&mut self) {
         let kept = |k: Variable| {
             self.is_in_cone(k)

@@ -1,4 +1,4 @@
-//! Violations of limits by a law: exact worst points, from the roots of the limits' own derivatives.
+//! Violations of limits by a law: exact worst points, from the roots of derivatives of the limits.
 
 use super::pieces::{Curve, Pieces};
 use super::{Limit, PEAK, Program, Row, Values};
@@ -7,19 +7,19 @@ use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
 impl<N: Names> Program<N> {
-    /// Exact worst points with an excess above the tolerance.
+    /// Exact worst points whose excess is above the tolerance.
     pub fn broken(&self, x: &[f64], extra: &Values) -> Vec<(usize, Peak)> {
         self.peaks_near(x, extra, -self.settings.tolerance)
     }
 
-    /// Largest excess over any limit, relative to its scale; 0 if all hold.
+    /// Maximum excess over a limit, relative to the scale of the limit; 0 if all limits are satisfied.
     pub fn violation(&self, x: &[f64], extra: &Values) -> f64 {
         let of_means = self.rms.iter().map(|limit| limit.excess(x));
         let of_limits = self.worst(&self.peaks_near(x, extra, 0.0), x, extra);
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
-    /// Local maxima of the limits' left sides within this fraction of the scale from the bound.
+    /// Local maxima of the left sides of limits whose distance from the bound is below the fraction `near` of the scale.
     pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {
@@ -30,7 +30,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// The local maxima that exceed their limit by more than the tolerance.
+    /// Local maxima that exceed their limit by more than the tolerance.
     pub fn broken_among(
         &self,
         peaks: &[(usize, Peak)],
@@ -45,7 +45,7 @@ impl<N: Names> Program<N> {
         broken.copied().collect()
     }
 
-    /// Largest excess of these maxima and of the permanent rows, relative to the limits' scale.
+    /// Maximum excess of the given maxima and of the permanent rows, relative to the scale of the limits.
     pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &Values) -> f64 {
         let excess = peaks.iter().map(|(index, peak)| {
             let limit = &self.limits[*index];
@@ -55,15 +55,14 @@ impl<N: Names> Program<N> {
         excess.fold(self.excess_of_rows(x, extra), f64::max)
     }
 
-    /// Largest relative excess of the rows that have a scale but no limit.
+    /// Maximum relative excess of the rows that have a scale but no limit.
     pub fn excess_of_rows(&self, x: &[f64], extra: &Values) -> f64 {
         let rows = self.fixed.iter().filter(|row| row.scale > 0.0);
         rows.map(|row| -row.slack(x, extra) / row.scale)
             .fold(0.0, f64::max)
     }
 
-    /// The minimised peak, raised to the value of the law itself, so that its excess counts in the objective and the duality gap and not as a
-    /// violation.
+    /// The minimised peak, raised to the value of the law. An excess then increases the objective and the duality gap and is not a violation.
     pub fn own_peak(&self, x: &[f64], extra: &Values) -> f64 {
         let mut raised = 0.0_f64;
         if self.limits.iter().any(Limit::is_peak) {
@@ -80,7 +79,7 @@ impl<N: Names> Program<N> {
         extra[PEAK] + raised
     }
 
-    /// Visits every local maximum of every limit's left side above its level, limit by limit.
+    /// Visits all local maxima of the left sides of all limits above their levels, limit by limit.
     pub fn each_peak_above(
         &self,
         x: &[f64],
@@ -107,7 +106,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// The spline space of a limit's left side.
+    /// Spline space of the left side of a limit.
     fn spline_of(&self, limit: &Limit<N>) -> Option<&SplineSpace> {
         match &self.basis {
             Basis::Spline { space, .. } => {
@@ -170,7 +169,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Ends and middles of pieces where the unlimited law violates a limit: many of them become contacts, and rows cost less than iterations.
+    /// Adds rows at ends and middles of pieces where the unlimited law violates a limit. Many of them become contacts, and rows cost less than
+    /// iterations.
     pub fn add_neighbours(&self, rows: &mut Vec<Row<N>>, x: &[f64]) {
         let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {
@@ -197,7 +197,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Left side of a limit less its shape, over the whole law.
+    /// Left side of a limit minus its shape, over the whole law.
     fn left_side(&self, x: &[f64], limit: &Limit<N>) -> PiecewisePoly {
         let mut curve = self.basis.combination(x, &limit.weights);
         if let Some(shape) = limit.shape.map(|i| &self.shapes[i]) {

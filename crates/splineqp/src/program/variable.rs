@@ -1,4 +1,4 @@
-//! Further variables of a program besides the spline coefficients, and their cones.
+//! Further variables of a program in addition to the spline coefficients, and their cones.
 
 use super::Program;
 use crate::Names;
@@ -7,15 +7,15 @@ use std::ops::{Index, IndexMut};
 /// Maximum number of further variables, including the peak.
 const MOST: usize = 8;
 
-/// The peak: a minimised bound. Every program has it; it takes part if a limit or a cost refers to it.
+/// The peak: a minimised bound. Every program declares it; it is used if a limit or a cost refers to it.
 pub const PEAK: Variable = Variable(0);
 
-/// A further variable, by its index in its program.
+/// A further variable, given by its index in the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Variable(usize);
 
 impl Variable {
-    /// The `n`th declared variable, from 1 on; 0 is [`PEAK`].
+    /// The `n`th declared variable, counted from 1; 0 is [`PEAK`].
     pub const fn nth(n: usize) -> Self {
         assert!(n < MOST, "a program has few variables beside its spline");
         Variable(n)
@@ -60,12 +60,12 @@ impl Values {
     /// Zero for every variable.
     pub const NONE: Values = ByVariable([0.0; MOST]);
 
-    /// Whether all are 0.
+    /// Whether all entries are 0.
     pub fn is_none(&self) -> bool {
         *self == Values::NONE
     }
 
-    /// Sum of the products.
+    /// Sum of the products of the entries.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
@@ -75,27 +75,27 @@ impl Values {
 /// Declaration of a variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Declared {
-    /// Name used by the caller.
+    /// Name of the variable for the caller.
     pub name: &'static str,
     /// Typical value, used as unit of the solver.
     pub typical: f64,
-    /// Derivative of the law whose minimum it is; `None` for an independent variable.
+    /// Order of the derivative of the law whose minimum the variable is; `None` for an independent variable.
     pub least_of: Option<usize>,
 }
 
-/// A second-order cone: the head is at least the Euclidean norm of the tail.
+/// Second-order cone: the head is at least the Euclidean norm of the tail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone<N: Names> {
     /// Name of the cone for users.
     pub name: N::Limit,
-    /// The variable that is at least the norm.
+    /// Variable that is at least the norm.
     pub head: Variable,
-    /// The variables of which the norm is taken.
+    /// Variables whose norm is computed.
     pub tail: Vec<Variable>,
 }
 
 impl<N: Names> Cone<N> {
-    /// The norm of the tail.
+    /// Norm of the tail.
     pub fn norm(&self, values: &Values) -> f64 {
         let tail = self.tail.iter().map(|&k| values[k]);
         tail.fold(0.0, libm::hypot)
@@ -108,10 +108,11 @@ impl<N: Names> Cone<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// Declares a variable by its name, its typical value (the unit of the solver) and its cost in the objective.
+    /// Declares a variable with a name, a typical value (the unit of the solver) and a cost in the objective.
     ///
     /// # Panics
-    /// With more than seven variables.
+    ///
+    /// If more than seven variables are declared.
     pub fn variable(&mut self, name: &'static str, typical: f64, cost: f64) -> Variable {
         let variable = Variable::nth(self.variables.len() + 1);
         self.variables.push(Declared {
@@ -123,10 +124,11 @@ impl<N: Names> Program<N> {
         variable
     }
 
-    /// Declares the minimum of a derivative of the law, the lower end of a range of values with free position.
+    /// Declares the minimum of a derivative of the law as a variable. It is the lower end of a range of values with free position.
     ///
     /// # Panics
-    /// With more than seven variables.
+    ///
+    /// If more than seven variables are declared.
     pub fn least_value(&mut self, name: &'static str, order: usize, typical: f64) -> Variable {
         let variable = self.variable(name, typical, 0.0);
         if let Some(declared) = self.variables.last_mut() {
@@ -149,7 +151,7 @@ impl<N: Names> Program<N> {
         self.declared(variable).map_or("peak", |d| d.name)
     }
 
-    /// Typical value of a variable; for the peak that of the coefficients.
+    /// Typical value of a variable; for the peak the typical size of the coefficients.
     pub(crate) fn typical(&self, variable: Variable) -> f64 {
         self.declared(variable).map_or(self.length, |d| d.typical)
     }
@@ -158,7 +160,7 @@ impl<N: Names> Program<N> {
         self.variables.get(variable.0.checked_sub(1)?)
     }
 
-    /// Whether each variable takes part.
+    /// Whether each variable is used in the program.
     pub fn present(&self) -> ByVariable<bool> {
         let mut out = ByVariable([false; MOST]);
         for k in Variable::all() {
@@ -170,7 +172,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// The variables that take part.
+    /// Variables that are used in the program.
     pub fn free_variables(&self) -> Vec<Variable> {
         let present = self.present();
         Variable::all().filter(|&k| present[k]).collect()
@@ -183,13 +185,13 @@ impl<N: Names> Program<N> {
             .any(|c| c.members().any(|k| k == variable))
     }
 
-    /// The variables that are minima of the law, with the order of their derivative.
+    /// Variables that are minima of the law, with the order of the derivative.
     pub(crate) fn least_values(&self) -> impl Iterator<Item = (Variable, usize)> + '_ {
         let declared = Variable::all().skip(1).zip(&self.variables);
         declared.filter_map(|(k, d)| Some((k, d.least_of?)))
     }
 
-    /// The program with these variables as constants, without their costs.
+    /// The program with the given variables as constants, without their costs.
     #[must_use]
     pub fn with_constant(mut self, variables: &[Variable], values: &Values) -> Program<N> {
         for limit in &mut self.limits {
@@ -205,7 +207,7 @@ impl<N: Names> Program<N> {
     }
 }
 
-/// Moves the terms of these variables to the bound.
+/// Moves the terms of the given variables to the bound.
 pub(crate) fn make_constant(
     bound: &mut f64,
     extra: &mut Values,

@@ -3,13 +3,13 @@
 //! | method | used for | file |
 //! |---|---|---|
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
-//! | proximal steps of the dual active set | a peak that is minimised | `active_set/proximal` |
-//! | dual active set | the coefficients alone, at most 1000 rows | `active_set` |
-//! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
-//! | search for the weight of the mean square in the objective | a limit on a root mean square; beside a peak and sizes: `exchange` | `rms` |
-//! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
+//! | proximal steps of the dual active-set method | minimising a peak | `active_set/proximal` |
+//! | dual active-set method | only coefficients, at most 1000 rows | `active_set` |
+//! | interior-point method with exchange of rows | sizes, a peak or a cone among the variables; failure of the active-set method | `exchange` |
+//! | search for the weight of the mean square in the objective | a limit on a root mean square; with a peak and sizes: `exchange` | `rms` |
+//! | Newton's method on the contacts | every solution whose certificate is not sufficient | `refine` |
 //!
-//! Between separations `active_set` and `exchange` solve with finitely many rows, by the trait in `row_solver`.
+//! Between separations, `active_set` and `exchange` solve programs with finitely many rows, by the trait in `row_solver`.
 
 mod active_set;
 pub mod exchange;
@@ -26,10 +26,11 @@ use active_set::proximal;
 use exchange::clarabel::InteriorPoint;
 
 impl<N: Names> Program<N> {
-    /// The optimum under all limits, on the continuum.
+    /// Optimum with all limits at every angle.
     ///
     /// # Errors
-    /// Contradictory equalities, infeasible limits, a solver that stops without an answer.
+    ///
+    /// The equalities contradict each other; the limits are infeasible; the solver stops without a result.
     pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         let mut solution = match self.rms.first() {
             Some(_) if self.settings.tolerance > TOLERANCE => exchange::solve(self)?,
@@ -47,7 +48,7 @@ impl<N: Names> Program<N> {
         Ok(solution)
     }
 
-    /// The solution by one cone program, for a root mean square beside a peak and sizes; `None` if it exceeds a limit.
+    /// Solves a program with a limit on a root mean square, a peak and sizes as one cone program; `None` if the solution exceeds a limit.
     fn with_its_cone(&self) -> Option<Solution<N>> {
         let present = self.present();
         let is_least = |k: Variable| self.least_values().any(|least| least.0 == k);
@@ -80,7 +81,7 @@ impl<N: Names> Program<N> {
         Ok(refine::refined(self, self.by_the_first_method()?))
     }
 
-    /// The solution of the first applicable method.
+    /// Solution of the first applicable method.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
         if proximal::suits(self) && self.hessian.largest_diagonal() == 0.0 {
             match proximal::solve(self)? {
@@ -106,8 +107,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// The active set's solution, refined if it exceeds its limits. If that fails, the exchange's solution replaces it if it satisfies the limits or
-    /// has a smaller gap.
+    /// Solution of the active-set method, refined if it exceeds its limits. If the refinement fails, the solution of the exchange replaces it if that
+    /// satisfies the limits or has a smaller gap.
     fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
         if refine::keeps_limits(self, &solution) {
             return solution;
@@ -128,8 +129,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Solves again with limits tightened by twice the rounding violation of a solution. The gap includes the cost. `None` if the solution already
-    /// satisfies its limits, or if the tightened one violates them.
+    /// Solves again with limits that are tightened by twice the violation from rounding errors. The gap includes the cost of this change. `None` if
+    /// the solution already satisfies its limits, or if the new solution violates them.
     fn inside(&self, unlimited: &Unlimited, solution: &Solution<N>) -> Option<Solution<N>> {
         if solution.violation <= self.settings.tolerance || !refine::keeps_limits(self, solution) {
             return None;

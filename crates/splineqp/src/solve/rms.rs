@@ -1,24 +1,23 @@
-//! A limit on a root mean square √(2 q), satisfied to rounding by a search for a weight or a peak.
+//! Limit on a root mean square √(2 q), satisfied to rounding by a search for a weight or a peak.
 //!
-//! **Start.** As a cone of an interior-point program the limit gives the law to about 1e-6, and its multiplier. This suffices for
-//! the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law of the minimum
-//! root mean square, and ends at once if the law of the minimum peak satisfies the limit.
+//! **Start.** With the limit as a cone, the interior-point method gives the law to about 1e-6, and the multiplier of the limit. This is sufficient
+//! for the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law with the minimum root mean
+//! square. It ends immediately if the law with the minimum peak satisfies the limit.
 //!
-//! **Weight.** With weight μ on q the optimum x(μ) of J + μ q satisfies the other limits, and q(x(μ)) decreases with μ. If
-//! √(2 q) is `most`, x(μ) is the optimum under √(2 q) ≤ `most`, and μ·most is the multiplier of its tangent: J's gradient and the
-//! active rows leave −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies,
-//! and its proof needs one more row.
+//! **Weight.** With the weight μ on q, the optimum x(μ) of J + μ q satisfies the other limits, and q(x(μ)) decreases with μ. If √(2 q) is `most`,
+//! x(μ) is the optimum with √(2 q) ≤ `most`, and μ·most is the multiplier of the tangent: the gradient of J and the active rows sum to −μ∇q (Boyd and
+//! Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies, and the certificate needs one more row.
 //!
-//! **Peak.** If J is a peak t alone, q is minimised under t ≤ p, and p is searched for which the minimum is the allowed value.
-//! This is the same optimum, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31,
-//! 2008, §2). Each step has the force error as objective. If the other limits alone determine the minimum peak, the feasible set
-//! just above it is as thin as rounding: the search ends there, with the proof of the minimum peak without the limit on q.
+//! **Peak.** If J is only a peak t, q is minimised with t ≤ p, and the p is searched for which the minimum is the permitted value. The optimum is the
+//! same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force error as
+//! its objective. If the other limits alone determine the minimum peak, the feasible set just above it is as small as rounding errors. The search
+//! then ends, with the certificate of the minimum peak without the limit on q.
 //!
-//! Between two iterates the law is interpolated to the allowed value of q, where all limits hold. Interpolated weight and
-//! multipliers leave t(1 − t) Δμ Δ∇q of the gradient, which is of second order.
+//! Between two iterates, the law is interpolated to the permitted value of q, where all limits hold. With interpolated weight and multipliers, the
+//! remaining gradient is t(1 − t) Δμ Δ∇q, which is of second order.
 //!
-//! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a
-//! nearly level law by a part in ten thousand.
+//! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a nearly constant law by
+//! 1e-4.
 
 use crate::Names;
 use crate::program::{
@@ -29,18 +28,18 @@ use crate::solve::exchange;
 /// Relative root mean square that counts as zero.
 const SMALL: f64 = 1e-2;
 
-/// One iterate of the search: the optimum at a weight or at a peak.
+/// Iterate of the search: optimum for a weight or for a peak.
 struct Tried<N: Names> {
     /// Logarithm of the weight or of the peak.
     number: f64,
     /// The weight μ; 0 if no limit of the peak is active.
     weight: f64,
-    /// Logarithm of the root mean square over the allowed one.
+    /// Logarithm of the ratio of the root mean square to the permitted one.
     excess: f64,
     solution: Solution<N>,
 }
 
-/// The quantity varied by the search.
+/// Quantity that the search varies.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Weight,
@@ -53,11 +52,11 @@ struct Search<'a, N: Names> {
     way: Way,
     /// Active rows of the last optimum.
     seeds: Vec<Row<N>>,
-    /// The law with the minimum peak under the other limits, if that exceeds the limit.
+    /// Law with the minimum peak within the other limits, if it exceeds the limit.
     least: Option<Solution<N>>,
 }
 
-/// The optimum under a limit on a root mean square and all others.
+/// Optimum with a limit on a root mean square and all other limits.
 pub fn solve<N: Names>(
     program: &Program<N>,
     limit: &RmsLimit<N>,
@@ -109,7 +108,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// The weight from the limit as a cone; `None` if the cone program fails, or the limit has no multiplier.
+    /// Weight from the limit as a cone; `None` if the cone program fails, or if the limit has no multiplier.
     fn begin(&mut self) -> Option<f64> {
         let mut rough = self.program.clone();
         rough.settings.tolerance = self.program.settings.rms.rough;
@@ -126,7 +125,7 @@ impl<'a, N: Names> Search<'a, N> {
         self.limit.excess(&law.x) <= self.program.settings.tolerance
     }
 
-    /// The law with the minimum root mean square.
+    /// Law with the minimum root mean square.
     fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
         let near = self
             .program
@@ -157,15 +156,15 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// The optimum without the limit.
+    /// Optimum without the limit.
     fn without_limit(&self) -> Result<Solution<N>, Failure<N>> {
         let mut plain = self.program.weighing(self.limit, 0.0);
         plain.seeds.retain(|r| r.limit.is_some());
         plain.solve()
     }
 
-    /// The unlimited optimum if it satisfies the limit, or the law of the minimum peak under the other limits, with its proof. If the search finds
-    /// neither, the law of the minimum root mean square.
+    /// The unlimited optimum if it satisfies the limit, or the law with the minimum peak within the other limits, with its certificate. If the search
+    /// finds neither, the law with the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -190,7 +189,7 @@ impl<'a, N: Names> Search<'a, N> {
         })
     }
 
-    /// Logarithm of the smallest trial peak, slightly above the minimum under the other limits.
+    /// Logarithm of the smallest trial peak, slightly above the minimum within the other limits.
     fn lowest(&self, least: &Solution<N>) -> f64 {
         libm::log(least.extra[PEAK].max(f64::MIN_POSITIVE)) + self.program.settings.rms.pinch
     }
@@ -235,7 +234,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(tried)
     }
 
-    /// The law with minimum q under a peak as an objective of its own, and μ.
+    /// Converts the law with minimum q for a peak to a solution with the peak as its objective, and gives μ.
     fn of_peak(&self, mut solution: Solution<N>, peak: f64) -> (Solution<N>, f64) {
         let of_peak = |row: &Row<N>| {
             row.limit
@@ -257,7 +256,7 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
-    /// Whether a nearby value may be solvable after this failure.
+    /// Whether the program may be solvable for a nearby value after this failure.
     fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
         match failure {
             Failure::Infeasible => self.way == Way::Peak,
@@ -266,7 +265,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Two optima that bracket the limit; `None` if the search finds only one side.
+    /// Two optima on either side of the limit; `None` if the search finds only one side.
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
@@ -303,7 +302,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(None)
     }
 
-    /// The law at which the limit holds with equality, by false position (Illinois) on the logarithms.
+    /// Law for which the limit is active, by false position (Illinois) on the logarithms.
     fn between(
         &mut self,
         mut inside: Tried<N>,
@@ -340,7 +339,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(self.met(inside, &outside))
     }
 
-    /// Whether interpolation between two optima is accurate enough: its gap is below Δμ Δq.
+    /// Whether interpolation between two optima is sufficiently accurate: its gap is below Δμ Δq.
     fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
         let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
@@ -350,7 +349,7 @@ impl<'a, N: Names> Search<'a, N> {
             && weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
-    /// Interpolates between two optima so that the limit holds with equality; merges both sets of rows and adds the limit's tangent.
+    /// Interpolates between two optima so that the limit is active. Combines both sets of rows and adds the tangent of the limit.
     fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
         let (limit, other) = (self.limit, &outside.solution);
         let mut out = inside.solution;

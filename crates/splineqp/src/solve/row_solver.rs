@@ -3,7 +3,7 @@
 use crate::Names;
 use crate::program::{Failure, Program, Row, Values};
 
-/// The optimum under rows, in the program's own units.
+/// Optimum with finitely many rows, in the units of the program.
 pub struct Point<N: Names> {
     /// Coefficients of the law.
     pub x: Vec<f64>,
@@ -11,16 +11,17 @@ pub struct Point<N: Names> {
     pub extra: Values,
     /// Tangents of the limits on root mean squares, with their multipliers.
     pub tangents: Vec<Row<N>>,
-    /// Total iterations so far.
+    /// Total number of iterations so far.
     pub iterations: usize,
 }
 
-/// A solver of quadratic programs under rows. A new solver needs a file, constants in the settings and a line in [`super`].
+/// Solver of quadratic programs with rows. A new solver needs a file, constants in the settings and a line in [`super`].
 pub trait RowSolver<N: Names> {
-    /// The optimum under the rows, with `margin` of each row's scale kept free. Multipliers are written into the rows.
+    /// Optimum with the rows; `margin` times the scale of each row is kept free. The multipliers are written to the rows.
     ///
     /// # Errors
-    /// Infeasible rows, a solver that stops without an answer.
+    ///
+    /// The rows are infeasible; the solver stops without a result.
     fn solve(
         &mut self,
         program: &Program<N>,
@@ -28,6 +29,6 @@ pub trait RowSolver<N: Names> {
         margin: f64,
     ) -> Result<Point<N>, Failure<N>>;
 
-    /// Notifies the solver that another row replaced this one since the last solution.
+    /// Notifies the solver that a new row has replaced this one since the last solution.
     fn replaced(&mut self, _row: usize) {}
 }

@@ -1,5 +1,4 @@
-//! Certificates of optima, and of laws near them that are not: what is certified is true by an evaluation that shares nothing
-//! with the solver.
+//! Certificates of optima, and of laws that are only near an optimum. An independent evaluation, which shares no code with the solver, confirms them.
 
 use splineqp::poly::SplineSpace;
 use splineqp::*;
@@ -17,7 +16,7 @@ fn cardinal(degree: usize, x: f64) -> f64 {
     (x * cardinal(degree - 1, x) + (d + 1.0 - x) * cardinal(degree - 1, x - 1.0)) / d
 }
 
-/// A derivative of a uniform periodic spline over one turn at n points of every span, by differences of its coefficients.
+/// Derivative of a uniform periodic spline over one turn at n points of every span, from differences of its coefficients.
 fn samples(x: &[f64], degree: usize, order: usize, n: usize) -> Vec<f64> {
     let spans = x.len();
     let c = differences(x, order);
@@ -41,7 +40,7 @@ fn samples(x: &[f64], degree: usize, order: usize, n: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The same at one place, in spans.
+/// Derivative of a uniform periodic spline at one position, in spans.
 fn value(x: &[f64], degree: usize, order: usize, place: f64) -> f64 {
     let span = (place as usize).min(x.len() - 1);
     let (c, left) = (differences(x, order), degree - order);
@@ -63,7 +62,7 @@ fn differences(x: &[f64], order: usize) -> Vec<f64> {
     c
 }
 
-/// A program of the class with what its law is compared with.
+/// A program with the data for checking its law.
 struct Case {
     program: Program,
     degree: usize,
@@ -72,7 +71,7 @@ struct Case {
 }
 
 impl Case {
-    /// Periodic splines that follow waves; derivatives limited to parts of what the free law has.
+    /// Periodic splines that approximate waves, with derivatives limited to fractions of those of the unlimited law.
     fn new(number: usize) -> Self {
         let (degree, spans) = (3 + number % 5, 10 + 3 * (number % 6));
         let seed = 0.7 * number as f64;
@@ -108,7 +107,7 @@ impl Case {
         }
     }
 
-    /// The optimum with every bound at this many times its value.
+    /// Optimum with every bound multiplied by `factor`.
     fn solved(&self, factor: f64) -> Solution {
         let mut other = self.program.clone();
         other.limits.iter_mut().for_each(|l| l.bound *= factor);
@@ -132,7 +131,7 @@ impl Case {
         0.5 * sum / law.len() as f64
     }
 
-    /// Largest excess of a bound as a part of it: maxima of a grid, each with a golden-section search between its neighbours.
+    /// Maximum relative excess over a bound: maxima on a grid, each with a golden-section search between its neighbours.
     fn excess(&self, x: &[f64]) -> f64 {
         let n = 100;
         let of_limit = |limit: &Limit<()>| {
@@ -164,7 +163,7 @@ impl Case {
     }
 }
 
-/// Largest value of a unimodal function between two places.
+/// Maximum of a unimodal function between two positions.
 fn golden_section(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let part = 0.5 * (5.0_f64.sqrt() - 1.0);
     for _ in 0..50 {
@@ -220,7 +219,7 @@ fn what_is_certified_keeps_its_limits_and_is_within_a_millionth_of_the_optimum()
     assert!(outside >= 60, "{outside} told by their violation alone");
 }
 
-/// Multipliers that do not balance the gradient prove nothing, however small the gap that they state.
+/// Multipliers that do not balance the gradient prove nothing, however small the resulting gap is.
 #[test]
 fn multipliers_of_another_objective_do_not_certify() {
     for number in 0..40 {
@@ -235,8 +234,8 @@ fn multipliers_of_another_objective_do_not_certify() {
     }
 }
 
-/// The optimum for a demand that is off by δ keeps every condition but that demand: its gap is νδ, by which the optimum for the
-/// demand itself is higher or lower.
+/// The optimum for a condition that is changed by δ satisfies all conditions except this one. Its gap is νδ, the difference from the optimum for the
+/// original condition.
 #[test]
 fn a_missed_demand_counts_in_the_gap_with_its_price() {
     for (degree, spans) in [(3, 8), (5, 16), (7, 24)] {
@@ -286,7 +285,7 @@ fn a_missed_demand_counts_in_the_gap_with_its_price() {
     }
 }
 
-/// Without limits the gap of a law is by how much its objective is above the least, to the second order in what is off.
+/// Without limits, the gap of a law is the difference between its objective and the minimum, to second order in the deviation.
 #[test]
 fn the_gap_of_any_law_without_limits_is_its_distance_from_the_optimum() {
     for number in 0..20 {
@@ -309,7 +308,7 @@ fn the_gap_of_any_law_without_limits_is_its_distance_from_the_optimum() {
     }
 }
 
-/// A force of springs and masses leaves the level of the lift open, and limits on the lift move it: their multipliers balance.
+/// The force of springs and masses does not determine the level of the lift, and limits on the lift move it; their multipliers are in balance.
 #[test]
 fn limits_on_an_open_level_are_certified_by_balanced_multipliers() {
     let spline = Basis::Spline {

@@ -1,4 +1,4 @@
-//! What a certificate makes of peaks and sizes, which have a price of their own, against closed forms.
+//! Certificates for peaks and sizes, which have a cost, compared with closed forms.
 
 use crate::certificate::is_certified;
 use splineqp::poly::SplineSpace;
@@ -7,7 +7,7 @@ use splineqp::*;
 type Program = splineqp::Program<()>;
 type Solution = splineqp::Solution<()>;
 
-/// The least peak of a derivative from rest to rest, by a spline of as many pieces.
+/// Minimum peak of a derivative from rest to rest, with a spline of `n` pieces.
 fn least_peak(n: usize, scale: f64) -> Program {
     let breaks: Vec<f64> = (0..=n)
         .map(|k| 0.5 * (1.0 - (k as f64 * std::f64::consts::PI / n as f64).cos()))
@@ -45,8 +45,8 @@ fn least_peak(n: usize, scale: f64) -> Program {
     program
 }
 
-/// theory §8: the least peaks of the derivatives 2 and 3 from rest to rest are 4 and 32; the limit's own scale, against which
-/// rounds of the exchange measure, is far larger.
+/// Theory §8: the minimum peaks of the second and third derivative from rest to rest are 4 and 32. The scale of the limit, which the exchange uses
+/// for violations, is much larger.
 #[test]
 fn a_certified_peak_is_the_peak_of_the_law() {
     for (n, least) in [(2_usize, 4.0), (3, 32.0)] {
@@ -66,8 +66,8 @@ fn a_certified_peak_is_the_peak_of_the_law() {
     }
 }
 
-/// With every multiplier 1 ‰ too large, 1 ‰ of the peak's price is left: of its terms, the price and 1.001 times it, or of an
-/// objective that is large beside the peak.
+/// With all multipliers 1 ‰ too large, 1 ‰ of the cost of the peak remains. It is compared with the terms, which are the cost and 1.001 times the
+/// cost, or with an objective that is large relative to the peak.
 #[test]
 fn what_is_left_of_a_price_counts_by_its_terms_or_by_the_objective() {
     for (n, peak) in [(2, 4.0), (3, 32.0)] {
@@ -94,7 +94,7 @@ fn what_is_left_of_a_price_counts_by_its_terms_or_by_the_objective() {
     }
 }
 
-/// Of costs of the sizes alone no law is optimal where they point out of the cone: by ‖(D, e)‖ − Rp of the largest cost.
+/// If only the sizes have costs and these point out of the cone, no law is optimal. The violation is ‖(D, e)‖ − Rp relative to the maximum cost.
 #[test]
 fn prices_of_sizes_outside_their_cone_prove_nothing() {
     for (radius, rise, offset, left) in [

@@ -1,4 +1,4 @@
-//! Optima and certificates against closed forms and independent computation.
+//! Optima and certificates compared with closed forms and independent computation.
 
 mod certificate;
 mod certificate_prices;

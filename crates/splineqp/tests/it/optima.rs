@@ -1,4 +1,4 @@
-//! Optima with known closed forms, limits that hold between samples, demands that contradict.
+//! Optima with known closed forms, limits that hold between samples, and conditions that contradict each other.
 
 use splineqp::poly::{PiecewisePoly, SplineSpace};
 use splineqp::{
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 type Program = splineqp::Program<()>;
 type Failure = splineqp::Failure<()>;
 
-/// Rest to rest on [0, 1] with h = 1, the first n − 1 derivatives zero at both ends.
+/// Rest to rest on [0, 1] with h = 1; the first n − 1 derivatives are zero at both ends.
 fn rest_to_rest(n: usize, degree: usize, breaks: &[f64]) -> Program {
     let inner = breaks.len() - 2;
     let space = SplineSpace::clamped(degree, breaks, &vec![1; inner]);
@@ -105,7 +105,7 @@ fn least_peaks_are_4_32_and_384() {
     }
 }
 
-/// Multipliers that no longer balance the cost of a variable beside the law prove nothing.
+/// Multipliers that do not balance the cost of a further variable prove nothing.
 #[test]
 fn a_certificate_sees_the_gradient_of_a_peak() {
     let mut program = rest_to_rest(2, 3, &uniform(16));
@@ -133,7 +133,7 @@ fn least_peak_acceleration_under_a_jerk_limit_follows_the_closed_form() {
     }
 }
 
-/// Dwell, rise to 1 at ½, return: the first n − 1 derivatives zero at both ends.
+/// Dwell, rise to 1 at ½, return; the first n − 1 derivatives are zero at both ends.
 fn rise_and_return(n: usize, degree: usize, breaks: &[f64]) -> Program {
     let mut program = rest_to_rest(n, degree, breaks);
     for e in &mut program.equalities {
@@ -215,7 +215,7 @@ fn contradicting_demands_are_named() {
     );
 }
 
-/// Closed quintics that follow a force of two humps, with the derivatives held to a part of the free law's.
+/// Closed quintics that approximate a force with two peaks, with derivatives limited to a fraction of those of the unlimited law.
 fn humps(degree: usize, spans: usize, parts: &[(usize, f64)]) -> Program {
     let space = SplineSpace::periodic_uniform(degree, spans, 2.0 * PI);
     let basis = Basis::Spline {

@@ -1,5 +1,5 @@
-//! A limit on a root mean square against the whole program as one cone program of Clarabel: the cone from the quadrature's own
-//! rows, the other limits on a dense grid.
+//! A limit on a root mean square, compared with the whole program as one cone program of Clarabel. The cone has the rows of the quadrature; the other
+//! limits have rows on a dense grid.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
@@ -9,9 +9,9 @@ use splineqp::{
 };
 use std::f64::consts::TAU;
 
-/// Rows of the grid.
+/// Number of rows of the grid.
 const GRID: usize = 12_000;
-/// Nodes on every span.
+/// Number of quadrature nodes per span.
 const NODES: usize = 8;
 
 fn wave(x: f64) -> f64 {
@@ -41,7 +41,7 @@ fn program(order: usize, most: f64, highest: f64) -> Program<()> {
     program
 }
 
-/// Least energy under the same limits by one cone program; below the optimum by what the grid leaves out.
+/// Minimum energy with the same limits, from one cone program. It is below the optimum because the grid omits points.
 fn reference(program: &Program<()>, highest: f64) -> f64 {
     let n = program.basis.columns();
     let (mut rows, mut columns, mut values, mut b) = (vec![], vec![], vec![], vec![]);

@@ -1,4 +1,4 @@
-//! A limit on a root mean square: closed form over harmonics, proofs, the edge of what has a law.
+//! Limit on a root mean square: closed form for harmonics, certificates, and the limit of feasibility.
 
 use splineqp::poly::SplineSpace;
 use splineqp::{
@@ -7,7 +7,7 @@ use splineqp::{
 };
 use std::f64::consts::TAU;
 
-/// f = 1 + Σ cos(nθ)/n + sin(nθ)/n² over the first harmonics.
+/// f = 1 + Σ cos(nθ)/n + sin(nθ)/n² over the first `count` harmonics.
 fn wave(count: usize) -> impl Fn(f64) -> f64 {
     move |x| {
         let wave = |n: usize| {
@@ -41,7 +41,7 @@ fn program(basis: Basis, order: usize, most: f64) -> Program<()> {
     program
 }
 
-/// ½ mean(s‴²) within an RMS distance e of f: aₙ = λ fₙ/(λ + n⁶), with λ such that the distance is e.
+/// Minimum of ½ mean(s‴²) within an RMS distance e of f: aₙ = λ fₙ/(λ + n⁶), with the λ for which the distance is e.
 #[test]
 fn the_smoothest_harmonics_near_a_wave_have_their_closed_form() {
     for most in [0.4, 0.1, 0.01, 1e-4] {
@@ -84,7 +84,7 @@ fn the_smoothest_harmonics_near_a_wave_have_their_closed_form() {
     }
 }
 
-/// What is minimised: the peak of the acceleration, a radius above all slopes, or an energy of this order.
+/// Program that minimises the peak of the acceleration, a radius above all slopes, or an energy of this order.
 fn minimising(order: usize, most: f64) -> Program<()> {
     let energy = if order < 2 { 0 } else { order };
     let mut program = program(splines(), energy, most);
@@ -115,7 +115,7 @@ fn minimising(order: usize, most: f64) -> Program<()> {
     program
 }
 
-/// Every kind of objective beside another limit; the bound is no worse than that of a tighter limit.
+/// Every kind of objective together with another limit; the bound is not worse than that of a tighter limit.
 #[test]
 fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
     for order in 0..=4 {
@@ -140,7 +140,7 @@ fn the_optimum_is_proved_and_falls_as_the_limit_widens() {
     }
 }
 
-/// The best accuracy beside another limit is the edge of what has a law.
+/// The minimum of the root mean square with another limit is the limit of feasibility.
 #[test]
 fn laws_exist_down_to_the_least_distance() {
     for order in 0..=4 {
@@ -158,8 +158,8 @@ fn laws_exist_down_to_the_least_distance() {
     }
 }
 
-/// Each coefficient has a multiplier μ of its distance and one of the mean square of its slope: a second limit that just allows
-/// the slope of the first optimum changes nothing, and a narrower one is kept with a proof.
+/// Each coefficient has a multiplier μ of its distance and one of the mean square of its slope. A second limit that just permits the slope of the
+/// first optimum changes nothing. A tighter one is satisfied, with a certificate.
 #[test]
 fn several_root_mean_squares_are_limited_together() {
     for basis in [Basis::Harmonic { count: 4 }, splines()] {

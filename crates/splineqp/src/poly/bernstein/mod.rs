@@ -1,16 +1,16 @@
-//! One polynomial on u ∈ [0, 1] in Bernstein form.
+//! A polynomial on u ∈ [0, 1] in Bernstein form.
 //!
-//! Coefficients `b[0..=n]` stand for Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the smallest
-//! and the largest coefficient; both end coefficients are its end values.
+//! The coefficients `b[0..=n]` represent Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the minimum and the maximum coefficient; the end
+//! coefficients are its end values.
 
 mod roots;
 
 pub use roots::{add_critical, add_roots, peaks_above, roots, rounding};
 
-/// Maximum number of coefficients of a polynomial kept on the stack.
+/// Maximum number of coefficients of a polynomial that are stored on the stack.
 const SHORT: usize = 16;
 
-/// Binomial coefficients of the degrees below [`SHORT`].
+/// Binomial coefficients for the degrees below [`SHORT`].
 const BINOMIALS: [[f64; SHORT]; SHORT] = {
     let mut rows = [[0.0; SHORT]; SHORT];
     let mut n = 0;
@@ -26,7 +26,7 @@ const BINOMIALS: [[f64; SHORT]; SHORT] = {
     rows
 };
 
-/// Value at `u`; stable for u in [0, 1], valid outside.
+/// Value at `u`; numerically stable for u in [0, 1], valid outside.
 #[inline]
 pub fn eval(b: &[f64], u: f64) -> f64 {
     let n = b.len() - 1;
@@ -54,7 +54,7 @@ pub fn eval(b: &[f64], u: f64) -> f64 {
     sum + power * u * b[n]
 }
 
-/// Coefficients of d/du, one degree lower (a constant gives `[0]`).
+/// Coefficients of the derivative d/du, one degree lower (for a constant `[0]`).
 pub fn derivative(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     if n == 0 {
@@ -63,7 +63,7 @@ pub fn derivative(b: &[f64]) -> Vec<f64> {
     b.windows(2).map(|w| (w[1] - w[0]) * n as f64).collect()
 }
 
-/// Coefficients of the antiderivative in u that is 0 at u = 0, one degree higher.
+/// Coefficients of the antiderivative in u with the value 0 at u = 0, one degree higher.
 pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     let scale = 1.0 / b.len() as f64;
     let mut out = Vec::with_capacity(b.len() + 1);
@@ -76,7 +76,7 @@ pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The same polynomial written at degree `to` (at least its own). A constant stays exactly constant.
+/// The same polynomial with the degree `to`, which is not below its own degree. A constant remains exactly constant.
 pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(to.max(b.len()) + 1);
     out.extend_from_slice(b);
@@ -89,7 +89,7 @@ pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     out
 }
 
-/// Product of two polynomials; the degrees add.
+/// Product of two polynomials; its degree is the sum of both degrees.
 pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     let (m, n) = (a.len() - 1, b.len() - 1);
     let mut out = vec![0.0; m + n + 1];
@@ -106,7 +106,7 @@ pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// C(n, k) for k = 0 … n, each from the one before; exact up to 2⁵³.
+/// C(n, k) for k = 0 … n, each computed from the previous one; exact up to 2⁵³.
 fn binomials(n: usize) -> impl Iterator<Item = f64> {
     (0..=n).scan(1.0, move |c, k| {
         let this = *c;
@@ -127,14 +127,14 @@ pub fn gram(n: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Integral of the square over [0, 1], by the matrix that [`gram`] returns.
+/// Integral of the square over [0, 1], with the matrix from [`gram`].
 pub fn square(gram: &[f64], b: &[f64]) -> f64 {
     (b.iter().zip(gram.chunks_exact(b.len())))
         .map(|(x, row)| x * row.iter().zip(b).map(|(g, y)| g * y).sum::<f64>())
         .sum()
 }
 
-/// Binomial coefficient as a float; exact up to 2⁵³.
+/// Binomial coefficient as a floating-point number; exact up to 2⁵³.
 pub fn binomial(n: usize, k: usize) -> f64 {
     let k = k.min(n - k);
     (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
@@ -152,7 +152,7 @@ pub fn from_power(p: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Monomial coefficients pₖ of Σ pₖ uᵏ: for output only, because this form is ill-conditioned.
+/// Monomial coefficients pₖ of Σ pₖ uᵏ. Only for output, because this form is ill-conditioned.
 pub fn to_power(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     let mut differences = b.to_vec();
@@ -166,7 +166,7 @@ pub fn to_power(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Splits at `u` into the coefficients of both halves (de Casteljau).
+/// Splits the polynomial at `u` into the coefficients of both parts (de Casteljau).
 pub fn split(b: &[f64], u: f64) -> (Vec<f64>, Vec<f64>) {
     let n = b.len();
     let mut work = b.to_vec();
@@ -182,7 +182,7 @@ pub fn split(b: &[f64], u: f64) -> (Vec<f64>, Vec<f64>) {
     (left, right)
 }
 
-/// Coefficients of the same polynomial on [lo, hi], 0 ≤ lo < hi ≤ 1, as a polynomial on [0, 1].
+/// Coefficients of the polynomial restricted to [lo, hi], 0 ≤ lo < hi ≤ 1, as a polynomial on [0, 1].
 pub fn between(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
     let left = if hi < 1.0 { split(b, hi).0 } else { b.to_vec() };
     if lo > 0.0 {
@@ -192,7 +192,7 @@ pub fn between(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
     }
 }
 
-/// Smallest and largest coefficient: bounds of the polynomial on [0, 1].
+/// Minimum and maximum coefficient: bounds of the polynomial on [0, 1].
 #[inline]
 pub fn hull(b: &[f64]) -> (f64, f64) {
     b.iter()

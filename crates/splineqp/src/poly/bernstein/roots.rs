@@ -1,20 +1,19 @@
-//! Roots, maxima and critical points of a polynomial on [0, 1] in Bernstein form: intervals are bisected until each contains
-//! one change of sign.
+//! Roots, maxima and critical points of a polynomial on [0, 1] in Bernstein form. Intervals are bisected until each contains one change of sign.
 
 use super::{SHORT, derivative, eval, split};
 
-/// Depth at which halving an interval of length 1 no longer changes its ends.
+/// Depth at which bisection of an interval of length 1 no longer changes its ends.
 const MAX_DEPTH: u32 = 54;
 
-/// Every u in the open interval (0, 1) at which the polynomial changes sign, in increasing order, plus
-/// points where it touches zero to within rounding. An identically zero polynomial has none.
+/// All u in the open interval (0, 1) at which the polynomial changes sign, in ascending order, and points at which it touches zero within rounding
+/// errors. A polynomial that is identically zero has no roots.
 pub fn roots(b: &[f64]) -> Vec<f64> {
     let mut out = Vec::new();
     add_roots(b, &mut out);
     out
 }
 
-/// Adds the roots, as [`roots`] finds them, to a list.
+/// Appends the roots, as from [`roots`], to a list.
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
@@ -44,12 +43,12 @@ fn with_derivative<T>(b: &[f64], then: impl FnOnce(&[f64]) -> T) -> T {
     then(&slope[..n])
 }
 
-/// Adds every u in (0, 1) at which the slope changes sign to a list.
+/// Appends all u in (0, 1) at which the slope changes sign to a list.
 pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
     with_derivative(b, |slope| add_roots(slope, out));
 }
 
-/// The one root in (0, 1) of p(1−u)² + 2qu(1−u) + ru² with ends of different sign.
+/// The root in (0, 1) of p(1−u)² + 2qu(1−u) + ru², whose end values have different signs.
 fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     // In t = u/(1−u): r t² + 2q t + p = 0, whose roots differ in sign; both forms avoid cancellation.
     let root = (q * q - p * r).sqrt();
@@ -59,13 +58,12 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of neighbouring coefficients below which it may be rounding.
+/// Difference of adjacent coefficients below which it may be a rounding error.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }
 
-/// Visits every local maximum on [0, 1] above `level` as (u, value), the ends included where the
-/// polynomial rises towards them.
+/// Visits every local maximum on [0, 1] above `level` as (u, value), including ends towards which the polynomial rises.
 pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
     let n = b.len() - 1;
     let mut push = |u: f64, value: f64| {
@@ -136,7 +134,7 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
     }
 }
 
-/// Splits the interval in the middle.
+/// Splits the interval at its middle.
 fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
     right.copy_from_slice(b);
     for (k, left) in left.iter_mut().enumerate() {
@@ -162,7 +160,7 @@ fn sign_changes(b: &[f64], zero: f64) -> usize {
     changes
 }
 
-/// The one root in (0, 1) of a polynomial with end values of different sign: safeguarded Newton's method.
+/// The root in (0, 1) of a polynomial whose end values have different signs, by Newton's method with bisection as a safeguard.
 fn bracketed_root(b: &[f64]) -> f64 {
     with_derivative(b, |slope| root_by_newton(b, slope))
 }

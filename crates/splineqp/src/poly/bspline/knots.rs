@@ -6,12 +6,12 @@ use std::sync::OnceLock;
 use super::{Span, SplineSpace};
 
 impl SplineSpace {
-    /// Periodic splines on one period: `breaks[0] ..= breaks[n]`, where the last break is the first one
-    /// period later; `multiplicity[i]` (1 … degree + 1) is that of break i, 0 ≤ i < n. A break of
-    /// multiplicity m joins with degree − m continuous derivatives.
+    /// Periodic splines on one period `breaks[0] ..= breaks[n]`; the last break is the first one a period later. `multiplicity[i]` (1 … degree + 1)
+    /// belongs to break i, 0 ≤ i < n. A break of multiplicity m has degree − m continuous derivatives.
     ///
     /// # Panics
-    /// If breaks do not increase or lengths do not match: an error of the caller.
+    ///
+    /// If the breaks do not increase or the lengths do not match, which is an error of the caller.
     pub fn periodic(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n);
@@ -59,7 +59,7 @@ impl SplineSpace {
         space
     }
 
-    /// Periodic splines with a knot at 0, 1 … n − 1: all spans have the same knot pattern and share an extraction matrix.
+    /// Periodic splines with knots at 0, 1 … n − 1. All spans have the same knot pattern and share an extraction matrix.
     pub(super) fn in_whole_numbers(degree: usize, n: usize) -> Self {
         let turns = degree / n + 1;
         let spans = (0..n).map(|i| Span {
@@ -79,7 +79,7 @@ impl SplineSpace {
         }
     }
 
-    /// Scales a uniform space in whole numbers to its length.
+    /// Scales a uniform space with integer knots to its length.
     pub(super) fn stretch(&mut self, length: f64) {
         let n = self.dimension as f64;
         for span in &mut self.spans {
@@ -92,10 +92,11 @@ impl SplineSpace {
         self.unit = length / n;
     }
 
-    /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.
+    /// Splines on an open interval, with no conditions at the ends; `multiplicity[i]` belongs to the inner break i + 1.
     ///
     /// # Panics
-    /// If breaks do not increase or lengths do not match: an error of the caller.
+    ///
+    /// If the breaks do not increase or the lengths do not match, which is an error of the caller.
     pub fn clamped(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n - 1);
@@ -150,7 +151,7 @@ impl SplineSpace {
     }
 }
 
-/// Extraction matrix of equal spans; those of common degrees are computed once.
+/// Extraction matrix of equal spans; matrices of common degrees are computed once.
 fn uniform(degree: usize) -> Cow<'static, [f64]> {
     static USUAL: [OnceLock<Vec<f64>>; 10] = [const { OnceLock::new() }; 10];
     let own = || {
@@ -163,8 +164,8 @@ fn uniform(degree: usize) -> Cow<'static, [f64]> {
     }
 }
 
-/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming: the
-/// k-th Bernstein coefficient is the polar form at (left ×(d−k), right ×k).
+/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming. The k-th Bernstein coefficient is the polar form
+/// at (left ×(d−k), right ×k).
 fn extraction(degree: usize, local: &[f64]) -> Vec<f64> {
     let n = degree + 1;
     let mut matrix = vec![0.0; n * n];

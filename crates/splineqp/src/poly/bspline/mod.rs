@@ -1,13 +1,13 @@
 //! B-splines on arbitrary knots, periodic or clamped, in Bernstein form on every span.
 //!
-//! On one span degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein coefficients. Every linear
-//! functional of a spline at one point (value, derivative, limit) is then a row with entries for these neighbouring coefficients.
+//! On a span, degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein coefficients. Every linear
+//! functional of a spline at one point (value, derivative, limit) is a row with entries for these adjacent coefficients.
 
 mod knots;
 
 use super::PiecewisePoly;
 
-/// One non-empty knot span and the basis functions on it.
+/// A non-empty knot span and its basis functions.
 ///
 /// ```
 /// use splineqp::poly::SplineSpace;
@@ -21,21 +21,21 @@ pub struct Span {
     pub start: f64,
     /// Length of the span, positive.
     pub width: f64,
-    /// Index of the first of the degree + 1 basis functions on the span (before wrapping).
+    /// Index of the first of the degree + 1 basis functions on the span, before reduction modulo the dimension.
     pub first: usize,
     /// Index of the extraction matrix of the span.
     matrix: usize,
 }
 
 impl Span {
-    /// Index of the extraction matrix: spans with the same index have the same knot pattern around them, and the same rows.
+    /// Index of the extraction matrix. Spans with the same index have the same knot pattern and the same rows.
     #[inline]
     pub fn matrix(&self) -> usize {
         self.matrix
     }
 }
 
-/// A space of splines of one degree on a knot vector.
+/// Space of splines of one degree on a knot vector.
 ///
 /// ```
 /// use splineqp::poly::SplineSpace;
@@ -50,19 +50,19 @@ pub struct SplineSpace {
     degree: usize,
     dimension: usize,
     spans: Vec<Span>,
-    /// Extraction matrices, (degree+1)² each, entry [k*(degree+1) + i]: Bernstein coefficient k of local
-    /// basis function i. Uniform spans share one.
+    /// Extraction matrices with (degree+1)² entries each; entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis function i.
+    /// Uniform spans share one matrix.
     matrices: Vec<Vec<f64>>,
-    /// Knots of one turn of a periodic space, and its length; empty for a clamped one.
+    /// Knots of one turn of a periodic space, and the length of the turn; empty for a clamped space.
     turn: Vec<f64>,
     period: f64,
-    /// Length of one unit of the knots.
+    /// Length of the unit of the knots.
     unit: f64,
 }
 
 impl SplineSpace {
-    /// The space of the derivatives of a periodic space, on the same knots, with the factors f of c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), with cyclic indices. `None`
-    /// for a clamped space, for degree 0 and if splines may jump at a break of full multiplicity.
+    /// Space of the derivatives of a periodic space, on the same knots, with the factors f in c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), with cyclic indices. `None` for a
+    /// clamped space, for degree 0, and if splines may jump at a break of full multiplicity.
     pub fn derivative(&self) -> Option<(SplineSpace, Vec<f64>)> {
         let (n, q) = (self.dimension, self.degree);
         if self.turn.is_empty() || q == 0 {
@@ -84,7 +84,7 @@ impl SplineSpace {
         Some((space, factors))
     }
 
-    /// Degree of the pieces.
+    /// Degree of the splines.
     #[inline]
     pub fn degree(&self) -> usize {
         self.degree
@@ -96,31 +96,31 @@ impl SplineSpace {
         self.dimension
     }
 
-    /// Knots of one turn of a periodic space, multiple ones repeated; empty for a clamped space.
+    /// Knots of one turn of a periodic space, with multiple knots repeated; empty for a clamped space.
     pub fn knots(&self) -> Vec<f64> {
         self.turn.iter().map(|knot| knot * self.unit).collect()
     }
 
-    /// The non-empty spans in order.
+    /// Non-empty spans in ascending order.
     #[inline]
     pub fn spans(&self) -> &[Span] {
         &self.spans
     }
 
-    /// Index of the span that contains `x`, and u ∈ [0, 1] within it.
+    /// Index of the span that contains `x`, and position u ∈ [0, 1] in this span.
     #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.spans[1..].partition_point(|s| s.start <= x);
         (i, (x - self.spans[i].start) / self.spans[i].width)
     }
 
-    /// Extraction matrix of a span, (degree+1)², entry `[k*(degree+1) + i]` as documented above.
+    /// Extraction matrix of a span with (degree+1)² entries; entry `[k*(degree+1) + i]` is the Bernstein coefficient k of the local basis function i.
     #[inline]
     pub fn extraction(&self, span: usize) -> &[f64] {
         &self.matrices[self.spans[span].matrix]
     }
 
-    /// Coefficient index of local basis function `i` on a span.
+    /// Coefficient index of the local basis function `i` of a span.
     #[inline]
     pub fn index(&self, span: usize, i: usize) -> usize {
         (self.spans[span].first + i) % self.dimension
@@ -136,7 +136,7 @@ impl SplineSpace {
         self.dimension == self.spans.len() && self.spans.iter().all(alike)
     }
 
-    /// Converts weights on a span's Bernstein coefficients to weights on its local basis functions.
+    /// Converts weights of the Bernstein coefficients of a span to weights of its local basis functions.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         let rows = self.extraction(span).chunks_exact(self.degree + 1);
@@ -147,14 +147,14 @@ impl SplineSpace {
         }
     }
 
-    /// Weights on a span's local basis functions of Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
+    /// Weights of the local basis functions of a span for Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.degree + 1];
         self.values(span, &[u], weights, &mut out);
         out
     }
 
-    /// The weights at many `places`: each local function's values there, one function after the other, into `out`.
+    /// Weights as from `row`, at many `places`: values of each local function at all places, function by function, written to `out`.
     pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
         let (n, count) = (self.degree + 1, places.len());
         let width = self.spans[span].width;
@@ -193,7 +193,8 @@ impl SplineSpace {
     /// The spline with the given coefficients as a piecewise polynomial.
     ///
     /// # Panics
-    /// When `coefficients` is not as long as the dimension.
+    ///
+    /// If the number of `coefficients` differs from the dimension.
     pub fn spline(&self, coefficients: &[f64]) -> PiecewisePoly {
         assert_eq!(coefficients.len(), self.dimension);
         let mut breaks = Vec::with_capacity(self.spans.len() + 1);
@@ -207,7 +208,7 @@ impl SplineSpace {
         PiecewisePoly::new(breaks, self.degree, coef)
     }
 
-    /// Bernstein coefficients of all spans, `n` each.
+    /// Bernstein coefficients of all spans, `n` per span.
     #[inline(always)]
     fn bernstein(&self, n: usize, coefficients: &[f64]) -> Vec<f64> {
         let mut coef = Vec::with_capacity(self.spans.len() * n);
@@ -230,7 +231,7 @@ impl SplineSpace {
     }
 }
 
-/// The m + 1 Bernstein polynomials of degree m at `places`, one polynomial after the other.
+/// The m + 1 Bernstein polynomials of degree m at `places`, polynomial by polynomial.
 fn bernstein_basis(m: usize, places: &[f64], out: &mut [f64]) {
     let count = places.len();
     out[..count].fill(1.0);
@@ -253,7 +254,7 @@ fn bernstein_basis(m: usize, places: &[f64], out: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Cox–de Boor, the definition: an independent route to the same numbers.
+    /// B-spline by the Cox–de Boor definition, an independent method for comparison.
     fn cox(knots: &[f64], i: usize, p: usize, x: f64) -> f64 {
         if p == 0 {
             return f64::from(u8::from(knots[i] <= x && x < knots[i + 1]));

@@ -1,14 +1,14 @@
-//! Distance between a piecewise polynomial and cubic cells, without constructing their difference.
+//! Distance between a piecewise polynomial and cubic cells, computed without their difference as a function.
 
 use super::{Cells, restricted};
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// Distance in cells below which a break counts as the end of a cell.
+/// Distance, in cells, below which a break coincides with the end of a cell.
 const SAME: f64 = 1e-9;
-/// Maximum excess of a difference of polynomials over its end values on a range, as a fraction of its second derivative on that range.
+/// Maximum excess of a difference of polynomials over its end values on a range, as a fraction of its second derivative there.
 const BEYOND_ENDS: f64 = 1.0 / 8.0;
 
-/// Distance of two functions over their common range, exact up to rounding.
+/// Distance between two functions over their common range, exact up to rounding errors.
 ///
 /// ```
 /// use splineqp::poly::{Cells, Distance, PiecewisePoly};
@@ -23,11 +23,11 @@ const BEYOND_ENDS: f64 = 1.0 / 8.0;
 pub struct Distance {
     /// Integral of the squared difference.
     pub square: f64,
-    /// Largest absolute difference of the two functions.
+    /// Maximum absolute difference of the two functions.
     pub largest: f64,
 }
 
-/// A range within one cell and one piece, its ends in cells.
+/// A range within one cell and one piece, with ends in cells.
 struct Part {
     piece: usize,
     from: f64,
@@ -35,7 +35,7 @@ struct Part {
 }
 
 impl Cells {
-    /// Distance from a piecewise polynomial on the first period.
+    /// Distance between the cells and a piecewise polynomial on the first period.
     pub fn distance(&self, own: &PiecewisePoly) -> Distance {
         Distance {
             square: self.square_distance(own),
@@ -43,7 +43,7 @@ impl Cells {
         }
     }
 
-    /// Integral of the squared difference.
+    /// Integral of the squared difference between the cells and a piecewise polynomial.
     pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
         let mut difference = Difference::new(self, own);
         let gram = bernstein::gram(own.degree().max(3));
@@ -54,7 +54,7 @@ impl Cells {
         self.parts(own).map(square).sum()
     }
 
-    /// Largest absolute difference. Only a few cells are candidates, because the second derivative bounds the excess over the values at the ends of a
+    /// Maximum absolute difference. Only a few cells are candidates, because the second derivative bounds the excess over the values at the ends of a
     /// cell.
     pub fn largest_distance(&self, own: &PiecewisePoly) -> f64 {
         let scale = self.per_length();
@@ -86,14 +86,14 @@ impl Cells {
         level
     }
 
-    /// Ranges over each of which both functions are one polynomial.
+    /// Ranges in each of which both functions are a single polynomial.
     fn parts(&self, own: &PiecewisePoly) -> impl Iterator<Item = Part> {
         let scale = self.per_length();
         let pieces = own.breaks().windows(2).enumerate();
         pieces.flat_map(move |(piece, ends)| parts_of(piece, (ends[0] * scale, ends[1] * scale)))
     }
 
-    /// Largest absolute second derivative on a cell, in units of cells.
+    /// Maximum absolute second derivative on a cell, in units of cells.
     fn bend(&self, cell: usize) -> f64 {
         let [f0, s0, f1, s1] = self.ends(cell);
         let rise = 3.0 * (f1 - f0);
@@ -103,7 +103,7 @@ impl Cells {
     }
 }
 
-/// The parts of one piece between the ends of cells, with ends in cells.
+/// Parts of one piece between the ends of cells, with ends in cells.
 fn parts_of(piece: usize, (start, end): (f64, f64)) -> impl Iterator<Item = Part> {
     let mut from = start;
     std::iter::from_fn(move || {
@@ -115,7 +115,7 @@ fn parts_of(piece: usize, (start, end): (f64, f64)) -> impl Iterator<Item = Part
     })
 }
 
-/// The difference of a polynomial and cells, in Bernstein form.
+/// Difference of a polynomial and cells, in Bernstein form.
 struct Difference<'a> {
     cells: &'a Cells,
     own: &'a PiecewisePoly,
@@ -134,7 +134,7 @@ impl<'a> Difference<'a> {
         }
     }
 
-    /// Coefficients of the difference on part of a span.
+    /// Coefficients of the difference on a part of a span.
     fn on(&mut self, part: &Part) -> &mut [f64] {
         let (own, scale) = (self.own, self.cells.per_length());
         let ends = &own.breaks()[part.piece..part.piece + 2];
@@ -152,14 +152,14 @@ impl<'a> Difference<'a> {
     }
 }
 
-/// Bound of the absolute second derivative from the Bernstein coefficients on [0, 1].
+/// Upper bound of the absolute second derivative on [0, 1], from the Bernstein coefficients.
 fn second_derivative(b: &[f64]) -> f64 {
     let n = (b.len() - 1) as f64;
     let bends = b.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());
     n * (n - 1.0) * bends.fold(0.0, f64::max)
 }
 
-/// The largest absolute value on [0, 1], if above `level`, else `level`.
+/// Maximum absolute value on [0, 1] if it is above `level`, otherwise `level`.
 fn largest(b: &mut [f64], mut level: f64) -> f64 {
     for _ in 0..2 {
         if b.iter().any(|b| *b > level) {

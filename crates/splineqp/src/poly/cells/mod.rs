@@ -1,6 +1,6 @@
-//! A smooth periodic function as cubics on equal cells: its best polynomial approximations and its distance from polynomials.
+//! A smooth periodic function as cubics on equal cells: its least-squares approximations, and its distance from polynomials.
 //!
-//! A target force has a thousand cells and a law some ten pieces, so sums over cells determine the cost.
+//! A target force has a thousand cells and a law about ten pieces, so sums over cells determine the cost.
 
 mod distance;
 mod nearest;
@@ -9,7 +9,7 @@ mod tests;
 
 pub use distance::Distance;
 
-/// A function of period `length`, a cubic on each of n equal cells: a cubic Hermite spline.
+/// A function with the period `length` that is a cubic on each of n equal cells: a cubic Hermite spline.
 ///
 /// ```
 /// use splineqp::poly::Cells;
@@ -20,9 +20,9 @@ pub use distance::Distance;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
-    /// At the ends of the cells, n + 1 of them: the last is the first again.
+    /// Values at the n + 1 ends of the cells; the last value equals the first one.
     values: Vec<f64>,
-    /// Slopes there, by a cell.
+    /// Slopes at the ends of the cells, per cell.
     slopes: Vec<f64>,
     length: f64,
 }
@@ -31,8 +31,8 @@ pub struct Cells {
 type Ends = [f64; 4];
 
 impl Cells {
-    /// The function with these values and slopes (by a cell) at the ends of its cells, the first of which begins at 0: one
-    /// more than cells, the last of them the first again.
+    /// Creates the function from values and slopes (per cell) at the ends of its cells; the first cell begins at 0. There is one more value than
+    /// cells; the last value equals the first one.
     pub fn new(values: Vec<f64>, slopes: Vec<f64>, length: f64) -> Self {
         Cells {
             values,
@@ -41,7 +41,7 @@ impl Cells {
         }
     }
 
-    /// The function times a factor, plus a constant.
+    /// The function multiplied by a factor, plus a constant.
     #[must_use]
     pub fn scaled(&self, factor: f64, constant: f64) -> Cells {
         let values = self.values.iter().map(|f| factor * f + constant);
@@ -59,12 +59,12 @@ impl Cells {
         by_ends(self.ends(cell))
     }
 
-    /// Value at a place of the first period.
+    /// Value at a position in the first period.
     pub fn at(&self, x: f64) -> f64 {
         self.at_place(x * self.per_length())
     }
 
-    /// Values at places u ∈ [0, 1] of a range of the first period, given with their weights.
+    /// Values at positions u ∈ [0, 1] of a range in the first period; `places` also contains the weights of the positions.
     pub fn on(&self, (start, width): (f64, f64), places: &[(f64, f64)], out: &mut [f64]) {
         let (first, step) = (start * self.per_length(), width * self.per_length());
         for (f, (u, _)) in out.iter_mut().zip(places) {
@@ -72,7 +72,7 @@ impl Cells {
         }
     }
 
-    /// Mean over the period of the squared distance from a constant.
+    /// Mean over the period of the squared difference from a constant.
     pub fn mean_square_from(&self, level: f64) -> f64 {
         // With y = f − level and the slope s at the start of a cell, y′ and s′ at its end, the mean of y² over the cells.
         let square = |cell: usize| {
@@ -84,12 +84,12 @@ impl Cells {
         sum / (420 * self.count()) as f64
     }
 
-    /// Cells a unit of length.
+    /// Number of cells per unit of length.
     fn per_length(&self) -> f64 {
         self.count() as f64 / self.length
     }
 
-    /// The cell that a place, in cells, lies on.
+    /// Index of the cell at a position, in cells.
     fn cell(&self, place: f64) -> usize {
         (place as u32 as usize).min(self.count() - 1)
     }
@@ -99,14 +99,14 @@ impl Cells {
         [f[cell], s[cell], f[cell + 1], s[cell + 1]]
     }
 
-    /// Value at a place in cells.
+    /// Value at a position, in cells.
     fn at_place(&self, place: f64) -> f64 {
         let i = self.cell(place);
         cubic(&self.cubic(i), place - i as f64)
     }
 }
 
-/// Bernstein coefficients of a cubic by value and slope at its start, then at its end.
+/// Bernstein coefficients of a cubic from value and slope at its start and at its end.
 pub fn by_ends([f0, s0, f1, s1]: Ends) -> [f64; 4] {
     const THIRD: f64 = 1.0 / 3.0;
     [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
@@ -118,7 +118,7 @@ fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
     v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-/// Coefficients of a polynomial on a part of its range, written in the degree that `out` has room for.
+/// Coefficients of a polynomial on a part of its range, with the degree that the length of `out` determines.
 fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
     let own = b.len() - 1;
     let c = &mut out[..=own];

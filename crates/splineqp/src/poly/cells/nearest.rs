@@ -3,16 +3,17 @@
 use super::{Cells, Ends, restricted};
 use crate::poly::{bernstein, gauss_legendre};
 
-/// Distance in cells below which a break counts as the end of a cell.
+/// Distance, in cells, below which a break coincides with the end of a cell.
 const SAME: f64 = 1e-11;
 
 impl Cells {
-    /// The polynomial of a degree nearest to the function on every range between breaks of the first period, in the mean:
-    /// its values at the nodes of [`gauss_legendre`] for that degree, degree + 1 of them or more, range by range. Integrals
-    /// against polynomials of that degree are those of the function itself: its kinks between the cells cost no accuracy.
+    /// Least-squares approximation of the function by a polynomial of one degree on every range between breaks of the first period. The result
+    /// contains its values at the nodes of [`gauss_legendre`] for this degree (degree + 1 or more), range by range. Integrals with polynomials of
+    /// this degree equal those of the function itself, so the kinks between the cells cause no error.
     ///
     /// # Panics
-    /// For degrees above 9, where powers lose too many digits.
+    ///
+    /// If the degree is above 9, because powers lose too many digits.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         match degree {
             0 => Nearest::<1>::new(self, breaks).values(),
@@ -30,17 +31,16 @@ impl Cells {
     }
 }
 
-/// Polynomials of degree N − 1, by moments ∫ f xʲ dx with x ∈ [−1, 1] on the range.
+/// Approximation by polynomials of degree N − 1, from the moments ∫ f xʲ dx with x ∈ [−1, 1] on the range.
 ///
-/// On whole cells of the width w, f is the sum of Hermite's cubics about their ends X, one even and one odd. On the right
-/// of an end
+/// On whole cells of the width w, f is a sum of Hermite cubics about their ends X, one even and one odd. To the right of an end
 ///
 /// ```text
 /// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// and on its left (−1)ᵏ (aₖ f − bₖ s). Each cell therefore only enters the sums Σ Xᵃ f and Σ Xᵃ s over the ends; the first and the last end have one
-/// side only.
+/// and to its left (−1)ᵏ (aₖ f − bₖ s). Each cell therefore contributes only to the sums Σ Xᵃ f and Σ Xᵃ s over the ends; the first and the last end
+/// have only one side.
 struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
@@ -50,7 +50,7 @@ struct Nearest<'a, const N: usize> {
     values: [[f64; N]; N],
 }
 
-/// Sums of Xᵃ f: both sides of the ends together, and the first end less the last; likewise of Xᵃ s.
+/// Sums of Xᵃ f: over both sides of the ends, and first end minus last end; then the same sums of Xᵃ s.
 type Sums<const N: usize> = [[f64; 4]; N];
 
 impl<'a, const N: usize> Nearest<'a, N> {
@@ -86,7 +86,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// Values of all ranges.
+    /// Values of the approximation for all ranges.
     fn values(self) -> Vec<f64> {
         let scale = self.cells.per_length();
         let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
@@ -103,7 +103,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         out
     }
 
-    /// Adds the contribution of cells with given sums, of the width `width` on the range; moments by sum.
+    /// Adds the contribution of cells with given sums and the width `width` on the range; moments by sum.
     #[inline(always)]
     fn add(&self, sums: &Sums<N>, width: f64, moments: &mut [[f64; 4]; N]) {
         let mut power = width;
@@ -117,7 +117,7 @@ impl<'a, const N: usize> Nearest<'a, N> {
         }
     }
 
-    /// Moments of a range, with ends in cells.
+    /// Moments of a range whose ends are given in cells.
     #[inline(always)]
     fn moments(&self, (first, last): (f64, f64)) -> [f64; N] {
         let (middle, by) = (0.5 * (first + last), 2.0 / (last - first));
@@ -154,13 +154,13 @@ impl<'a, const N: usize> Nearest<'a, N> {
     }
 }
 
-/// The nodes for a degree on [−1, 1].
+/// Nodes for a degree on [−1, 1].
 fn places(degree: usize) -> Vec<f64> {
     let rule = gauss_legendre(degree + 1);
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// The ends of a cubic on a part of its cell, with slopes scaled to that part.
+/// Values and slopes at both ends of a part of a cubic cell; the slopes are per length of that part.
 #[inline(always)]
 fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];
@@ -168,7 +168,7 @@ fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     [c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])]
 }
 
-/// The sums over cells with these values and slopes at their ends, the first of them at x = `first`, a cell `step` wide.
+/// Sums over cells with the given values and slopes at their ends. The first end is at x = `first`; the width of a cell is `step`.
 fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -> Sums<N> {
     let n = values.len() - 1;
     let last = first + n as f64 * step;
@@ -202,8 +202,8 @@ fn powers<const N: usize>(y: &[f64], first: f64, step: f64) -> [f64; N] {
     sums
 }
 
-/// The value at x of the polynomial nearest to a function on [−1, 1] by each of its moments, these as parts of the length 2:
-/// Σₖ (2k + 1) Pₖ(x) ∫ f Pₖ.
+/// Factors of the moments of a function on [−1, 1] in the value at x of its least-squares polynomial: Σₖ (2k + 1) Pₖ(x) ∫ f Pₖ, with moments relative
+/// to the length 2.
 fn by_moments<const N: usize>(x: f64) -> [f64; N] {
     let mut out = [0.0; N];
     // Coefficients and value of each Legendre polynomial.

@@ -2,7 +2,7 @@ use super::*;
 use crate::poly::{PiecewisePoly, gauss_legendre};
 use std::f64::consts::TAU;
 
-/// A rough function of cubics that join smoothly.
+/// A rough function of smoothly joined cubics.
 fn rough(n: usize) -> Cells {
     let value = |i: usize| 700.0 + 300.0 * (0.7 * i as f64).sin() + 50.0 * ((i % 5) as f64);
     let slope = |i: usize| 100.0 * (0.9 * i as f64).cos();
@@ -17,7 +17,7 @@ fn pieces(cells: &Cells) -> PiecewisePoly {
     PiecewisePoly::new(breaks.collect(), 3, coef.collect())
 }
 
-/// Pieces of different widths, with jumps between them.
+/// A piecewise polynomial with pieces of different widths and with jumps between them.
 fn wave(n: usize, degree: usize) -> PiecewisePoly {
     let place = |i: usize| TAU * (i as f64 / n as f64).powf(1.1);
     let breaks = (0..n).map(place).chain([TAU]).collect();
@@ -70,7 +70,7 @@ fn a_function_is_no_distance_from_itself() {
     }
 }
 
-/// Against quadrature between the ends of cells: on whole cells, parts of one, across the ends and many of them.
+/// Comparison with quadrature between the ends of cells: for whole cells, for parts of one, and across several ends.
 #[test]
 fn the_nearest_polynomial_has_the_moments_of_the_function() {
     let cells = rough(96);

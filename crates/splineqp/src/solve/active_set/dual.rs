@@ -1,38 +1,38 @@
-//! Dual active-set method of Goldfarb and Idnani (1983): minimise ½xᵀHx − pᵀx under planes aᵀx ≤ b and aᵀx = b.
+//! Dual active-set method of Goldfarb and Idnani (1983): minimises ½xᵀHx − pᵀx subject to planes aᵀx ≤ b and aᵀx = b.
 //!
-//! With H = LLᵀ and y = Lᵀx this is the point nearest to L⁻¹p that keeps the planes zᵀy ≤ b, z = L⁻¹a. The active planes
-//! are kept as an orthonormal basis Q and a triangle R, Z = QR, so one is added or removed in O(n·active) operations.
+//! With H = LLᵀ and y = Lᵀx, the solution is the point nearest to L⁻¹p that satisfies the planes zᵀy ≤ b, z = L⁻¹a. The active planes are stored as
+//! an orthonormal basis Q and a triangle R, Z = QR. A plane is added or removed in O(n·active) operations.
 
 use crate::band::ArrowFactor;
 use crate::basis::{Entries, apply, dense};
 use crate::frame::{Apart, Frame, square};
 use gaitcam_base::halt::Halt;
 
-/// A plane on which the optimum is held, with its multiplier.
+/// An active plane with its multiplier.
 struct Member {
-    /// Index of the inequality; `None` for an equality, which never leaves.
+    /// Index of the inequality; `None` for an equality, which is always active.
     row: Option<usize>,
     bound: f64,
     multiplier: f64,
 }
 
-/// The active planes and the optimum on them.
+/// Active planes and the optimum on them.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
-    /// The unconstrained optimum L⁻¹p, in the coordinates of the factor.
+    /// Unconstrained optimum L⁻¹p, in the coordinates of the factor.
     free: Vec<f64>,
     /// The optimum on the active planes.
     pub x: Vec<f64>,
     members: Vec<Member>,
     frame: Frame,
-    /// Steps taken, and their maximum.
+    /// Number of steps so far, and its maximum.
     pub steps: usize,
     most_steps: usize,
-    /// Fraction of its squared length outside the span of the active planes below which a plane is dependent.
+    /// Squared fraction of a plane's normal outside the span of the active planes below which the plane is dependent.
     dependent: f64,
 }
 
-/// An inequality aᵀx ≤ b.
+/// Inequality aᵀx ≤ b.
 pub struct Plane<'p> {
     pub entries: &'p Entries,
     pub bound: f64,
@@ -40,14 +40,14 @@ pub struct Plane<'p> {
     pub unit: f64,
 }
 
-/// Reason why the method ended before a plane was satisfied.
+/// Result if the method ended before a plane was satisfied.
 pub struct Stuck {
-    /// Excess of a dependent plane; infinite if the steps are used up.
+    /// Excess of a dependent plane; infinite if the maximum number of steps was reached.
     pub excess: f64,
 }
 
 impl<'a> Dual<'a> {
-    /// Without planes, starting at the unconstrained optimum `x`.
+    /// Creates the method without planes, starting at the unconstrained optimum `x`.
     pub fn new(
         factor: &'a ArrowFactor,
         mut pull: Vec<f64>,
@@ -68,7 +68,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Adds a vector to p.
+    /// Adds a vector to the linear term p.
     pub fn add_pull(&mut self, mut change: Vec<f64>) {
         self.factor.forward(&mut change);
         for (f, c) in self.free.iter_mut().zip(change) {
@@ -81,7 +81,7 @@ impl<'a> Dual<'a> {
         self.members.len()
     }
 
-    /// Whether each of a number of inequalities is active.
+    /// Whether each of the inequalities is active.
     pub fn held(&self, planes: usize) -> Vec<bool> {
         let mut held = vec![false; planes];
         let rows = self.members.iter().filter_map(|m| m.row);
@@ -89,7 +89,7 @@ impl<'a> Dual<'a> {
         held
     }
 
-    /// Adds an active plane; false if it depends on the active ones.
+    /// Adds an active plane; `false` if it depends on the active planes.
     pub fn hold(
         &mut self,
         row: Option<usize>,
@@ -106,7 +106,7 @@ impl<'a> Dual<'a> {
         independent
     }
 
-    /// Optimum and multipliers from the active planes alone.
+    /// Computes optimum and multipliers from the active planes alone.
     pub fn refresh(&mut self) {
         let bounds: Vec<f64> = self.members.iter().map(|m| m.bound).collect();
         let (mut y, away) = self.frame.nearest(&self.free, &bounds);
@@ -118,7 +118,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Optimum and multipliers after removal of inequalities with negative multiplier, the most negative first.
+    /// Computes optimum and multipliers, and removes inequalities with negative multipliers, the most negative first.
     pub fn retreat(&mut self) {
         loop {
             self.refresh();
@@ -135,7 +135,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Removes an inequality before it changes.
+    /// Removes an inequality before its data change.
     pub fn forget(&mut self, row: usize) {
         if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
             self.remove(j);
@@ -169,7 +169,8 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The most violated inactive plane. All planes count at every step: partial pricing left minimax problems of 25 spans without a proof.
+    /// The most violated inactive plane. All planes are checked in every step, because partial pricing left minimax problems of 25 spans without a
+    /// certificate.
     fn most_violated(&self, planes: &[Plane], resolved: f64) -> Option<usize> {
         let mut worst = (0.0, None);
         for (i, plane) in planes.iter().enumerate() {
@@ -189,7 +190,7 @@ impl<'a> Dual<'a> {
         self.members.iter().any(|m| m.row == Some(row))
     }
 
-    /// Satisfies a violated inequality; inequalities whose multiplier falls to zero become inactive.
+    /// Satisfies a violated inequality. Inequalities whose multiplier decreases to zero become inactive.
     pub fn bring_in(&mut self, row: usize, entries: &Entries, bound: f64) -> Result<(), Stuck> {
         let z = self.whitened(entries);
         let length = square(&z);
@@ -236,7 +237,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The active inequality whose multiplier reaches zero first, and the step at which it does.
+    /// The active inequality whose multiplier becomes zero first, and the step length at which it does.
     fn blocking(&self, shift: &[f64]) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
         for (j, (member, shift)) in self.members.iter().zip(shift).enumerate() {
@@ -250,7 +251,7 @@ impl<'a> Dual<'a> {
         first
     }
 
-    /// The active inequalities with their multipliers.
+    /// Active inequalities with their multipliers.
     pub fn multipliers(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.members
             .iter()
@@ -278,7 +279,7 @@ impl<'a> Dual<'a> {
     }
 }
 
-/// A bound on the rounding error of a row's value.
+/// Upper bound of the rounding error in the value of a row.
 pub fn rounding(entries: &Entries, x: &[f64]) -> f64 {
     let size: f64 = entries.iter().map(|&(i, a)| (a * x[i]).abs()).sum();
     4.0 * f64::EPSILON * size
@@ -291,7 +292,7 @@ mod tests {
 
     const DEPENDENT: f64 = 1e-13;
 
-    /// ½(x² + 4y²).
+    /// Factor of the Hessian of ½(x² + 4y²).
     fn factor() -> ArrowFactor {
         let mut matrix = ArrowMatrix::zero(2, 0, 2);
         matrix.add(0, 0, 1.0);
@@ -299,7 +300,7 @@ mod tests {
         matrix.factor().unwrap()
     }
 
-    /// Minimises ½(x² + 4y²) − 2x − 4y, least at (2, 1), under planes.
+    /// Minimises ½(x² + 4y²) − 2x − 4y, whose minimum is at (2, 1), subject to planes.
     fn solved(rows: &[([f64; 2], f64)]) -> Result<([f64; 2], Vec<f64>), Stuck> {
         let entries: Vec<Entries> = rows
             .iter()
@@ -331,14 +332,14 @@ mod tests {
         assert!(near(&x, &[2.0, 1.0]) && multipliers == [0.0]);
     }
 
-    /// x + y ≤ 2: with multiplier λ, x = 2 − λ and y = 1 − λ/4, so λ = 0.8.
+    /// For x + y ≤ 2 with the multiplier λ: x = 2 − λ and y = 1 − λ/4, so λ = 0.8.
     #[test]
     fn one_plane_takes_its_share_of_the_gradient() {
         let (x, multipliers) = solved(&[([1.0, 1.0], 2.0)]).ok().unwrap();
         assert!(near(&x, &[1.2, 0.8]) && near(&multipliers, &[0.8]));
     }
 
-    /// x ≤ 1 enters first, and holds by itself under x + 2y ≤ 1.
+    /// x ≤ 1 is added first; with x + 2y ≤ 1 it is satisfied without being active.
     #[test]
     fn a_plane_leaves_when_another_makes_it_idle() {
         let rows = [([1.0, 0.0], 1.0), ([0.1, 0.2], 0.1)];

@@ -1,7 +1,7 @@
-//! The law nearest to the unlimited one: the dual active-set method on rows at the exact worst points of the law.
+//! Optimum nearest to the unlimited law: the dual active-set method on rows at the exact worst points of the law.
 //!
-//! Each iteration starts from the last solution, and adds the worst points of the law as rows. The objective only increases, so no active set
-//! repeats. Once all contacts are nearly exact, Newton's method moves them together (`refine`).
+//! Each iteration starts from the last solution and adds the worst points of the law as rows. The objective only increases, so no active set is
+//! repeated. When all contacts are nearly exact, Newton's method moves them together (`refine`).
 
 pub mod dual;
 pub mod proximal;
@@ -16,9 +16,10 @@ use crate::solve::refine;
 use crate::solve::row_solver::{Point, RowSolver};
 use dual::{Dual, Plane, Stuck};
 
-/// Solves a program over the coefficients alone, starting from its optimum without limits.
+/// Solves a program for the coefficients alone, starting from its optimum without limits.
 ///
-/// If the steps are used up or progress ends, it returns the rows so far, and the interior-point method decides about feasibility.
+/// If the maximum number of steps is reached or there is no progress, it returns the rows so far, and the interior-point method decides on
+/// feasibility.
 pub fn solve<N: Names>(
     program: &Program<N>,
     unlimited: &Unlimited,
@@ -106,7 +107,7 @@ fn add_rows<N: Names>(
     }
 }
 
-/// The active set of a program, with its open level fixed.
+/// Active set of a program, with the free level fixed.
 pub struct ActiveSet<'a> {
     settings: ActiveSetSettings,
     pub dual: Dual<'a>,
@@ -115,7 +116,7 @@ pub struct ActiveSet<'a> {
 }
 
 impl<'a> ActiveSet<'a> {
-    /// Starts with the equalities alone, on a factor of H, an open level fixed at `level`.
+    /// Starts with only the equalities, with a factor of H; a free level is fixed at `level`.
     pub fn new<N: Names>(
         program: &Program<N>,
         unlimited: &Unlimited,
@@ -138,7 +139,7 @@ impl<'a> ActiveSet<'a> {
         set
     }
 
-    /// Iterates until no row is violated and an open level is constant.
+    /// Iterates until no row is violated and a free level is constant.
     fn settle<N: Names>(
         &mut self,
         program: &Program<N>,
@@ -196,7 +197,7 @@ impl<'a> ActiveSet<'a> {
 }
 
 impl<N: Names> RowSolver<N> for ActiveSet<'_> {
-    /// Starts with the active rows of the last solution, and leaves its working set unchanged if it fails.
+    /// Starts with the active rows of the last solution. The working set is unchanged on failure.
     fn solve(
         &mut self,
         program: &Program<N>,

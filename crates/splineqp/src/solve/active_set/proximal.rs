@@ -1,14 +1,14 @@
-//! Minimax objectives: proximal steps, each of them a strictly convex program for the dual active set.
+//! Minimax objectives: proximal steps, each of which is a strictly convex program for the dual active-set method.
 //!
-//! The peak t is linear in the objective and the law is free where it stays below t, so H is zero. About a centre (s̄, t̄)
+//! The peak t is linear in the objective, and the law is not determined where it is below t, so H is zero. About a centre (s̄, t̄)
 //!
 //! ```text
 //! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      under the rows at hand
 //! ```
 //!
-//! has a banded factor. Its solution is the next centre, and the worst points of its law are further rows (theory §9). The
-//! multipliers of a step, scaled to those of t alone, leave εM(x − x̄) of the gradient: with ε falling from step to step
-//! their lower bound closes in on the peak, whatever the law does where the peak leaves it free.
+//! has a banded factor. Its solution is the next centre, and the worst points of its law become further rows (theory §9). With the multipliers of a
+//! step, scaled to those of t alone, the remaining gradient is εM(x − x̄). As ε decreases from step to step, their lower bound approaches the peak,
+//! also where the law is not determined.
 
 use super::dual::{Dual, Plane};
 use crate::Names;
@@ -20,9 +20,10 @@ use crate::objective::Quadratic;
 use crate::poly::Peak;
 use crate::program::{Failure, Limit, PEAK, Program, Row, Solution, Values, Variable};
 
-/// The minimax law; `None` if the steps end before the optimum.
+/// Minimax law; `None` if the steps end before the optimum.
 ///
 /// # Errors
+///
 /// The other limits are infeasible.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Failure<N>> {
     let start = start(program)?;
@@ -35,20 +36,20 @@ pub fn suits<N: Names>(program: &Program<N>) -> bool {
     splines && program.cones.is_empty() && program.cost[PEAK] > 0.0
 }
 
-/// Start of the search, and its metric.
+/// Start of the search, and the metric of its steps.
 struct Start<N: Names> {
     centre: Vec<f64>,
     /// Contacts of the centre.
     contacts: Vec<Row<N>>,
-    /// The matrix of mean (w·s)², regularised by the equalities in directions that they fix.
+    /// Matrix of mean (w·s)², made positive definite by the equalities in directions that they fix.
     square: ArrowMatrix,
-    /// Columns of the further variables.
+    /// Further variables that have a column.
     free: Vec<Variable>,
-    /// Peak T of the quantity in the starting law.
+    /// Peak T of the quantity in the initial law.
     peak: f64,
 }
 
-/// Start: least squares of the quantity whose peak is minimised. For a constant quantity, the start is the least-squares solution under the other
+/// Initial law: least squares of the quantity whose peak is minimised. For a constant quantity it is the least-squares solution with the other
 /// limits.
 ///
 /// # Errors
@@ -115,7 +116,7 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     start: Start<N>,
     rows: Vec<Row<N>>,
-    /// Rows over coefficients and further variables.
+    /// Entries of the rows for coefficients and further variables.
     entries: Vec<Entries>,
     /// Active rows with their multipliers.
     active: Vec<(usize, f64)>,
@@ -143,7 +144,7 @@ impl<'a, N: Names> Search<'a, N> {
         search
     }
 
-    /// The system matrix of a step.
+    /// Factor of the system matrix of a step.
     fn factor(&self) -> Option<ArrowFactor> {
         let Start {
             square, free, peak, ..
@@ -242,7 +243,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// The solution about the centre; `None` if rows contradict each other, or if steps or time run out.
+    /// Solution about the centre; `None` if rows contradict each other, or if the maximum number of steps or the time limit is reached.
     fn step(&mut self) -> Option<Vec<f64>> {
         let factor = self.factor()?;
         let (program, centre) = (self.program, &self.start.centre);
@@ -277,7 +278,7 @@ impl<'a, N: Names> Search<'a, N> {
         Some(centre.iter().zip(dual.x).map(|(c, d)| c + d).collect())
     }
 
-    /// Scale of an excess of a limit: for a peak, the peak itself.
+    /// Scale of an excess of a limit; for a peak the peak itself.
     fn size(&self, limit: &Limit<N>) -> f64 {
         if limit.is_peak() {
             return self.start.peak;
@@ -285,7 +286,7 @@ impl<'a, N: Names> Search<'a, N> {
         limit.scale
     }
 
-    /// A law with its own peak, the peak of its rows, and its violations.
+    /// A law with its peak, the peak of its rows, and its violations.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();

@@ -15,7 +15,7 @@ use crate::solve::row_solver::{Point, RowSolver};
 ///
 /// # Errors
 ///
-/// Sizes that do not match.
+/// The sizes do not match.
 pub fn prepared(
     p: &CscMatrix<f64>,
     q: &[f64],
@@ -27,12 +27,12 @@ pub fn prepared(
     DefaultSolver::new(p, q, a, b, cones, settings)
 }
 
-/// Solves the prepared problem; the result is the solver's `solution`.
+/// Solves the prepared problem; the result is in `solution` of the solver.
 pub fn run(solver: &mut DefaultSolver<f64>) {
     solver.solve();
 }
 
-/// The interior-point method, which restarts with every set of rows. Only it supports cones and limits on root mean squares.
+/// Interior-point method, which restarts with every set of rows. It is the only method for cones and limits on root mean squares.
 #[derive(Default)]
 pub struct InteriorPoint {
     iterations: usize,
@@ -109,9 +109,9 @@ fn solved<N: Names>(
     })
 }
 
-/// Units that scale the solver's numbers to about one.
+/// Units that scale the numbers of the solver to about one.
 struct Scaling {
-    /// The further variables that take part; their columns follow those of the coefficients.
+    /// Further variables that are used in the program; their columns follow those of the coefficients.
     free: Vec<Variable>,
     /// Unit of the peak.
     peak: f64,
@@ -145,7 +145,7 @@ impl Scaling {
     }
 }
 
-/// The objective's P and q.
+/// Matrix P and vector q of the objective.
 fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f64>, Vec<f64>) {
     let (length, weight) = (program.length, scaling.objective);
     let total = program.basis.columns() + scaling.free.len();
@@ -167,7 +167,7 @@ fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f6
     (p, q)
 }
 
-/// A, b and the cones: equalities, rows, the program's own cones, and the limits on root mean squares.
+/// A, b and the cones: equalities, rows, the cones of the program, and the limits on root mean squares.
 fn constraints<N: Names>(
     program: &Program<N>,
     rows: &[Row<N>],
@@ -224,7 +224,7 @@ fn constraints<N: Names>(
     (matrix(b.len(), n + scaling.free.len(), entries), b, cones)
 }
 
-/// Whether a status comes with a point; a program close to infeasible counts as infeasible.
+/// Checks whether a status has a solution. A program close to infeasible counts as infeasible.
 fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     Err(match status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
@@ -240,7 +240,7 @@ fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     })
 }
 
-/// A sparse matrix by its entries (row, column, value).
+/// Sparse matrix from its entries (row, column, value).
 fn matrix(
     rows: usize,
     columns: usize,

@@ -1,4 +1,5 @@
-//! Exchange of rows: solve with finitely many rows and add rows at the exact worst points of the law, until no limit is exceeded on the continuum.
+//! Exchange of rows: solves the program with finitely many rows and adds rows at the exact worst points of the law, until no limit is exceeded at any
+//! angle.
 
 pub mod clarabel;
 
@@ -11,11 +12,12 @@ use crate::solve::refine;
 use crate::solve::row_solver::{Point, RowSolver};
 use clarabel::InteriorPoint;
 
-/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds. Nearly equal seeds may prevent convergence; the
-/// method then starts without seeds.
+/// Optimum by the interior-point method with exchange of rows, starting from the seeds of the program. Nearly equal seeds may prevent convergence;
+/// the method then starts without seeds.
 ///
 /// # Errors
-/// Infeasible limits, a solver that stops without an answer.
+///
+/// The limits are infeasible; the solver stops without a result.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     if program.seeds.is_empty() {
         return without_seeds(program);
@@ -32,7 +34,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
     }
 }
 
-/// Starts from the program's rows, or from the worst points of its unlimited optimum.
+/// Starts from the rows of the program, or from the worst points of its unlimited optimum.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let rows = if program.free_variables().is_empty() {
         let x = program.with_least_at_zero(equality::solve(program)?.x);
@@ -56,7 +58,7 @@ pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
     rows
 }
 
-/// Iterates from these rows with a solver.
+/// Iterates from the given rows with a solver.
 pub fn from_rows<N: Names>(
     program: &Program<N>,
     mut rows: Vec<Row<N>>,
@@ -138,8 +140,8 @@ pub fn from_rows<N: Names>(
     best.ok_or(Stop::NoProgress.into())
 }
 
-/// Adds rows at the violated points. Earlier rows stay (two on either side of a contact converge to it like a secant); only a coinciding one is
-/// replaced.
+/// Adds rows at the violated points. Earlier rows are kept: two rows on either side of a contact converge to it like the secant method. Only a
+/// coinciding row is replaced.
 fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<(usize, Peak)>) {
     let coincident = program.settings.exchange.coincident;
     for (limit, peak) in broken {
@@ -149,7 +151,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether the multiplier of a row exceeds its slack, both in the solver's scaled units.
+/// Whether the multiplier of a row exceeds its slack, both in the scaled units of the solver.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

@@ -1,9 +1,9 @@
-//! Newton's method on the contacts of a program over the coefficients alone, on the banded factor.
+//! Newton's method on the contacts of a program for the coefficients alone, with the banded factor.
 //!
-//! At a contact the limit's left side c(θ) = a(θ)ᵀx has a local maximum equal to the bound. When x moves by dx the maximum moves by dθ = −a′ᵀdx/c″,
-//! and the objective along the moving contacts gains the curvature Σ λ (a′ᵀdx)²/(−c″) (local reduction of a semi-infinite program, Hettich and
-//! Kortanek 1993). Each step is the equality-constrained optimum with H + Σ λ/(−c″) a′a′ᵀ, which is still banded; violations decrease quadratically,
-//! whereas an exchange of rows only quarters them.
+//! At a contact, the left side of the limit c(θ) = a(θ)ᵀx has a local maximum equal to the bound. When x moves by dx, the maximum moves by dθ =
+//! −a′ᵀdx/c″, and the curvature of the objective along the moving contacts increases by Σ λ (a′ᵀdx)²/(−c″) (local reduction of a semi-infinite
+//! program, Hettich and Kortanek 1993). Each step is the optimum with equality constraints and H + Σ λ/(−c″) a′a′ᵀ, which is still banded. Violations
+//! decrease quadratically; an exchange of rows only divides them by four.
 
 use super::Contacts;
 use crate::Names;
@@ -12,7 +12,7 @@ use crate::poly::Peak;
 use crate::program::{Program, Row, Solution, Values};
 use crate::solve::active_set::ActiveSet;
 
-/// Improves a law with nearly exact contacts; `peaks` are its maxima near their bounds, `level` fixes an open level. `None` if the steps lose the
+/// Improves a law with nearly exact contacts. `peaks` are its maxima near their bounds; `level` fixes a free level. `None` if the steps lose the
 /// contacts.
 pub fn on_band<N: Names>(
     program: &Program<N>,
@@ -43,7 +43,7 @@ pub fn on_band<N: Names>(
     None
 }
 
-/// The optimum on the contacts, and the contacts with positive multiplier.
+/// Optimum on the contacts, and the contacts with positive multipliers.
 fn step<N: Names>(
     contacts: &Contacts<N>,
     unlimited: &Unlimited,

@@ -1,4 +1,4 @@
-//! Refinement of a program with second-order cones, by their tangents.
+//! Refinement of a program with second-order cones, by tangents of the cones.
 
 use super::on_contacts;
 use crate::Names;
@@ -6,8 +6,8 @@ use crate::basis::Entries;
 use crate::poly::Peak;
 use crate::program::{Cone, Program, Row, Solution};
 
-/// The optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which are valid for all points of a cone. Each is
-/// taken at the last optimum; in the end the head equals the norm. `None` at a tip.
+/// Optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which are valid for all points of a cone. Each tangent
+/// belongs to the last optimum; finally the head equals the norm. `None` at the tip of a cone.
 pub fn on_cones<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
     let mut flat = program.clone();
@@ -54,7 +54,7 @@ fn is_tangent<N: Names>(cone: &Cone<N>, row: &Row<N>) -> bool {
     row.limit.is_none() && row.entries.is_empty() && row.name == cone.name
 }
 
-/// The tangent of a cone at a solution.
+/// Tangent of a cone at a solution.
 fn tangent<N: Names>(cone: &Cone<N>, at: &Solution<N>, multiplier: f64) -> Row<N> {
     let mut tangent = Row {
         multiplier,

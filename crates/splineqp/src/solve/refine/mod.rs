@@ -1,23 +1,21 @@
-//! Refinement: Newton's method on the contacts of a law with its limits, for the last digits of a solution and its proof.
+//! Refinement of a solution and of its certificate to rounding, by Newton's method on the contact points.
 //!
-//! Rounds of an interior-point method close in on a contact with two rows on either side of it; their multipliers, and so
-//! the certificate, stay uncertain after the law is determined. Here each contact is one row at the exact local maximum, and
-//! a step solves
+//! An interior-point method approximates a contact by two rows, one on either side. The multipliers of these rows, and so the certificate, are still
+//! inaccurate when the law is accurate. Here each contact is one row at the exact local maximum. A step solves
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for law and further variables at once. Where the contacts do not determine which rows are active (coinciding contacts on
-//! an arc that lies on its bound, more contacts than unknowns) a step is a quadratic program over all rows near their
-//! bounds, and places that it violates join its rows. ε and δ make the step proximal, for what objective and contacts leave
-//! undetermined; they do not change the result.
+//! for the law and the further variables together. The contacts may not determine the active rows: contacts coincide on an arc along the bound, or
+//! there are more contacts than unknowns. A step is then a quadratic program over all rows near their bounds, and violated points are added as rows.
+//! The proximal terms ε and δ fix the directions that objective and contacts do not determine. They do not change the result.
 //!
 //! | file | used |
 //! |---|---|
-//! | `band` | inside the active set, over the coefficients alone: cost linear in the spans |
-//! | `step` | inside the exchange and at the end: one step over the further variables as well |
-//! | `sparse` | the linear system of that step |
+//! | `band` | in the active-set method, for the coefficients only; cost linear in the number of spans |
+//! | `step` | during and after the exchange: one step that includes the further variables |
+//! | `sparse` | linear system of that step |
 
 use crate::Names;
 mod band;
@@ -38,28 +36,28 @@ use crate::solve::active_set::dual;
 
 struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
-    /// Second derivatives of the bounds' shapes.
+    /// Second derivatives of the shapes of the bounds.
     bends: Vec<PiecewisePoly>,
-    /// Whether each further variable takes part.
+    /// Further variables that are used in the program.
     free: Vec<Variable>,
     degree: usize,
 }
 
-/// Choice of the rows of a step.
+/// Method for choosing the rows of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     /// All contacts as equalities; those with negative multiplier are removed.
     Equalities,
-    /// A quadratic program over all points near their bound.
+    /// Quadratic program over all points near their bounds.
     Program,
 }
 
-/// Whether a program needs the last digits; the steps of a sequence have a coarser tolerance.
+/// Whether a program is to be refined. The steps of a sequence have a larger tolerance and are not refined.
 pub fn is_wanted<N: Names>(program: &Program<N>) -> bool {
     program.settings.tolerance <= program.settings.refinement.finest_tolerance
 }
 
-/// The refined solution, if its certificate is open and refinement closes it. Programs that need no last digits remain unchanged.
+/// Refined solution, if its certificate is not sufficient and refinement improves it. Programs that need no refinement are unchanged.
 pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solution<N> {
     if !solution.used_rows || !is_wanted(program) {
         return solution;
@@ -79,13 +77,13 @@ pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solutio
     }
 }
 
-/// Whether a solution satisfies its limits to the program's tolerance, or to the rounding of its rows.
+/// Whether a solution satisfies its limits to the tolerance of the program, or to the rounding errors of its rows.
 pub fn keeps_limits<N: Names>(program: &Program<N>, solution: &Solution<N>) -> bool {
     let tolerance = program.settings.tolerance;
     solution.violation <= tolerance || solution.violation <= rounding(program, solution)
 }
 
-/// Gap, stationarity and violation of a solution relative to the refinement thresholds; at most 1 if no refinement is needed.
+/// Maximum ratio of gap, stationarity and violation to their refinement thresholds; at most 1 if no refinement is necessary.
 pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
@@ -94,7 +92,7 @@ pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
         .max(proof.violation / program.settings.tolerance.max(rounding(program, solution)))
 }
 
-/// Rounding of the active rows' values relative to the limits' scale, a lower bound of violations.
+/// Rounding errors of the active rows relative to the scale of the limits: a lower bound of violations.
 fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let of_row = |row: &Row<N>| {
         let of_limit = |i: usize| {
@@ -107,7 +105,7 @@ fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     (solution.active.iter().filter_map(of_row)).fold(0.0, f64::max)
 }
 
-/// The optimum near a nearly feasible solution, with a closed certificate; `None` if no search finds it.
+/// Optimum near a nearly feasible solution, with a sufficient certificate; `None` if no method finds it.
 pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let contacts = Contacts::small(program)?;
     [Way::Equalities, Way::Program]
@@ -116,7 +114,7 @@ pub fn on_contacts<N: Names>(program: &Program<N>, start: &Solution<N>) -> Optio
 }
 
 impl<'a, N: Names> Contacts<'a, N> {
-    /// `None` if the program is too large for a dense step, or has a cone.
+    /// Creates the refinement; `None` if the program is too large for a dense step, or has a cone.
     fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
@@ -202,13 +200,13 @@ impl<'a, N: Names> Contacts<'a, N> {
         best.filter(|b| b.0 <= settings.proved).map(|b| b.1)
     }
 
-    /// Whether a limit is constant on every piece, so that it is active on whole pieces.
+    /// Whether the left side of a limit is constant on every piece, so that the limit is active on whole pieces.
     fn is_flat(&self, limit: &Limit<N>) -> bool {
         let order = limit.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         order >= self.degree && limit.shape.is_none()
     }
 
-    /// Active rows moved to the nearest local maxima; rows with the same maximum become one contact.
+    /// Active rows moved to the nearest local maxima. Rows with the same maximum become one contact.
     fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)]) -> Vec<Row<N>> {
         let program = self.program;
         let mut out: Vec<Row<N>> = Vec::new();
@@ -266,7 +264,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             .filter(|falls| falls * width * width > flat)
     }
 
-    /// The Hessian H + Σ λ/(−c″) a′a′ᵀ over the active rows.
+    /// Hessian H + Σ λ/(−c″) a′a′ᵀ over the active rows.
     fn with_curvature(&self, mut hessian: ArrowMatrix, at: &Solution<N>) -> ArrowMatrix {
         for row in at.active.iter().filter(|r| r.multiplier > 0.0) {
             let Some(falls) = self.sharpness(&at.x, row) else {
@@ -285,7 +283,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         hessian
     }
 
-    /// Scale of a distance to a bound; for a minimised peak it is the peak.
+    /// Scale of a distance from a bound; for a minimised peak the peak itself.
     fn size(&self, limit: &Limit<N>, at: &Solution<N>) -> f64 {
         let room = limit.room(&at.extra);
         if limit.is_peak() && at.extra[PEAK] != 0.0 {
@@ -295,7 +293,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// Largest excess of all limits, including permanent rows and limits on variables alone.
+    /// Maximum excess over all limits, including permanent rows and limits on further variables alone.
     fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
         let over =
@@ -310,13 +308,13 @@ impl<'a, N: Names> Contacts<'a, N> {
         of_rows.chain(of_sizes).fold(known, f64::max)
     }
 
-    /// Local maxima near their bound.
+    /// Local maxima near their bounds.
     fn peaks_near(&self, at: &Solution<N>) -> Vec<(usize, Peak)> {
         let below = self.program.settings.refinement.below;
         self.peaks_above(at, |size| -below * size)
     }
 
-    /// Local maxima whose excess is above the tolerance for their scale.
+    /// Local maxima whose excess is above a tolerance that depends on their scale.
     fn peaks_above(&self, at: &Solution<N>, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
         let mut peaks = Vec::new();
         let level =
@@ -326,7 +324,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         peaks
     }
 
-    /// Rows of a step: the contacts, and other points near their bound.
+    /// Rows of a step: the contacts, and other points near their bounds.
     fn candidates(&self, from: &Solution<N>) -> Vec<Row<N>> {
         let program = self.program;
         let mut rows = from.active.clone();
@@ -354,7 +352,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         rows
     }
 
-    /// Points violated by a step.
+    /// Adds the points that a step violates to the rows.
     fn add_broken(&self, solution: &mut Solution<N>) {
         for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
             let row = self.program.row(limit, peak);
@@ -364,7 +362,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// A step on the contacts; rows with negative multiplier are removed, the most negative first.
+    /// Step with the contacts as equalities. Rows with negative multipliers are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
         // No vertex has more contacts than unknowns; far more are an interior point's, or those of a step gone astray.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
@@ -396,7 +394,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// The program about a solution, with rows at the contacts; points violated by the step are added.
+    /// Quadratic program about a solution, with rows at the contacts. Points that the step violates are added.
     fn program_step(&self, from: &Solution<N>) -> Option<Solution<N>> {
         let program = self.program;
         let local = Local::new(self, from);

@@ -2,15 +2,14 @@
 
 use rsparse::data::{Sprs, Trpl};
 
-/// Minimum ratio of a diagonal entry to the largest entry of its column for it to be the pivot; other pivots fill the factor.
+/// Minimum ratio of a diagonal entry to the maximum entry of its column for which the diagonal entry is the pivot. Other pivots cause fill-in.
 const THRESHOLD: f64 = 0.1;
 /// Number of iterative refinements.
 const CORRECTIONS: usize = 2;
-/// Ordering of the unknowns: minimum degree of the pattern of A + Aᵀ.
+/// Ordering of the unknowns: minimum degree for the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
 
-/// The solution of A y = b, given the lower triangle of A as (row, column, value); values of one place add. `None` if A is
-/// singular.
+/// Solution of A y = b. The lower triangle of A is given as (row, column, value); values at the same position are added. `None` if A is singular.
 pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Vec<f64>> {
     // The ordering needs two unknowns.
     if let [b] = b {
@@ -48,7 +47,7 @@ pub fn symmetric_solution(lower: &[(usize, usize, f64)], b: &[f64]) -> Option<Ve
     y.iter().all(|v| v.is_finite()).then_some(y)
 }
 
-/// The vector whose entry `order[k]` is entry k of x.
+/// Vector whose entry `order[k]` is the entry k of x.
 fn permuted(order: Option<&[isize]>, x: &[f64]) -> Vec<f64> {
     let Some(order) = order else {
         return x.to_vec();
@@ -61,7 +60,7 @@ fn permuted(order: Option<&[isize]>, x: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The residual b − A y.
+/// Residual b − A y.
 fn residual(matrix: &Sprs<f64>, y: &[f64], b: &[f64]) -> Vec<f64> {
     let turned: Vec<f64> = y.iter().map(|v| -v).collect();
     rsparse::gaxpy(matrix, &turned, b)
@@ -72,13 +71,13 @@ mod tests {
     use super::*;
     use nalgebra::{DMatrix, DVector};
 
-    /// Numbers between -1 and 1 without pattern.
+    /// Pseudo-random number between −1 and 1 for an index.
     fn scatter(i: usize) -> f64 {
         let mixed = (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         ((mixed ^ (mixed >> 29)) >> 40) as f64 / (1_u64 << 23) as f64 - 1.0
     }
 
-    /// A band of `n` unknowns under `m` rows of six entries each; two entries of one place add.
+    /// Matrix with a band of `n` unknowns and `m` rows of six entries each; two entries at the same position are added.
     fn step(n: usize, m: usize) -> Vec<(usize, usize, f64)> {
         let mut lower: Vec<(usize, usize, f64)> = (0..n).map(|i| (i, i, 1e-9)).collect();
         for i in 0..n {

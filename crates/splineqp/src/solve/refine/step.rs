@@ -1,4 +1,4 @@
-//! A Newton step on the contacts: the program about a solution, in the solver's units.
+//! Newton step on the contacts: the program about a solution, in the units of the solver.
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
@@ -12,20 +12,20 @@ use crate::basis::{Entries, apply, row_unit};
 use crate::program::{PEAK, Row, Solution, Values, Variable};
 use crate::solve::active_set::dual::Dual;
 
-/// A plane aᵀd ≤ bound, or aᵀd = bound, with entries near 1.
+/// Plane aᵀd ≤ bound, or aᵀd = bound, with entries near 1.
 struct Plane {
     entries: Entries,
     bound: f64,
     equal: bool,
 }
 
-/// A step with the multipliers of the planes; 0 where a plane is inactive.
+/// Step with the multipliers of the planes; 0 for an inactive plane.
 struct Step {
     way: Vec<f64>,
     multipliers: Vec<f64>,
 }
 
-/// The program about a solution, in the solver's units.
+/// The program about a solution, in the units of the solver.
 pub struct Local<'a, N: Names> {
     contacts: &'a Contacts<'a, N>,
     from: &'a Solution<N>,
@@ -33,7 +33,7 @@ pub struct Local<'a, N: Names> {
     units: Vec<f64>,
     objective: f64,
     matrix: ArrowMatrix,
-    /// Regularisation of a step.
+    /// Proximal weight of the step.
     held: f64,
     gradient: Vec<f64>,
 }
@@ -74,7 +74,7 @@ impl<'a, N: Names> Local<'a, N> {
         }
     }
 
-    /// A row as a plane of the step, with its unit.
+    /// Converts a row to a plane of the step, with its unit.
     fn plane(
         &self,
         (entries, extra, bound): (&Entries, &Values, f64),
@@ -96,7 +96,7 @@ impl<'a, N: Names> Local<'a, N> {
         (plane, scale)
     }
 
-    /// The step under these rows, and its active rows with their multipliers.
+    /// Solution after the step with the given rows, and its active rows with their multipliers.
     pub fn solved(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -121,14 +121,14 @@ impl<'a, N: Names> Local<'a, N> {
         Some(self.moved(rows, &scales, &active, step))
     }
 
-    /// Factor of the matrix with `held` added to its diagonal.
+    /// Factor of the matrix with `held` added to the diagonal.
     fn factor(&self, held: f64) -> Option<ArrowFactor> {
         let mut matrix = self.matrix.clone();
         (0..self.units.len()).for_each(|i| matrix.add(i, i, held));
         matrix.factor()
     }
 
-    /// The quadratic program over the planes; `None` if they are infeasible.
+    /// Solution of the quadratic program with the planes; `None` if they are infeasible.
     fn quadratic_step(&self, factor: &ArrowFactor, planes: &[Plane]) -> Option<Step> {
         let settings = &self.contacts.program.settings.refinement;
         let n = self.units.len();
@@ -166,7 +166,7 @@ impl<'a, N: Names> Local<'a, N> {
         })
     }
 
-    /// The step with all rows as equalities, whatever the signs of their multipliers.
+    /// Solution after the step with all rows as equalities, regardless of the signs of their multipliers.
     pub fn held(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let (planes, scales) = self.planes(rows);
         let demands = self.contacts.program.equalities.len();
@@ -185,7 +185,7 @@ impl<'a, N: Names> Local<'a, N> {
             .unzip()
     }
 
-    /// The solution after a step, with its rows.
+    /// Solution after a step, with its rows.
     fn moved(&self, rows: &[Row<N>], scales: &[f64], active: &[usize], step: Step) -> Solution<N> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -205,7 +205,7 @@ impl<'a, N: Names> Local<'a, N> {
         next
     }
 
-    /// The step with the active planes as equalities.
+    /// The step computed again with the active planes as equalities.
     fn with_last_digits(
         &self,
         planes: &[Plane],
