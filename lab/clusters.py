@@ -58,8 +58,7 @@ def model(name, designs):
 
 def main():
     page = ("# Sweeps on many machines: what was measured\n\n"
-            "Written by `lab/clusters.py` on two cores of an AMD EPYC, with nothing else running. "
-            "What one core does in a second; 10⁹ designs on 100 machines of 16 cores; their cost at 0.02 € for an hour of a core.\n\n"
+            "Written by `lab/clusters.py` on two cores of an AMD EPYC, without other programs. The table gives the designs per second of one core, the time of 10⁹ designs on 100 machines of 16 cores, and their cost at 0.02 € per core hour.\n\n"
             "| designs | of one core | 10⁹ of them | cost |\n|---|---|---|---|\n")
     many = 131_072
     own = [f"{1.5 + 0.9 * i / many} Hz" for i in range(many)]

@@ -219,12 +219,12 @@ def page(files):
         parts[part(name)][0] += lines
         parts[part(name)][1] += never
     lines, never = (sum(both[k] for both in parts.values()) for k in (0, 1))
-    out = (f"# Reach\n\nWritten by `lab/reach.py`: lines that no documented command, scene or export runs. Executable lines: {lines}, "
-           f"never run: {never}. The page, Python and the lab have programs of their own and are left out; error paths are among the rest.\n\n"
+    out = (f"# Reach\n\nWritten by `lab/reach.py`: lines that are not executed by any documented command, scene or export. Executable lines: {lines}, "
+           f"never run: {never}. The page, Python and the lab have separate programs and are excluded; error paths are included.\n\n"
            "| part | executable lines | never run |\n|---|---|---|\n")
     for name, (all_, left) in sorted(parts.items(), key=lambda p: -p[1][1]):
         out += f"| {name} | {all_} | {left} ({100 * left / all_:.1f} %) |\n"
-    out += f"\nFiles with more than {LISTED} lines that nothing runs, the share of these lines that tests run, and what is decided in `lab/reach.csv`:\n\n| file | executable lines | never run | of these by tests | decision |\n|---|---|---|---|---|\n"
+    out += f"\nThe table lists files with more than {LISTED} such lines, the share of these lines that tests execute, and the decision in `lab/reach.csv`:\n\n| file | executable lines | never run | of these by tests | decision |\n|---|---|---|---|---|\n"
     decided = decisions()
     for name, (all_, left, share) in sorted(files.items(), key=lambda f: -f[1][1]):
         if left > LISTED:

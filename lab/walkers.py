@@ -25,16 +25,14 @@ MODELS = ("young", "setra", "li-2010")
 LIMITS = ("--set", "limits.stroke=60 mm")
 TEXT = """# One cam for many walkers
 
-Written by `lab/walkers.py` with `gaitcam cover` and `gaitcam synth`. Errors are RMS force errors in percent of each walker's mean
-force; mass and speed of the machine are set for each. "others" are walkers left out of the design, a fifth in turn. How: theory §8.
+Written by `lab/walkers.py` with `gaitcam cover` and `gaitcam synth`. Errors are RMS force errors in percent of each walker's mean force. Mass and speed of the machine are set for each walker. "others" is the error for new walkers by five-fold cross-validation (theory §8).
 
 ## One cam for every bridge
 
-Step frequencies of 1.4 to 2.4 Hz in steps of 0.1 Hz, 24 spans, stroke at most 60 mm. The cam for 1.85 Hz is turned at the speed of
-each walker, with his weight on it.
+Step frequencies of 1.4 to 2.4 Hz in steps of 0.1 Hz, 24 spans, stroke at most 60 mm. The cam for 1.85 Hz is simulated at the speed of each walker, with the walker's weight.
 
 {bridges}
-## 500 walkers, phases as drawn
+## 500 walkers, random phases
 
 Mass lognormal, ln(m/kg) with mean 4.28 and deviation 0.21 (Portier, Tolson and Roberts 2007); step frequency normal, 1.87 Hz and
 0.186 Hz, held within 1.4 to 2.4 Hz, and harmonics 2 to 5 normal with means 0.07, 0.05, 0.05, 0.03 and deviations 0.03, 0.02, 0.02,
@@ -47,18 +45,16 @@ scribd.com/document/634571012), of one foot and in tables beyond the first page,
 Kerr, Young, SETRA, SCI P354, Synpex) end at the fourth or fifth, and no public program of pedestrian loads was found with more.
 
 {uniform}
-Where the worst error equals the bound from some number of cams on, one walker decides: his own cam errs as much, because 60 mm of
-stroke are too few for a strong and slow step.
+If the worst error equals the bound, one walker determines it. Even this walker's own cam has this error, because a stroke of 60 mm is too small for a strong and slow step.
 
 ## 500 walkers, phases in order
 
-The same, with the phases of SCI P354 (0, −90°, 180°, 90°, 0) and a spread of 0.3 rad, which is ours: what one kind of step gives.
+These walkers have the phases of SCI P354 (0, −90°, 180°, 90°, 0) with an assumed spread of 0.3 rad. They represent one kind of step.
 
 {ordered}
 ## Recordings
 
-Measured stances and strides of adults and children, walking overground and on a treadmill; several files are of the same person under
-different names.
+The recordings are measured stances and strides of adults and children, overground and on a treadmill. Several files belong to the same person with different names.
 
 {recordings}
 """
@@ -126,11 +122,11 @@ def cover(gaitcam, folder, walkers, name, *settings, cams="1:6"):
         parts.append("")
     assigned = [a for a in rows(out / "assignment.csv") if a["cams"] == "1"]
     worst = sorted(assigned, key=lambda a: -float(a["rms_error_percent"]))[:5]
-    parts += ["Served worst by one cam, with the parts of the error (the squares add up):", "", "| walker | error % | mean force % | size at this speed % | shape % |", "|---|---|---|---|---|"]
+    parts += ["The table lists the worst walkers of one cam, with the components of the error (the squares add up):", "", "| walker | error % | mean force % | size at this speed % | shape % |", "|---|---|---|---|---|"]
     for a in worst:
         keys = ("rms_error_percent", "weight_percent", "speed_percent", "shape_percent")
         parts.append(f"| {a['walker']} | " + " | ".join(number(a[k]) for k in keys) + " |")
-    return "\n".join(parts) + f"\n\n![Error against number of cams](walkers_{name}.svg)\n"
+    return "\n".join(parts) + f"\n\n![Error and number of cams](walkers_{name}.svg)\n"
 
 
 def one_cam_for_every_bridge(gaitcam, folder):
@@ -178,7 +174,7 @@ def recordings(gaitcam, folder, place):
         for name in filter(None, re.split(r", ", ", ".join(names))):
             left.append(re.sub(r" \(\d+ %\)$", "", name.strip()))
     text = cover(gaitcam, folder, place, "recordings", *settings)
-    return f"{len(left)} files are left out: {', '.join(f'`{n}`' for n in left)}.\n\n{text}"
+    return f"{len(left)} files are excluded: {', '.join(f'`{n}`' for n in left)}.\n\n{text}"
 
 
 def main():

@@ -36,9 +36,9 @@ TABLE = ROOT / "reports" / "mutation.csv"
 TIMEOUT = 180.0
 HEAD = """# Mutation testing
 
-What the tests notice of faults put into the code, by `lab/mutation/run.py`, which says how. Of the mutants of
-cargo-mutants one in 1 to 35 is drawn, by area; the faults of `lab/mutation/areas.py` are tried as well. Every row is in
-mutation.csv. Not part of CI. "Not tried" are mutants that cannot stand beside the original and were not built alone.
+The tests were run with faults in the code, by `lab/mutation/run.py`, which describes the method. Of the mutants of
+cargo-mutants a sample of one in 1 to 35 is used, by area; the faults of `lab/mutation/areas.py` are also tested. All rows are in
+mutation.csv. This is not part of CI. "Not tried" mutants cannot be compiled together with the original, and were not built separately.
 """
 SWITCH = """
 /// Whether a mutant is in force.

@@ -166,14 +166,9 @@ def main():
         mine = slower(mine, ours())
         runs = processes(pythons, folder)
     lines = [
-        "Written by `python3 lab/peers/speed/run.py` in one run: the same tasks, one after the other on one machine; "
-        "medians of repeated runs inside one process after a warm-up, as time of the processor. gaitcam was measured "
-        "before and after its peers; the slower median stands here.",
+        "Written by `python3 lab/peers/speed/run.py` in one run, with the same tasks one after the other on one machine. Times are medians of processor times inside one process after a warm-up. gaitcam was measured before and after the other programs; the slower median is given.",
         "",
-        "*kernel*: gaitcam does what the peer does, with what the peer is given: the number of spans, and beside DAQP, PIQP "
-        "and Clarabel all matrices too. *more*: what a user gets from `synthesise`, with spans sought where they are open, "
-        "the cam sized, every limit and the force checked on the continuous law and the optimum proved; beside DAQP, PIQP and "
-        "Clarabel the kernel with its matrices assembled from the force.",
+        "*kernel*: gaitcam solves the task of the other program with the same input: the number of spans, and for DAQP, PIQP and Clarabel also all matrices. *more*: the complete result of `synthesise`, with the search for spans, the size of the cam, all checks on the continuous law and the certificate. For DAQP, PIQP and Clarabel it is the kernel including the assembly of its matrices.",
         "",
         "| task | peer | its time | its error | kernel | its error | faster by | more | faster by | asked of the kernel |",
         "|---|---|---|---|---|---|---|---|---|---|",
@@ -198,8 +193,8 @@ def main():
     all_files = dict(runs)["gaitcam synth, all files"]
     lines += [
         "",
-        "Whole processes from start to end, medians of "
-        f"{RUNS} runs: the scripts import their packages and fit once, and write nothing.",
+        "Times of whole processes are medians of "
+        f"{RUNS} runs. The scripts import their packages, fit once, and write nothing.",
         "",
         "![whole processes](whole_process.svg)",
         "",
@@ -211,8 +206,7 @@ def main():
     (out / "whole_process.svg").write_text(chart(runs))
     lines += [
         "",
-        "Adaptive integrators of the crate `ode_solvers` (lab/peers/ode) on the follower of chart (d1), error of the "
-        "state after one turn:",
+        "Adaptive integrators of the crate `ode_solvers` (lab/peers/ode) were run on the follower of chart (d1). The table gives the error of the state after one turn:",
         "",
         "| method | its time | its error |",
         "|---|---|---|",

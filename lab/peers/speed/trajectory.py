@@ -134,7 +134,7 @@ def main():
         ("gaitcam, degree 5, 16 spans a rise", gaitcam, (5, 64)), ("gaitcam, degree 5, 32 spans a rise", gaitcam, (5, 128)),
         ("gaitcam, degree 3, 10 spans a rise", gaitcam, (3, 40)),
     ]
-    page = ("# Trajectory programs on one rise\n\nWritten by `lab/peers/speed/trajectory.py` in one run: medians, time of the processor.\n\n"
+    page = ("# Trajectory programs on one rise\n\nWritten by `lab/peers/speed/trajectory.py` in one run, with medians of processor times.\n\n"
             "| program | duration | peak acceleration | largest jerk | time of the processor |\n|---|---|---|---|---|\n")
     for name, run, arguments in rows:
         try:

@@ -146,9 +146,7 @@ pub(crate) fn unexplained(lines: &[Line]) -> Vec<&'static str> {
 /// The page: the table, then the numbers of accuracy.
 pub(crate) fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
-        "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-lab -- benchmarks`: medians after a warm-up, release build, \
-         on the wall; the fastest run beside them, because other programs ran on the machine too. Peers and whole processes \
-         are time of the processor, of the last run of lab/peers/speed/run.py.\n\n",
+        "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-lab -- benchmarks`: wall-clock medians after a warm-up, and the fastest run, because other programs also ran on the machine (release build). Times of peers and whole processes are processor times of the last run of lab/peers/speed/run.py.\n\n",
     );
     let row = |l: &Line| {
         let mark = match (l.met, l.met_once) {
@@ -163,7 +161,7 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
     };
     let head = ["area", "what", "asked", "median", "fastest", ""];
     out.push_str(&table(&head, lines.iter().map(row)));
-    out.push_str("\nNumbers of accuracy hold or a test fails:\n\n");
+    out.push_str("\nA test checks each of these accuracies:\n\n");
     let tested = TESTED.map(|(area, number, by)| [area, number, by].map(String::from).to_vec());
     out + &table(&["area", "number", "held by"], tested)
 }

@@ -49,8 +49,8 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
     let mut out = format!(
         "# Speed against accuracy\n\nMeasured by `gaitcam-lab chart` in one run. {machine}\n\n\
          Times are medians of runs inside one process after a warm-up, with the first and third quartile. \
-         ● lies on the Pareto front: no other row is both faster and nearer to the truth. \
-         ★ is what gaitcam does when nothing else is asked.\n\n## What to choose\n\n"
+         ● marks the Pareto front: no other row is both faster and more accurate. \
+         ★ marks the default of gaitcam.\n\n## Recommendations\n\n"
     );
     for chart in charts {
         let _ = writeln!(out, "- **{}** {}", chart.title, chart.advice);

@@ -30,7 +30,7 @@ pub(super) fn lift_off(out: &mut Page) -> Result<()> {
             lost(1.0 + 1e-9)?
         ));
     }
-    out.line("\nThe eccentric's closed form is √(g/e).\n");
+    out.line("\nThe closed form for the eccentric is √(g/e).\n");
     Ok(())
 }
 
@@ -70,7 +70,7 @@ pub(super) fn bounces(out: &mut Page) -> Result<()> {
                 _ => None,
             });
         out.line(format_args!(
-                "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings, then the same again every turn.",
+                "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings in every turn.",
                 landings.join(", "),
                 rest.unwrap_or(f64::NAN),
                 run.impacts.len()));
@@ -95,7 +95,7 @@ pub(super) fn two_cams(out: &mut Page) -> Result<()> {
         .map(|i| format!("{:.3}° at {:.4} m/s", i.at.to_degrees(), i.speed))
         .collect();
     out.line(format_args!(
-            "The block rides on whichever cam stands higher. Where one falls and the other rises they meet with a step of slope, a blow: {}. Between the blows the force is {:.4} … {:.4} N.\n",
+            "The block rests on the higher cam. Where one cam falls and the other rises, the slope jumps and an impact occurs: {}. Between the impacts the force is {:.4} … {:.4} N.\n",
             hits.join(", "),
             both.force.min,
             both.force.max));

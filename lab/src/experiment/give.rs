@@ -8,8 +8,8 @@ use gaitcam::error::Result;
 use gaitcam_test_support::thesis;
 
 pub(super) fn vibration(out: &mut Page) -> Result<()> {
-    out.line("## A follower that gives\n");
-    out.line("Real machine, double harmonic, 11.624 rad/s, damping ratio 0.05: how far vibration moves the force.\n");
+    out.line("## Compliant follower\n");
+    out.line("The table gives the change of force by vibration (real machine, double harmonic, 11.624 rad/s, damping ratio 0.05).\n");
     out.table("natural frequency Hz | RMS % of M g | smallest force N | largest force N");
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
@@ -40,7 +40,7 @@ pub(super) fn motors(out: &mut Page) -> Result<()> {
     let (c, p) = motor::power_law(&motor::MOTOR_TABLE)?;
     let power = motor::power_for(&motor::MOTOR_TABLE, 6.0)?;
     out.line(format_args!(
-            "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."));
+            "A least-squares fit to the logarithms of the table in Campillo de Blas (2017) gives t = {c:.1}·x^{p:.4}, so 11.1 turns in 6 s require {power:.1} % of the power (thesis: 347.9·x^−0.967, 66.6 %)."));
     for (name, cam, _) in cams() {
         let drive = thesis::real(thesis::SPEED);
         if let Some(torque) = torque_curve(&cam.law, &drive, 0.1, thesis::BASE_RADIUS) {

@@ -27,10 +27,8 @@ const POINTS: usize = 1440;
 /// The text of reports/dynamics.md. Fails only if one of the two cams could not be run.
 pub fn report() -> Result<String> {
     let mut out = Page(String::from(
-        "# The experiment of Campillo de Blas (2017), run again\n\n\
-         Two cams (an eccentric of 30 mm about a centre 10 mm off; a double harmonic of 10 mm in 135°, back in 135°, dwell 90°), \
-         a mass of 1 kg, 111 rpm (11.624 rad/s). Every number below comes from the emitted profile points, not from the law; \
-         the law serves as the independent answer.\n\n",
+        "# The experiment of Campillo de Blas (2017), simulated\n\n\
+         The experiment uses two cams, a mass of 1 kg and 111 rpm (11.624 rad/s). One cam is an eccentric of 30 mm radius with an eccentricity of 10 mm. The other is a double harmonic of 10 mm with a rise and a fall of 135° and a dwell of 90°. Every number below is computed from the emitted profile points. The law gives the independent reference.\n\n",
     ));
     running::steady_running(&mut out)?;
     running::convergence(&mut out)?;

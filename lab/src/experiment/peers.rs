@@ -36,8 +36,8 @@ pub fn rapier() -> Vec<Peer> {
 
 /// Table and words of the comparison.
 pub(super) fn against_rapier(out: &mut Page) {
-    out.line("\n## Against a time-stepping engine\n");
-    out.line("The eccentric at 35 rad/s with plastic landing, by rapier2d 0.22 in double precision (a ball carried round is the exact contour) and by the contact model from emitted points. Error of the follower's height against the closed form over a steady turn; medians of one run on one machine whose cores did other work as well (`lab/peers/rapier`).\n");
+    out.line("\n## Comparison with a time-stepping engine\n");
+    out.line("The eccentric at 35 rad/s with plastic landing is simulated by rapier2d 0.22 in double precision (a ball on a circular path is the exact contour), and by the contact model from emitted points. Error of the follower's height against the closed form over a steady turn; medians of one run on one machine whose cores did other work as well (`lab/peers/rapier`).\n");
     out.table("method | size | wall time per turn ms | RMS error µm | largest µm");
     for p in rapier() {
         out.line(format_args!(
@@ -54,7 +54,7 @@ pub(super) fn against_rapier(out: &mut Page) {
         "dynamics_rapier",
         "Error of the height against wall time: events and time steps",
     );
-    out.line("A step of time lands late by up to a step and heals the penetration over several more: a quarter of the step is a quarter of the error. Events are exact up to the interpolation of the points.");
+    out.line("With time steps, the landing is late by up to a step, and the penetration is corrected over several more steps. A quarter of the step size therefore gives a quarter of the error. Events are exact except for the interpolation of the points.");
 }
 
 #[cfg(test)]

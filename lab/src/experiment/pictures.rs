@@ -70,7 +70,7 @@ fn convergence() -> Result<Picture> {
         }
     }
     Ok(chart::picture(&Chart {
-        title: "Largest force error against points per turn, 20 rad/s".to_string(),
+        title: "Maximum force error and points per turn, 20 rad/s".to_string(),
         error: "error (N)".to_string(),
         across: Across::Points,
         rows,

@@ -48,7 +48,7 @@ pub(super) fn steady_running(out: &mut Page) -> Result<()> {
             .fold(0.0, f64::max);
         let preload = least_preload(&cam.law, &thesis::ideal(thesis::SPEED), 0.0);
         out.line(format_args!(
-                "- {name}: rigid and contact model of the real machine differ by at most {difference:.1e} N. The ideal machine pulls where its force is negative: it needs a preload of {preload:.4} N to stay on the cam."));
+                "- {name}: rigid and contact model of the real machine differ by at most {difference:.1e} N. The ideal machine pulls where its force is negative. To keep contact, it would need a preload of {preload:.4} N."));
     }
     out.line("");
     out.picture(
@@ -64,7 +64,7 @@ pub(super) fn steady_running(out: &mut Page) -> Result<()> {
 
 pub(super) fn convergence(out: &mut Page) -> Result<()> {
     out.line("## Points per turn\n");
-    out.line("Largest force error at 20 rad/s between the points, and the order from one row to the next.\n");
+    out.line("The table gives the maximum force error at 20 rad/s between the points, and the order of convergence from row to row.\n");
     out.table("points | eccentric N | order | double harmonic N | order");
     let mut before: Option<[f64; 2]> = None;
     for n in [360, 720, 1440, 2880, 5760] {
@@ -83,6 +83,6 @@ pub(super) fn convergence(out: &mut Page) -> Result<()> {
         ));
         before = Some(now);
     }
-    out.line("\n![Largest force error against points per turn](dynamics_convergence.png)\n\nBeyond about 1000 points rounding of the coordinates, not interpolation, sets the error.\n");
+    out.line("\n![Maximum force error and points per turn](dynamics_convergence.png)\n\nAbove about 1000 points, the error is caused by rounding of the coordinates, not by interpolation.\n");
     Ok(())
 }

@@ -33,11 +33,11 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_h".to_string(),
         title: "(h) Electronic cams".to_string(),
-        task: "The law of the default design as a file for five controllers, read back and executed in the controller's own numbers; points that miss the force are refused and not drawn.".to_string(),
+        task: "The law of the default design as a file for five controllers, evaluated in the number format of each controller. Numbers of points with a too large force error are rejected and not drawn.".to_string(),
         error: "RMS force added by the controller, part of the mean".to_string(),
         across: Across::Points,
         levels: vec![(1e-4, "0.01 %".to_string())],
-        advice: "Leave the number of points to the program: a controller with quintics carries this law exactly with the eight spans that it has, one with cubic splines to 0.01 % with 128; more points are worse wherever numbers are rounded, and points that are not the ends of spans cost accuracy.".to_string(),
+        advice: "Use the automatic number of points. A controller with quintics reproduces this law exactly with its eight spans; a controller with cubic splines reproduces it to 0.01 % with 128 points. More points are worse if numbers are rounded, and points that are not ends of spans reduce the accuracy.".to_string(),
         rows,
     })
 }

@@ -216,10 +216,10 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
     rows.push(row);
     Ok(Chart {
         file: "speed_accuracy_d1".to_string(),
-        title: "(d1) A follower that rings".to_string(),
+        title: "(d1) Vibrating follower".to_string(),
         task: format!("One mass, natural frequency {RATIO} times the cam's speed, damping ratio {ZETA}, from rest over one turn of a sine; RK4 is unstable below 19 steps, leapfrog below 27."),
         error: "error of the state after one turn, part of the response".to_string(),
-        advice: "Take the closed form: no step to choose, no stability limit, exact to rounding, and quicker than an adaptive integrator at 1e-7 (lab/peers/ode has a crate's); a fixed-step RK4 of 100 steps a turn is enough where a quick look will do.".to_string(),
+        advice: "Use the closed form. It has no step size and no stability limit, is exact to rounding, and is faster than an adaptive integrator at 1e-7 (lab/peers/ode tests a crate). For a rough result, RK4 with 100 fixed steps per turn is sufficient.".to_string(),
         rows,
         ..Chart::default()
     })
@@ -318,11 +318,11 @@ pub fn flight(watch: &Watch) -> Result<Chart> {
     rows.push(row.by_default());
     Ok(Chart {
         file: "speed_accuracy_d2".to_string(),
-        title: "(d2) A follower that flies".to_string(),
-        task: format!("Eccentric of 10 mm under a free mass at {FAST} rad/s: it leaves at 53.208° and lands at {:.6}°.", truth.to_degrees()),
+        title: "(d2) Follower that loses contact".to_string(),
+        task: format!("Eccentric of 10 mm with a free mass at {FAST} rad/s; lift-off at 53.208°, landing at {:.6}°.", truth.to_degrees()),
         error: "error of the landing angle, rad".to_string(),
         levels: vec![(f64::to_radians(0.1), "0.1°".to_string())],
-        advice: "Take the event-driven run: a step that finds the landing to a hundredth of a degree is already slower.".to_string(),
+        advice: "Use the event-driven simulation. Time stepping that finds the landing to a hundredth of a degree is slower.".to_string(),
         rows,
         ..Chart::default()
     })

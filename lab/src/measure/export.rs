@@ -68,14 +68,14 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_e".to_string(),
         title: "(e) Profile for the machine".to_string(),
-        task: "Roller cam of 40 mm base radius, 20 mm cycloidal rise and fall: distance between the true profile and what a machine runs through.".to_string(),
+        task: "Roller cam of 40 mm base radius, 20 mm cycloidal rise and fall: distance between the true profile and the path of the machine.".to_string(),
         error: "largest distance from the true profile, m".to_string(),
         across: Across::Points,
         levels: vec![
             (1e-5, "grinding, 10 µm".to_string()),
             (1e-6, "1 µm".to_string()),
         ],
-        advice: "Take the arcs of profile.dxf: at a tenth of a micrometre they need a tenth of the points that chords need; take the 1440 points of profile.csv only where a machine knows no arcs.".to_string(),
+        advice: "Use the arcs of profile.dxf. For 0.1 µm they need a tenth of the points of chords. Use the 1440 points of profile.csv only for a machine without arcs.".to_string(),
         rows,
     })
 }

@@ -55,10 +55,10 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_a1".to_string(),
         title: "(a1) Force to law, smooth force".to_string(),
-        task: "Young's load of both feet at 1.85 Hz, 1024 samples, moving axis; laws without limits. Times run from the samples to a profile of 1440 points (for the textbook methods: 1440 values).".to_string(),
+        task: "Young's load of both feet at 1.85 Hz, 1024 samples, moving axis; laws without limits. Times include all steps from the samples to a profile of 1440 points (for the textbook methods: 1440 values).".to_string(),
         error: ERROR.to_string(),
         levels: levels(),
-        advice: "Take the default: without a family named, harmonics in closed form as far as the accuracy asks, the fastest and the nearest; limits, dwells and points that harmonics break hand over to a spline, which they can bend locally.".to_string(),
+        advice: "Use the default. Without a given family it is harmonics in closed form, with the number that reaches the accuracy; this is the fastest and most accurate method. If harmonics violate limits, dwells or points, a spline is used, which can adapt locally.".to_string(),
         rows,
         ..Chart::default()
     })
@@ -86,10 +86,10 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_a2".to_string(),
         title: "(a2) Force to law, heel strike and swing".to_string(),
-        task: "One foot of the ISO 22675 load, 824 N, with a heel transient of 30 %, 1024 samples a stride, lift proportional to force; laws without limits. Times run from the samples to a profile of 1440 points (for the textbook methods: 1440 values). Polynomials stand on the stance alone.".to_string(),
+        task: "One foot of the ISO 22675 load, 824 N, with a heel transient of 30 %, 1024 samples a stride, lift proportional to force; laws without limits. Times include all steps from the samples to a profile of 1440 points (for the textbook methods: 1440 values). Polynomials cover only the stance.".to_string(),
         error: ERROR.to_string(),
         levels: levels(),
-        advice: "Take the default here too: harmonics in closed form, as many as the accuracy asks, are smooth in every derivative; a spline costs down to half where somebody knows its number of spans, and is smooth in its lowest derivatives only. Where a limit binds take a quartic spline of 64 spans, or a quintic where the jerk itself must be smooth; one polynomial through critical points overshoots.".to_string(),
+        advice: "Use the default. Harmonics in closed form, with the number that reaches the accuracy, are smooth in every derivative. A spline with a known number of spans takes as little as half the time, but only its lowest derivatives are smooth. With an active limit, use a quartic spline of 64 spans, or a quintic spline if the jerk must be smooth. One polynomial through critical points overshoots.".to_string(),
         rows,
         ..Chart::default()
     })

@@ -44,9 +44,9 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_c".to_string(),
         title: "(c) Curvature of the profile".to_string(),
-        task: format!("Radius of curvature at {ANGLES} angles of an eccentric disc of 30 mm, 10 mm off centre, under a flat face: the truth is the disc's radius."),
+        task: format!("Radius of curvature at {ANGLES} angles of an eccentric disc of 30 mm, 10 mm eccentricity, with a flat face; the reference is the radius of the disc."),
         error: "largest relative error of the radius".to_string(),
-        advice: "Take the closed form: it is the fastest and exact to rounding; differences are worst where they are finest.".to_string(),
+        advice: "Use the closed form. It is the fastest method and exact to rounding. Differences are worst for the smallest steps.".to_string(),
         rows,
         ..Chart::default()
     })

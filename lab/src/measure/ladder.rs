@@ -30,8 +30,8 @@ fn line(tier: &str, problem: impl Into<String>, timing: Times, error: f64, again
 pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
     let rungs = Chart {
         file: "ladder".to_string(),
-        title: "The rungs one by one".to_string(),
-        task: "Each rung on its own problems; the remark says what the error is against."
+        title: "Each solver on its own problems".to_string(),
+        task: "The remark names the reference of the error."
             .to_string(),
         error: "error".to_string(),
         across: Across::Spans,
@@ -219,11 +219,11 @@ fn against_spans(watch: &Watch) -> Result<Chart> {
     }
     Ok(Chart {
         file: "ladder_spans".to_string(),
-        title: "Cost against spans".to_string(),
+        title: "Cost and number of spans".to_string(),
         task: "Quintic splines on the footbridge force of 1024 samples.".to_string(),
         error: "time of one run, s, median".to_string(),
         across: Across::Spans,
-        advice: "One factorisation costs in proportion to the spans. With a limit the cost grows with the places where it touches. A cam needs 8 to 60.".to_string(),
+        advice: "The cost of a factorisation is proportional to the number of spans. With a limit, the cost increases with the number of contact points. A cam needs 8 to 60 spans.".to_string(),
         rows,
         ..Chart::default()
     })

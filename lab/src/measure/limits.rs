@@ -64,11 +64,11 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         file: "speed_accuracy_b".to_string(),
         title: "(b) Limits between samples".to_string(),
         task: format!(
-            "Quintic of {SPANS} spans on the footbridge force, jerk held to {:.0} % of what the free law takes.",
+            "Quintic of {SPANS} spans on the footbridge force, jerk limited to {:.0} % of the maximum of the unlimited law.",
             100.0 * ALLOWED
         ),
         error: "larger of: true excess over the limit, force error beyond the best possible (both relative)".to_string(),
-        advice: "Take the exchange, the default: certified on the continuum, exact, and faster than Bernstein rows, cones and every sampling; samples alone promise nothing between them.".to_string(),
+        advice: "Use the default, exchange. It is exact, certified on the continuous law, and faster than Bernstein rows, cones and all sampling methods. Samples alone do not limit the values between them.".to_string(),
         rows,
         ..Chart::default()
     })

@@ -38,10 +38,10 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     Ok(Chart {
         file: "speed_accuracy_f".to_string(),
         title: "(f) A shaft with its motor".to_string(),
-        task: "Footbridge force, a motor that loses 10 N·m per rad/s, wheels of 0.5 to 8 kg m²: force of the law on the shaft as its motor turns it.".to_string(),
+        task: "Footbridge force, a motor whose torque decreases by 10 N·m per rad/s, flywheels of 0.5 to 8 kg m²: force on the shaft with this motor.".to_string(),
         error: "RMS force error over time, part of the mean".to_string(),
         levels: vec![(0.005, "0.5 %".to_string())],
-        advice: "Give motor and inertia wherever the speed ripples: the law for its motor keeps the force error below 0.4 % under every wheel; the law for constant speed errs by 1 % even with a wheel of 8 kg m², and by 6 % with one of 0.5.".to_string(),
+        advice: "Give motor and inertia if the speed varies. The law for the motor has a force error below 0.4 % with every flywheel. The law for constant speed has an error of 1 % with a flywheel of 8 kg m², and of 6 % with 0.5 kg m².".to_string(),
         rows,
         ..Chart::default()
     })

@@ -245,7 +245,7 @@ impl Reproduction {
     /// The report as `reproduction.md`.
     pub fn markdown(&self) -> String {
         let mut out = String::from(
-            "# The papers' numbers, computed again\n\nWritten by `gaitcam-lab reproduce`; every recomputed number comes from the library, none is copied.\n\n",
+            "# The papers' numbers, computed again\n\nWritten by `gaitcam-lab reproduce`; every recomputed number is a result of the library.\n\n",
         );
         out.push_str("| class | meaning | numbers |\n|---|---|---:|\n");
         for class in Class::ALL {
