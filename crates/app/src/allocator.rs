@@ -1,7 +1,7 @@
-//! The allocator of the page: that of the standard library, kept out of its callers.
+//! Global allocator of the page: the allocator of the standard library, never inlined.
 //!
-//! Inlined into a caller, the allocator reads its own word in front of a block that the optimiser knows as a block of zeros, and the optimiser writes
-//! a zero for it: a freed block then has no size, and the page crashes.
+//! The allocator stores the size of a block in a word in front of the block. If a caller inlines the allocator, the optimiser takes this word as a
+//! part of the zeroed block and replaces it by zero. A freed block then has size 0, and the page crashes.
 #![allow(unsafe_code)] // A global allocator is unsafe by its trait; every call goes to the standard library's.
 
 use std::alloc::{GlobalAlloc, Layout, System};

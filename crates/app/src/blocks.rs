@@ -1,9 +1,8 @@
-//! A folder that holds a sweep in blocks: one file per range of rows, each complete or absent.
+//! Folder of a sweep that is computed in blocks: one file per range of rows, each complete or absent.
 //!
-//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`, in the
-//! unfinished table of one process by its checksum too, `rows-000000000008-000000000072.1c291ca3.csv`. It is
-//! written beside its place and renamed, so that any number of processes on any number of machines may share the folder,
-//! and a second start computes only what is missing.
+//! `_plan.json` identifies the sweep. The name of a block contains its rows, `rows-000000131072-000000262144.parquet`; in the unfinished table of a
+//! single process also its checksum, `rows-000000000008-000000000072.1c291ca3.csv`. A block is written under a temporary name and then renamed. Any
+//! number of processes on any number of machines may therefore share the folder, and a second start computes only the missing blocks.
 
 use std::collections::HashSet;
 use std::ffi::OsStr;
@@ -22,14 +21,14 @@ use crate::lock::is_plain;
 use crate::read::{cannot_be_read, read_bytes};
 use crate::scene::not_json;
 
-/// The file that describes the sweep of the folder. Readers of folders of Parquet pass over names that begin with an underscore or a dot.
+/// File that describes the sweep of the folder. Readers of Parquet folders ignore names that begin with an underscore or a dot.
 pub const PLAN: &str = "_plan.json";
-/// Default number of rows of a block.
+/// Default number of rows per block.
 pub const BLOCK_ROWS: u64 = 131_072;
 /// Beginning of the name of a block.
 const NAME: &str = "rows-";
 
-/// The folder of a sweep that is computed in blocks.
+/// Folder of a sweep that is computed in blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blocks {
     folder: PathBuf,
@@ -37,11 +36,11 @@ pub struct Blocks {
 }
 
 impl Blocks {
-    /// The folder of the sweep that `plan` describes, begun now or earlier; its blocks are files with `ending`.
+    /// Opens or creates the folder of the sweep that `plan` describes. Its blocks are files with `ending`.
     ///
     /// # Errors
-    /// A folder that cannot be written, that holds another sweep (with every difference, in `language`), or blocks
-    /// without the plan that they belong to.
+    ///
+    /// The folder is not writable, or contains another sweep (with all differences, in `language`), or blocks without a plan.
     pub fn open(
         folder: &Path,
         plan: &Value,
@@ -66,18 +65,20 @@ impl Blocks {
         self.folder.join(name)
     }
 
-    /// Moves a complete block into the folder.
+    /// Moves a complete block to the folder.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    ///
+    /// A file cannot be written.
     pub fn put(&self, rows: &Range<u64>, bytes: &[u8]) -> Result<()> {
         put_whole(&self.path(rows), bytes)
     }
 
-    /// Moves a complete block into the folder under a name that holds the checksum (CRC-32) of its bytes.
+    /// Moves a complete block to the folder. Its name contains the checksum (CRC-32) of its bytes.
     ///
     /// # Errors
-    /// A file that cannot be written.
+    ///
+    /// A file cannot be written.
     pub fn put_with_checksum(&self, rows: &Range<u64>, bytes: &[u8]) -> Result<()> {
         let ending = format!("{}.{}", checksum(bytes), self.ending);
         put_whole(&self.path(rows).with_extension(ending), bytes)
@@ -94,29 +95,30 @@ impl Blocks {
         }
     }
 
-    /// The blocks that exist, in the order of their rows.
+    /// Existing blocks, in the order of their rows.
     ///
     /// # Errors
-    /// A folder that cannot be read.
+    ///
+    /// The folder cannot be read.
     pub fn present(&self) -> Result<Vec<Range<u64>>> {
         Ok(files(&self.folder)?.into_iter().map(|f| f.0).collect())
     }
 }
 
-/// The blocks of equal length in which several processes share a sweep.
+/// Blocks of equal length in which several processes share a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
-    /// The folder of the sweep.
+    /// Folder of the sweep.
     pub blocks: Blocks,
     rows: u64,
     block_rows: u64,
 }
 
 impl SharedBlocks {
-    /// The folder of a sweep, begun now or earlier, whose blocks have `block_rows` rows; new ones are files with
-    /// `ending`.
+    /// Opens or creates the folder of a sweep whose blocks have `block_rows` rows. New blocks are files with `ending`.
     ///
     /// # Errors
+    ///
     /// As [`Blocks::open`].
     pub fn open(
         folder: &Path,
@@ -139,7 +141,8 @@ impl SharedBlocks {
     /// Blocks that are still missing.
     ///
     /// # Errors
-    /// A folder that cannot be read.
+    ///
+    /// The folder cannot be read.
     pub fn missing(&self) -> Result<Vec<Range<u64>>> {
         let present: HashSet<Range<u64>> = self.blocks.present()?.into_iter().collect();
         let starts = (0..self.rows).step_by(self.block_rows as usize);
@@ -147,9 +150,10 @@ impl SharedBlocks {
         Ok(all.filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// The blocks of one of `parts` equal shares that are still missing; share 0 is share `parts`.
+    /// Missing blocks in one of `parts` equal shares; share 0 is equivalent to share `parts`.
     ///
     /// # Errors
+    ///
     /// As [`SharedBlocks::missing`].
     pub fn missing_of(&self, part: u64, parts: u64) -> Result<Vec<Range<u64>>> {
         let mut out = self.missing()?;
@@ -172,10 +176,11 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     write_whole(place, text.as_bytes())
 }
 
-/// The blocks in a folder, plain files, with their rows, in the order of these.
+/// Blocks in a folder that are plain files, with their rows, in the order of the rows.
 ///
 /// # Errors
-/// A folder that cannot be read.
+///
+/// The folder cannot be read.
 pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     let fault = |e: std::io::Error| cannot_be_read(folder, &e);
     let mut out = Vec::new();
@@ -190,10 +195,11 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
-/// Ranges of rows that the folder lacks: gaps between blocks, and the rows after the last block.
+/// Ranges of rows that are missing in the folder: gaps between blocks, and the rows after the last block.
 ///
 /// # Errors
-/// A folder that cannot be read.
+///
+/// The folder cannot be read.
 pub fn missing_rows(folder: &Path) -> Result<Vec<Range<u64>>> {
     let plan = read_bytes(&folder.join(PLAN)).unwrap_or_default();
     let plan: Value = serde_json::from_slice(&plan).unwrap_or_default();
@@ -208,10 +214,11 @@ pub fn missing_rows(folder: &Path) -> Result<Vec<Range<u64>>> {
     Ok(out)
 }
 
-/// The checksum (CRC-32) of a file.
+/// Checksum (CRC-32) of a file.
 ///
 /// # Errors
-/// A file that cannot be read.
+///
+/// The file cannot be read.
 pub fn checksum_of(path: &Path) -> Result<String> {
     let (mut sum, mut part) = (crc32fast::Hasher::new(), vec![0; 1 << 20]);
     let fault = |e: std::io::Error| cannot_be_read(path, &e);
@@ -228,7 +235,7 @@ fn checksum(bytes: &[u8]) -> String {
     format!("{:08x}", crc32fast::hash(bytes))
 }
 
-/// Whether a block has the bytes whose checksum is in its name.
+/// Whether the content of a block agrees with the checksum in its name.
 pub fn is_whole(block: &Path) -> bool {
     let named = block
         .file_stem()

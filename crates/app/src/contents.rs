@@ -7,16 +7,16 @@ use crate::workshop::Workshop;
 /// Default number of rows of law.csv and profile.csv.
 pub const ROWS: usize = 1440;
 
-/// Contents of the files of a design.
+/// Options for the contents of the files of a design.
 #[derive(Debug, Clone, Copy)]
 pub struct Contents {
-    /// Rows of law.csv and profile.csv.
+    /// Number of rows of law.csv and profile.csv.
     pub points: usize,
-    /// Pictures as PNG too.
+    /// Whether figures are also written as PNG.
     pub png: bool,
-    /// Language of pictures and report.
+    /// Language of figures and report.
     pub language: Language,
-    /// Files for CAD and the workshop.
+    /// Options of the files for CAD and the workshop.
     pub workshop: Workshop,
 }
 

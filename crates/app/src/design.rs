@@ -21,14 +21,14 @@ use crate::inputs;
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
 
-/// `summary.json`: the design in numbers, and the scene that it was made from.
+/// `summary.json`: the design in numbers, and the scene from which it was made.
 pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     let mut out = json::summary(design, time);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }
 
-/// `summary.json` of a scene without a cam: the reason, and the key at fault.
+/// `summary.json` of a scene without a cam: the reason, and the key that causes it.
 pub fn summary_without_cam(name: &str, error: &Error, scene: &toml::Table, total_s: f64) -> Value {
     let mut out = json::summary_without_cam(name, error, total_s);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
@@ -40,11 +40,12 @@ pub fn is_of_machine(key: &str) -> bool {
     key.starts_with("drive.") || key.starts_with("machine.")
 }
 
-/// A manufactured cam on the machine of another scene: its drive and the target force. A load model gives the target at the step frequency of the new
-/// speed, or the reason why it is not defined there.
+/// Places a manufactured cam in the machine of another scene, with its drive and target force. For a load model, the target belongs to the step
+/// frequency of the new speed, or the second value is the reason for which it is not defined there.
 ///
 /// # Errors
-/// A drive without speed or mass.
+///
+/// The drive has no speed or mass.
 pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> {
     let drive = Problem::resolve(scene, design.target_in_time())?.drive;
     let faster = (drive.speed / design.problem.drive.speed).abs();
@@ -73,17 +74,19 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     Ok((design.moved_to(drive, target), missing))
 }
 
-/// A manufactured cam under another force; what the scene leaves open of its machine, such as mass and speed, follows from that force.
+/// Applies another force to a manufactured cam. Values of the machine that the scene does not specify, such as mass and speed, follow from this
+/// force.
 ///
 /// # Errors
-/// A force or a scene without mean force, mass or speed.
+///
+/// The force or the scene has no mean force, mass or speed.
 pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<Design> {
     let problem = Problem::resolve(scene, Some(force))?.at_phase(design.problem.phase);
     let target = problem.target_in_time().cloned();
     Ok(design.moved_to(problem.drive, target))
 }
 
-/// Keys of the law of one cam of a cover: its objective, and the family and size that all cams share.
+/// Keys of the law for one cam of a cover: its objective, and the family and size that all cams share.
 pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)> {
     let law = &cover.scene.law;
     let objective = cover.cams[cam].population.as_ref();
@@ -103,10 +106,11 @@ pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)>
         .collect()
 }
 
-/// Writes scene and summary and puts the whole result into place.
+/// Writes scene and summary, and moves the whole result into place.
 ///
 /// # Errors
-/// Files that cannot be written or moved.
+///
+/// Files cannot be written or moved.
 pub fn finish(
     folder: ResultFolder,
     input: &Input,
@@ -123,17 +127,18 @@ pub fn finish(
     Ok(path)
 }
 
-/// Step frequency of a cam's drive, Hz.
+/// Step frequency for the drive of a cam, Hz.
 fn step_frequency(design: &Design) -> Option<f64> {
     let of_step = design.load_factors().first()?.of_step;
     let period = design.cam.law.extent().1 / design.problem.drive.speed.abs();
     Some((1.0 / of_step).round() / period)
 }
 
-/// Writes the resolved scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.
+/// Writes the resolved scene: `scene.toml`, or `scene.used.toml` if the scene was read from `scene.toml` in this folder.
 ///
 /// # Errors
-/// A file that cannot be written.
+///
+/// The file cannot be written.
 pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<()> {
     let own = folder.path().join(SCENE);
     let name = if input.file.as_deref().is_some_and(|f| same(f, &own)) {
@@ -144,9 +149,10 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Rejects a folder in which a design would replace one of its inputs; `more` are further inputs that the scene does not name.
+/// Rejects a folder in which a design would replace one of its inputs. `more` contains inputs that the scene does not name.
 ///
 /// # Errors
+///
 /// The input that would be replaced.
 pub fn check_inputs_stay(folder: &Path, input: &Input, more: &[PathBuf]) -> Result<()> {
     let paths = input.paths()?;

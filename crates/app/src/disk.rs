@@ -1,4 +1,4 @@
-//! Files on the disk, found by their names in a scene.
+//! Files on the disk, by their names in a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,16 +11,16 @@ use toml::Table;
 use crate::read::{read_bytes, read_motion};
 use crate::recordings::inside;
 
-/// Files on the disk, found by their names in a scene. The search order is the folder of the scene file, the files of the program, the working
-/// directory. A built-in scene has no folder of its own.
+/// Files on the disk, by their names in a scene. They are searched in the folder of the scene file, among the built-in files, and in the working
+/// directory, in this order. A built-in scene has no folder.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Disk {
-    /// The folder of the scene file.
+    /// Folder of the scene file.
     pub folder: Option<PathBuf>,
 }
 
 impl Disk {
-    /// Files in the folder of the scene file.
+    /// Files for a scene file, with its folder.
     pub fn beside(file: &Path) -> Disk {
         let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
         Disk {
@@ -34,7 +34,7 @@ impl Disk {
         beside.exists().then_some(beside)
     }
 
-    /// The path of a name; `None` for a file that came with the program.
+    /// Path of the file with this name; `None` for a built-in file.
     pub fn place(&self, name: &Path) -> Option<PathBuf> {
         match (self.own(name), scene::built_in_file(name)) {
             (Some(place), _) => Some(place),
@@ -43,10 +43,11 @@ impl Disk {
         }
     }
 
-    /// The table of a scene with the rows of every motion in place of the file that it names.
+    /// Table of a scene in which the rows of every motion replace the file name.
     ///
     /// # Errors
-    /// Files that cannot be read or hold no motion.
+    ///
+    /// A file cannot be read or contains no motion.
     pub fn with_motions(&self, table: &Table) -> Result<Table> {
         scene::with_motions(table, &mut |file| {
             let path = self.shown(file);
@@ -84,7 +85,7 @@ impl Files for Disk {
     }
 }
 
-/// The table of subjects in the folder of a table of stances, if there is one.
+/// Table of subjects in the folder of a table of stances, if it exists.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
     read_bytes(&force::metadata_name(path)?).ok()
 }

@@ -1,6 +1,7 @@
-//! Everything that is wrong with a scene or a recording, and what cures it.
+//! Lists all errors of a scene or a recording, with suggested changes.
 //!
-//! The same functions as in `synth` and `gait`, one step after another; a scene's faulty keys are set aside so that those behind them are found too.
+//! The functions are those of `synth` and `gait`, applied step by step. Invalid keys of a scene are removed, so that errors after them are found as
+//! well.
 
 use std::path::Path;
 
@@ -16,19 +17,19 @@ use crate::disk::{Disk, metadata};
 use crate::read::read_bytes;
 use crate::scene::Input;
 
-/// Maximum number of listed faults of one scene.
+/// Maximum number of listed errors of one scene.
 const MOST: usize = 25;
 
-/// One result of an examination.
+/// Result of an examination.
 #[derive(Debug, Clone)]
 pub enum Finding {
-    /// What is in order: the message of the command, with its data.
+    /// A part without errors: message of the command, with its data.
     Good(&'static str, Value),
-    /// A fault of a key or of a file.
+    /// An error of a key or of a file.
     Fault(Error),
     /// A recording without a cycle.
     NoCycle(Error),
-    /// A guess, exclusion or implausible value.
+    /// An assumption, an exclusion or an implausible value.
     Note(Note),
     /// A question that only the user can answer.
     Open(OpenQuestion),
@@ -36,12 +37,12 @@ pub enum Finding {
     Design(Box<Design>),
 }
 
-/// How serious a finding is.
+/// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// The finding needs no action.
     Good,
-    /// The user is asked to check the finding.
+    /// The user should check the finding.
     Doubtful,
     /// The finding is an error of the scene.
     Bad,
@@ -63,7 +64,7 @@ impl Finding {
     }
 }
 
-/// Whether a path has the ending of a file that is not a scene.
+/// Whether the ending of a path is that of a file other than a scene.
 pub fn is_recording(path: &Path) -> bool {
     let ending = path.extension().map(|e| e.to_ascii_lowercase());
     ending.is_some_and(|e| e != "toml" && e != "json")
@@ -72,7 +73,8 @@ pub fn is_recording(path: &Path) -> bool {
 /// Findings on a recording on the disk.
 ///
 /// # Errors
-/// A file that cannot be read; an invalid cycle.
+///
+/// The file cannot be read; the cycle is invalid.
 pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
     let options = ReadOptions {
         metadata: metadata(path),
@@ -84,7 +86,8 @@ pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
 /// Findings on a recording.
 ///
 /// # Errors
-/// An invalid cycle.
+///
+/// The cycle is invalid.
 pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Finding>> {
     let file = path.display().to_string();
     if let Some(curve) = force::one_cycle(path, bytes, options, Feet::Both)? {
@@ -111,10 +114,11 @@ pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec
     Ok(out)
 }
 
-/// Findings on a scene, `name` in messages, and the scene where there is nothing to correct before its design.
+/// Findings on a scene, and the scene if nothing must be corrected before its design. `name` is its name in messages.
 ///
 /// # Errors
-/// Motions and recordings that cannot be read.
+///
+/// Motions or recordings cannot be read.
 pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)> {
     let data = json!({"file": name, "keys": leaves(&table)});
     let mut out = vec![Finding::Good("toml", data)];
@@ -142,10 +146,11 @@ pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Opt
     Ok((out, (!is_bad).then_some(input)))
 }
 
-/// The design of a scene.
+/// Designs the scene.
 ///
 /// # Errors
-/// A recording that cannot be read.
+///
+/// The recording cannot be read.
 pub fn design(input: &Input, search: &Search) -> Result<Finding> {
     let target = input.target()?;
     let outcome = answer(&input.scene, target.as_ref(), search);
@@ -171,7 +176,7 @@ fn leaves(table: &Table) -> usize {
     table.values().map(count).sum()
 }
 
-/// The scene without its invalid keys, and the fault of each.
+/// The scene without its invalid keys, and the error of each invalid key.
 fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
     let mut left = table.clone();
     let mut faults: Vec<Error> = Vec::new();

@@ -1,4 +1,4 @@
-//! Which files of an earlier result in the same folder do not belong to the new one.
+//! Files of an earlier result in the same folder that do not belong to the new result.
 
 use std::fs;
 use std::path::Path;
@@ -9,9 +9,9 @@ use crate::lock::is_plain;
 
 /// File name of the resolved scene.
 pub(crate) const SCENE: &str = "scene.toml";
-/// File name of the resolved scene where the input is called `scene.toml`.
+/// File name of the resolved scene if the input is named `scene.toml`.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
-/// Files that `simulate` adds to the design.
+/// Files that `simulate` adds to the folder of a design.
 pub const OF_RUN: [&str; 6] = [
     "dynamics.csv",
     "dynamics.xlsx",
@@ -21,7 +21,7 @@ pub const OF_RUN: [&str; 6] = [
     "speeds.png",
 ];
 
-/// Files that `inspect` adds.
+/// Files that `inspect` adds to the folder of a design.
 pub const OF_INSPECTION: [&str; 6] = [
     "inspection.csv",
     "inspection.json",
@@ -39,16 +39,16 @@ pub const OF_IDENTIFICATION: [&str; 4] = [
     "identify.png",
 ];
 
-/// The target force, where it came from arrays and not from a file.
+/// File of a target force that was given as arrays, not as a file.
 pub const FORCE: &str = "force.csv";
 
-/// Files that exist only while all files of the folder belong together.
+/// File that exists only while all files of the folder belong together.
 pub(crate) const SUMMARY: &str = "summary.json";
 
 /// Maximum number of cams of a cover.
 pub const MOST_CAMS: usize = 50;
 
-/// The tables and the picture of a cover. The first exists only while the files of the folder belong together.
+/// Tables and figure of a cover. The first file exists only while the files of the folder belong together.
 pub const OF_COVER: [&str; 6] = [
     "cover.csv",
     "assignment.csv",
@@ -58,12 +58,12 @@ pub const OF_COVER: [&str; 6] = [
     "cycles.csv",
 ];
 
-/// The scene of one of the cams of a cover, both counted from 1.
+/// File name of the scene for one cam of a cover; both numbers count from 1.
 pub fn scene_of_cover(cams: usize, cam: usize) -> String {
     format!("cams_{cams}/cam_{cam}.toml")
 }
 
-/// Every file of a cover.
+/// All files of a cover.
 pub fn of_cover() -> impl Iterator<Item = &'static str> {
     static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| {
         let numbers = (1..=MOST_CAMS).flat_map(|cams| (1..=cams).map(move |cam| (cams, cam)));
@@ -76,7 +76,7 @@ pub fn of_cover() -> impl Iterator<Item = &'static str> {
         .chain(SCENES.iter().map(String::as_str))
 }
 
-/// Every file of a result.
+/// All files of a result.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
@@ -89,13 +89,12 @@ pub(crate) fn is_last(name: &str) -> bool {
     name == SUMMARY || name == OF_COVER[0]
 }
 
-/// Every file that `synth` may write or remove.
+/// All files that `synth` may write or remove.
 pub fn of_design() -> Vec<&'static str> {
     files::ALL.iter().map(|file| file.name).collect()
 }
 
-/// Names of the files that an earlier result may have left in `folder` and that do not belong to a result of
-/// `scene` (as TOML); none where the folder holds no result.
+/// Names of files of an earlier result in `folder` that do not belong to a result of `scene` (as TOML). Empty if the folder contains no result.
 pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     let design = holds_design(folder);
     if !design && !holds(folder, "simulation.json", ["model", "lost_fraction"]) {
@@ -106,8 +105,7 @@ pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     [own, run.to_vec()].concat()
 }
 
-/// Names of the files of a design of another scene than `scene` (as TOML) in `folder`; a run
-/// is not written there.
+/// Names of the design files in `folder`, if they were made from a scene other than `scene` (as TOML). A run is not written there.
 pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
     if holds_design(folder) && !is_of(folder, scene) {
         of_design()
@@ -120,14 +118,14 @@ fn holds_design(folder: &Path) -> bool {
     holds(folder, SUMMARY, ["outcome", "solver"])
 }
 
-/// Whether a file of the folder is a JSON object with these keys.
+/// Whether a file of the folder is a JSON object with the given keys.
 fn holds(folder: &Path, name: &str, keys: [&str; 2]) -> bool {
     let bytes = content(&folder.join(name));
     let object = serde_json::from_slice::<serde_json::Value>(&bytes);
     object.is_ok_and(|o| keys.iter().all(|key| o.get(key).is_some()))
 }
 
-/// Whether the folder's result is of this scene.
+/// Whether the result in the folder belongs to this scene.
 fn is_of(folder: &Path, scene: &str) -> bool {
     [SCENE, SCENE_BESIDE_INPUT]
         .iter()

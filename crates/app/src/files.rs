@@ -1,4 +1,4 @@
-//! The files of a design: one table of names and makers for the command, the Python package and the studio.
+//! Files of a design: one table with names and functions, shared by the command, the Python package and the studio.
 
 use std::cell::OnceCell;
 
@@ -13,18 +13,18 @@ use crate::workshop::Piece;
 pub use crate::workshop::usual_cutter;
 use crate::workshop::{Made, Remark};
 
-/// Kinds of designs that have a file.
+/// Kinds of designs for which a file exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
-    /// Every design, infeasible ones too.
+    /// All designs, including infeasible ones.
     All,
     /// Designs with a cam.
     Cams,
-    /// Cams that turn about their shaft under a follower.
+    /// Rotating cams with a follower.
     Discs,
-    /// All cams but barrel cams.
+    /// All cams except barrel cams.
     Profiles,
-    /// All cams but barrel cams; offered only for rotating cams, since no other is a plate.
+    /// All cams except barrel cams. The file is offered only for rotating cams, because no other cam is a plate.
     Plates,
     /// Conjugate pairs of cams.
     Pairs,
@@ -36,20 +36,20 @@ enum Of {
     Populations,
 }
 
-/// Option of [`Contents`] that a file needs, and the function that makes it.
+/// Option of [`Contents`] that requests a file, and the function that makes the file.
 #[derive(Debug, Clone, Copy)]
 enum Maker {
-    /// No option: the file is always written.
+    /// The file needs no option and is always written.
     Always(fn(&Source) -> Made),
-    /// Pictures as PNG files.
+    /// Figures as PNG files.
     Png(fn(&Source) -> Made),
     /// Files for the workshop.
     Workshop(Piece),
-    /// No option, but written last, by [`design::finish`](crate::design::finish).
+    /// The file needs no option. It is written last, by [`design::finish`](crate::design::finish).
     Finish,
 }
 
-/// Sources of the files; each picture is drawn once for SVG and PNG.
+/// Sources of the files. Each figure is drawn once for SVG and PNG.
 pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
@@ -86,7 +86,7 @@ const fn piece(group: Group, name: &'static str, of: Of, piece: Piece) -> File {
     file(group, name, of, Maker::Workshop(piece))
 }
 
-/// Every file that a design may have except its scene, in the order of writing.
+/// All files that a design may have except its scene, in the order in which they are written.
 pub const ALL: [File; 35] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Maker::{Always, Finish, Png};
@@ -212,7 +212,7 @@ fn second_profile(source: &Source) -> Made {
 }
 
 impl<'a> Source<'a> {
-    /// A design, its computing time, and the contents of its files.
+    /// Creates the source from a design, its computing time, and the options for the contents of its files.
     pub fn new(design: &'a Design, time: Timing, contents: &'a Contents) -> Self {
         Source {
             design,
@@ -244,10 +244,11 @@ impl<'a> Source<'a> {
 }
 
 impl File {
-    /// Bytes of the file, if it can be made, and remarks about it.
+    /// Content of the file, if it can be made, and remarks on it.
     ///
     /// # Errors
-    /// A cutter that has no path; a workbook or mesh that cannot be put together.
+    ///
+    /// The cutter has no path; a workbook or mesh cannot be assembled.
     pub fn make(&self, source: &Source) -> Made {
         match self.maker {
             Maker::Always(make) | Maker::Png(make) => make(source),
@@ -288,17 +289,18 @@ impl File {
     }
 }
 
-/// The files of a design by its kind, without the program for a wire, whose radius the user must give.
+/// Files of a design according to its kind, without the program for a wire, whose radius the user must give.
 pub fn of(design: &Design) -> impl Iterator<Item = &'static File> {
     let is_plate = !design.cam.follower.is_unrolled();
     let offered = move |f: &&File| !f.is(Piece::Wire) && (f.of != Of::Plates || is_plate);
     ALL.iter().filter(offered).filter(|file| file.suits(design))
 }
 
-/// Makes the requested files and passes each to `put`; returns remarks on them.
+/// Makes the requested files and passes each of them to `put`. Returns remarks on them.
 ///
 /// # Errors
-/// Files that cannot be written; a cutter that has no path.
+///
+/// A file cannot be written; the cutter has no path.
 pub fn write(
     source: &Source,
     mut put: impl FnMut(&str, &[u8]) -> Result<()>,

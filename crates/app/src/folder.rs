@@ -1,4 +1,4 @@
-//! Writing files atomically: a file appears complete or not at all.
+//! Atomic writing of files: a file is either complete or absent.
 
 use std::ffi::OsString;
 use std::fs;
@@ -11,13 +11,13 @@ use tempfile::{Builder, NamedTempFile};
 use crate::inputs;
 use gaitcam_output::Picture;
 
-/// A folder that files can be written to.
+/// A folder to which files can be written.
 pub struct Folder {
     path: PathBuf,
 }
 
 impl Folder {
-    /// Creates the folder if needed and checks that it can be written, before any work is done.
+    /// Creates the folder if necessary, and checks that it is writable before any computation.
     pub fn open(path: &Path) -> Result<Folder> {
         let fault = |e: std::io::Error| {
             WriteError::FolderRefuses {
@@ -32,12 +32,12 @@ impl Folder {
         })
     }
 
-    /// Writes one file: to a temporary name first, then renamed.
+    /// Writes one file, first under a temporary name, and renames it.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         write_whole(&self.path.join(name), bytes)
     }
 
-    /// Writes a picture as SVG and PNG.
+    /// Writes a figure as SVG and PNG.
     pub fn write_picture(&self, name: &str, picture: &Picture) -> Result<()> {
         self.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         self.write(&format!("{name}.png"), &picture.png())
@@ -52,15 +52,18 @@ impl Folder {
 /// Writes `bytes` to a temporary file in the same folder and renames it to `path`.
 ///
 /// # Errors
-/// A file that cannot be written.
+///
+/// The file cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// Writes and renames through a hidden temporary file that is synced first, for folders that other processes read at the same time.
+/// As [`write_whole`], but the temporary file is hidden and is synced before it is renamed. Used for folders that other processes read at the same
+/// time.
 ///
 /// # Errors
-/// A file that cannot be written.
+///
+/// The file cannot be written.
 pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, ".", bytes, fs::File::sync_all)
 }
@@ -68,7 +71,8 @@ pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
 /// Writes a new file, complete or not at all.
 ///
 /// # Errors
-/// [`AlreadyExists`](std::io::ErrorKind::AlreadyExists), or a file that cannot be written.
+///
+/// [`AlreadyExists`](std::io::ErrorKind::AlreadyExists), or the file cannot be written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let temporary = temporary(path, ".", bytes)?;
     temporary.persist_noclobber(path).map_err(|e| e.error)?;
@@ -92,7 +96,7 @@ fn through_temporary(
     })
 }
 
-/// A file with a unique name in the folder of `path`; dropping it removes it.
+/// Temporary file with a unique name in the folder of `path`. It is removed when the value is dropped.
 fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());

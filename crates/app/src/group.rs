@@ -1,22 +1,22 @@
-//! Groups in which the files of a design are listed.
+//! Groups of the files of a design in lists.
 
 /// Purpose of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     /// Tables of numbers: CSV, JSON and workbooks.
     Tables,
-    /// The cam at true scale.
+    /// Drawings of the cam at true scale.
     Drawings,
-    /// Pictures of the design.
+    /// Figures of the design.
     Pictures,
     /// The HTML report of a design or a run.
     Report,
-    /// Solids, workshop drawing, programs for machines.
+    /// Solids, workshop drawing, machine programs.
     Workshop,
 }
 
 impl Group {
-    /// Every group, in the order of the list.
+    /// All groups, in the order of the list.
     pub const ALL: [Group; 5] = [
         Group::Tables,
         Group::Drawings,

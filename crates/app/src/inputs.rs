@@ -1,4 +1,4 @@
-//! Protection of inputs: a command replaces no file that it reads.
+//! Protection of inputs: a command does not replace a file that it reads.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::sync::{Mutex, PoisonError};
 
 use gaitcam::error::{FileError, Placed, Result};
 
-/// Files read so far, with links resolved; `None` in a program that answers several questions.
+/// Files read so far, with links resolved; `None` in a program that processes several requests.
 static READ: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(None);
 
-/// Protects every file that is read from now on, in a program that answers one question.
+/// Protects every file that is read from now on, in a program that processes a single request.
 pub fn protect() {
     with(|read| *read = Some(BTreeSet::new()));
 }
@@ -30,7 +30,8 @@ pub fn note(path: &Path) {
 /// Rejects the replacement of a file that was read.
 ///
 /// # Errors
-/// The path of the file.
+///
+/// The file was read; the error contains its path.
 pub fn check(place: &Path) -> Result<()> {
     with(|read| match read {
         Some(read) => check_among(read, place),
@@ -38,10 +39,11 @@ pub fn check(place: &Path) -> Result<()> {
     })
 }
 
-/// Rejects the replacement of one of some files, given with their links resolved.
+/// Rejects the replacement of one of the given files, whose links are resolved.
 ///
 /// # Errors
-/// The path of the file.
+///
+/// The file is one of them; the error contains its path.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     // Links of a place are not followed where nothing was read.
     let replaces = || place.canonicalize().is_ok_and(|p| inputs.contains(&p));
@@ -54,9 +56,10 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     Err(FileError::Replaced { file }.in_file(folder.unwrap_or(place)))
 }
 
-/// Checks files of a folder before any work is done.
+/// Checks the files of a folder before any computation.
 ///
 /// # Errors
+///
 /// The first file that would be replaced.
 pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
     let mut names = names.into_iter();

@@ -1,8 +1,8 @@
-//! The application layer of gaitcam, which the command, the Python package and the page share: reading of scenes and
-//! recordings, writing of results and sweeps, and requests of the page.
+//! Application layer of gaitcam, which the command, the Python package and the page share: reading scenes and recordings, writing results and sweeps,
+//! and requests of the page.
 //!
-//! The library `gaitcam` has no file access. Every front end reads and writes files with these functions, so that scenes
-//! and results are the same for every user.
+//! The library `gaitcam` does not access files. All user interfaces read and write files with these functions, so scenes and results are equal for
+//! every user.
 
 #![deny(unsafe_code, missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

@@ -1,4 +1,4 @@
-//! Lock files: one writer of a folder at a time.
+//! Lock files: only one process writes to a folder at a time.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read, Result, Write};
@@ -8,22 +8,23 @@ use std::time::{Duration, Instant};
 
 use gaitcam::error::{self, FileError, Placed, WriteError};
 
-/// Default waiting time for another writer.
+/// Default waiting time for another process that writes.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 /// Time between two attempts.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// A lock file that holds the number of its process; removed when the lock is released.
+/// A lock file that contains the number of its process. It is removed when the lock is released.
 pub struct Lock {
     path: PathBuf,
     _file: File,
 }
 
 impl Lock {
-    /// Locks `name` in a folder; waits `patience` long for another process that holds the lock.
+    /// Locks `name` in a folder. If another process holds the lock, waits for at most `patience`.
     ///
     /// # Errors
-    /// The process that still holds it then; anything but a plain file in its place; a folder that refuses it.
+    ///
+    /// Another process still holds the lock after this time; the path is not a plain file; the folder is not writable.
     pub fn wait(folder: &Path, name: &str, patience: Duration) -> error::Result<Lock> {
         let (path, begun) = (folder.join(name), Instant::now());
         loop {
@@ -45,7 +46,7 @@ impl Lock {
         }
     }
 
-    /// The lock, or `None` if another process holds it.
+    /// Tries to create the lock; `None` if another process holds it.
     fn attempt(path: &Path) -> Result<Option<Lock>> {
         loop {
             let mut options = OpenOptions::new();
@@ -89,7 +90,7 @@ impl Drop for Lock {
     }
 }
 
-/// Whether a path is itself a plain file, not a link to one.
+/// Whether a path is a plain file, not a link to one.
 pub(crate) fn is_plain(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_file())
 }
@@ -102,7 +103,7 @@ fn holder(path: &Path) -> Option<String> {
     text.parse::<u32>().ok().map(|process| process.to_string())
 }
 
-/// Whether an open file is still the one at its path.
+/// Whether an open file is still the file at its path.
 #[cfg(unix)]
 fn is_still_there(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -112,7 +113,7 @@ fn is_still_there(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Whether an open file is still the one at its path.
+/// Whether a file exists at the path; on this system it is not compared with the open file.
 #[cfg(not(unix))]
 fn is_still_there(_: &File, path: &Path) -> bool {
     path.exists()

@@ -1,4 +1,4 @@
-//! Points of a coordinate measuring machine: a table whose columns are named with their units.
+//! Points of a coordinate measuring machine: a table with units in the column names.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use gaitcam::error::{FileError, Placed, Result};
 
 use crate::read::{not_csv, read_bytes};
 
-/// Accepted column names, with their meaning and factor to SI.
+/// Accepted column names, with the quantity and the factor to SI.
 const COLUMNS: [(&str, Kind, f64); 11] = [
     ("x_mm", Kind::X, 1e-3),
     ("y_mm", Kind::Y, 1e-3),
@@ -32,24 +32,25 @@ enum Kind {
 /// A column of the table: its index, and its factor to SI.
 type Column = (usize, f64);
 
-/// Columns that define a point.
+/// Columns that give the coordinates of a point.
 enum Coordinates {
     Cartesian([Column; 2]),
     Polar([Column; 2]),
 }
 
-/// The points of a file, m, with the line of each.
+/// Points of a file, m, with the line of each point.
 pub struct Points {
-    /// Measured coordinates x, y, m.
+    /// Measured coordinates x and y, m.
     pub xy: Vec<[f64; 2]>,
-    /// Line of the file, counted from 1.
+    /// Line of each point in the file, counted from 1.
     pub lines: Vec<usize>,
 }
 
-/// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs; other columns are ignored.
+/// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs. Other columns are ignored.
 ///
 /// # Errors
-/// A file that cannot be read; missing columns; a cell that is not a finite number, with its line.
+///
+/// The file cannot be read; columns are missing; a cell is not a finite number (with its line).
 pub fn read(path: &Path) -> Result<Points> {
     let bytes = read_bytes(path)?;
     let head = bytes.split(|b| *b == b'\n').next().unwrap_or_default();

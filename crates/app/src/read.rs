@@ -11,29 +11,29 @@ use crate::inputs;
 
 /// Maximum size of a scene file, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
-/// Maximum size of another input held in memory, bytes.
+/// Maximum size of other inputs that are read into memory, bytes.
 const LARGEST_FILE: u64 = 64 << 30;
 /// Maximum number of bytes read from standard input, a pipe or a device.
 const LARGEST_STREAM: u64 = 512 << 20;
 
-/// Reads a whole file: a recording, a table, a summary.
+/// Reads a whole file, such as a recording, a table or a summary.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_FILE)
 }
 
-/// Reads a whole file of a motion.
+/// Reads a whole file with a motion.
 pub fn read_motion(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_MOTION)
 }
 
-/// The text of a scene or of a list of values.
+/// Reads the text of a scene or of a list of values.
 pub fn read_text(path: &Path) -> Result<String> {
     let bytes = read_at_most(path, LARGEST_SCENE)?;
     String::from_utf8(bytes)
         .map_err(|e| FileError::NotUtf8.at_byte(path, e.utf8_error().valid_up_to()))
 }
 
-/// The scene on standard input.
+/// Reads the scene from standard input.
 pub fn read_standard_input() -> Result<String> {
     let place = Path::new("standard input");
     let bytes = limited(std::io::stdin().lock(), place, LARGEST_SCENE)?;
@@ -44,7 +44,8 @@ pub fn read_standard_input() -> Result<String> {
 /// Opens a file for reading in parts.
 ///
 /// # Errors
-/// Folders, and pipes and devices, which may never end.
+///
+/// The path is a folder, or a pipe or device, which may never end.
 pub fn open(path: &Path) -> Result<File> {
     checked(path)?;
     File::open(path).map_err(|e| cannot_be_read(path, &e))
@@ -62,9 +63,10 @@ fn checked(path: &Path) -> Result<Metadata> {
     Ok(about)
 }
 
-/// A whole file of at most a given number of bytes.
+/// Reads a whole file of at most `most` bytes.
 ///
 /// # Errors
+///
 /// As [`open`]; a larger file.
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let about = checked(path)?;
@@ -90,7 +92,7 @@ fn limited(reader: impl Read, path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Standard input, or a file that the shell opened, under its name in the file system.
+/// Whether a path denotes standard input, or a file that the shell has opened.
 fn is_open_already(path: &Path) -> bool {
     path == Path::new("/dev/stdin")
         || path.starts_with("/dev/fd")
@@ -101,7 +103,7 @@ fn too_large(path: &Path, most: u64) -> Error {
     FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
-/// What the system refuses, as messages name it; its own words where they have none.
+/// Name of a system error in the messages; the text of the operating system if there is no such name.
 pub fn fault(e: &std::io::Error) -> String {
     let known = match e.kind() {
         ErrorKind::NotFound => "missing",
@@ -113,13 +115,13 @@ pub fn fault(e: &std::io::Error) -> String {
     known.to_string()
 }
 
-/// Error of a file that the system cannot read.
+/// Error for a file that the system cannot read.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = fault(e);
     FileError::CannotRead { fault }.in_file(path)
 }
 
-/// A fault of a file of comma separated values, with its line.
+/// Error of a CSV file, with its line.
 pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
     move |e| {
         let line = e.position().map_or(1, |p| p.line() as usize);

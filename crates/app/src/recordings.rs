@@ -1,4 +1,4 @@
-//! The recordings in a folder.
+//! Recordings in a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -6,11 +6,11 @@ use gaitcam::error::Result;
 
 use crate::read::cannot_be_read;
 
-/// File endings of recordings; a folder may contain other files.
+/// File endings of recordings. A folder may contain other files.
 pub const ENDINGS: [&str; 13] = [
     "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
 ];
-/// Beginnings of the names of texts about a folder, and of the table of subjects.
+/// Prefixes of the names of texts about a folder, and of the table of subjects.
 const ABOUT: [&str; 7] = [
     "readme",
     "license",
@@ -21,19 +21,20 @@ const ABOUT: [&str; 7] = [
     "changelog",
 ];
 
-/// Files of a folder.
+/// Content of a folder.
 #[derive(Debug, Default)]
 pub struct Inside {
-    /// Files with names of recordings, in alphabetical order.
+    /// Files with endings of recordings, in alphabetical order.
     pub recordings: Vec<PathBuf>,
     /// Names of the other files.
     pub others: Vec<String>,
 }
 
-/// The files of a folder and of those in it; hidden files are skipped. Links to folders are not followed, because they may form a cycle.
+/// Files of a folder and of its subfolders; hidden files are skipped. Links to folders are not followed, because they may form a loop.
 ///
 /// # Errors
-/// A folder that cannot be read.
+///
+/// A folder cannot be read.
 pub fn inside(folder: &Path) -> Result<Inside> {
     let mut out = Inside::default();
     collect(folder, &mut out)?;

@@ -1,10 +1,10 @@
-//! A folder that holds one result, replaced as a whole.
+//! A folder with one result, which is replaced as a whole.
 //!
-//! New files are first written into a hidden folder inside it. When all are there, that folder is renamed to `READY`: from then on every gaitcam that
-//! writes into the folder completes the move first, so a process that is killed leaves the old result or the new one. A lock makes a second writer
-//! wait. `summary.json` is removed first and written last, so that it always belongs to the other files. The folder may come from an untrusted
-//! source. Names of files are never taken from it: only plain files are moved or removed, and only those that gaitcam itself writes under their
-//! names.
+//! New files are first written to a hidden folder inside it. When all files are complete, this folder is renamed to `READY`. From then on, every
+//! gaitcam process that writes to the folder first completes the move. A process that is killed therefore leaves either the old result or the new
+//! one. A lock makes a second process wait. `summary.json` is removed first and written last, so that it always belongs to the other files. The
+//! folder may come from an untrusted source. File names are never taken from it: only plain files with the names that gaitcam writes are moved or
+//! removed.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -20,14 +20,14 @@ use crate::inputs;
 use crate::lock::{Lock, is_plain};
 use crate::read::read_bytes;
 
-/// New files that wait to be moved into place.
+/// Folder with the new files before they are moved into place.
 const READY: &str = ".gaitcam.ready";
-/// Name of the list of files of the earlier result, one per line.
+/// Name of the file that lists the files of the earlier result, one per line.
 const STALE: &str = ".stale";
-/// Name of the writer's lock file.
+/// Name of the lock file of the writing process.
 const LOCK: &str = ".gaitcam.lock";
 
-/// A result folder that is being written.
+/// A result folder to which a process writes.
 pub struct ResultFolder {
     path: PathBuf,
     stage: PathBuf,
@@ -36,10 +36,11 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Creates the folder if needed, waits up to `patience` for another writer, and checks that it can be written, before any work is done.
+    /// Creates the folder if necessary, waits up to `patience` for another process, and checks that the folder is writable, before any computation.
     ///
     /// # Errors
-    /// A folder that cannot be written, or that another process still holds.
+    ///
+    /// The folder is not writable; another process still holds the lock.
     pub fn open(path: &Path, patience: Duration) -> Result<ResultFolder> {
         let fault = |e: io::Error| {
             let fault = crate::read::fault(&e);
@@ -64,10 +65,11 @@ impl ResultFolder {
         &self.path
     }
 
-    /// Writes a file of the new result under one of the file names of results.
+    /// Writes a file of the new result with one of the file names of results.
     ///
     /// # Errors
-    /// A file that cannot be written, or a folder in its place.
+    ///
+    /// The file cannot be written; the path is a folder.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         assert!(own().any(|own| own == name), "{name} would stay for ever");
         inputs::check(&self.path.join(name))?;
@@ -84,10 +86,11 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Moves the new files into place and removes those of `others` that the new result does not contain.
+    /// Moves the new files into place and removes the files in `others` that the new result does not contain.
     ///
     /// # Errors
-    /// Files that cannot be moved.
+    ///
+    /// Files cannot be moved.
     pub fn commit(self, others: &[&str]) -> Result<()> {
         let written = self.written.borrow();
         let stale: Vec<&str> = others
@@ -108,10 +111,11 @@ impl Drop for ResultFolder {
     }
 }
 
-/// A file of the result, also where a killed writer left it; changes nothing.
+/// Reads a file of the result, also if a killed process left it in the hidden folder. Nothing is changed.
 ///
 /// # Errors
-/// A file that cannot be read.
+///
+/// The file cannot be read.
 pub fn read(folder: &Path, name: &str) -> Result<Vec<u8>> {
     let ready = folder.join(READY);
     let new = ready.join(name);
@@ -124,7 +128,7 @@ pub fn read(folder: &Path, name: &str) -> Result<Vec<u8>> {
     read_bytes(&folder.join(name))
 }
 
-/// Moves the files of [`READY`] into place; each step may be repeated.
+/// Moves the files of [`READY`] into place. Each step may be repeated.
 fn complete(path: &Path) -> Result<()> {
     let ready = path.join(READY);
     if !is_folder(&ready) {
@@ -174,7 +178,7 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Rejects a folder in the place of a file, and anything but a folder in the place of a folder.
+/// Checks that the path of a file is not a folder, and that its parent is a real folder or does not exist yet.
 fn check_place(path: &Path, name: &str) -> Result<()> {
     match is_folder(&path.join(name)) || !is_inside(path, name) {
         true => Err(FileError::Foreign.in_file(&path.join(name))),
@@ -182,7 +186,7 @@ fn check_place(path: &Path, name: &str) -> Result<()> {
     }
 }
 
-/// Whether the folder of a file is the result folder or a real folder in it, existing or not, and not a link.
+/// Whether a file lies in the result folder itself or in a subfolder that is a real folder, not a link, or does not exist yet.
 fn is_inside(path: &Path, name: &str) -> bool {
     let parent = Path::new(name)
         .parent()
@@ -193,7 +197,7 @@ fn is_inside(path: &Path, name: &str) -> bool {
     })
 }
 
-/// Removes the folder of a file inside a result where it is empty.
+/// Removes the subfolder of a file if it is empty.
 fn remove_empty_parent(path: &Path, name: &str) {
     if name.contains('/')
         && let Some(parent) = path.join(name).parent()
@@ -202,13 +206,13 @@ fn remove_empty_parent(path: &Path, name: &str) {
     }
 }
 
-/// Whether a name is that of an empty folder whose files are already in their places.
+/// Whether a name is that of an empty folder whose files are already in place.
 fn is_emptied(path: &Path, name: &str) -> bool {
     let is_parent = |own: &str| Path::new(own).parent() == Some(Path::new(name));
     is_folder(&path.join(name)) && own().any(is_parent)
 }
 
-/// Names of the files in a folder and in those inside it, and of empty folders.
+/// Names of the files in a folder and in its subfolders, and names of empty folders.
 fn names_in(folder: &Path) -> io::Result<Vec<String>> {
     let mut out = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -231,7 +235,7 @@ fn cannot_place(path: &Path, e: &io::Error) -> gaitcam::error::Error {
     FileError::CannotPlace { fault }.in_file(path)
 }
 
-/// Whether a path is itself a folder, not a link to one.
+/// Whether a path is a folder, not a link to one.
 fn is_folder(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_dir())
 }
@@ -243,7 +247,7 @@ fn remove_plain(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Removes a hidden folder with the files that gaitcam writes there; it stays where it holds others.
+/// Removes a hidden folder with the files that gaitcam writes there. A folder with other files is kept.
 fn discard(folder: &Path) -> io::Result<()> {
     for name in names_in(folder)? {
         if is_emptied(folder, &name) {
@@ -256,7 +260,7 @@ fn discard(folder: &Path) -> io::Result<()> {
     fs::remove_dir(folder)
 }
 
-/// Removes the hidden folders of processes that were killed; the lock ensures that none of them still runs.
+/// Removes the hidden folders of processes that were killed. The lock ensures that none of them is still running.
 fn remove_abandoned_stages(path: &Path) {
     for entry in fs::read_dir(path).into_iter().flatten().flatten() {
         let name = entry.file_name();

@@ -14,23 +14,24 @@ use gaitcam::scene::{self, BETWEEN_PLATES, Files, Scene, Source, plates};
 /// A scene with its input files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The scene as parsed, before its force is read.
+    /// The parsed scene, before its force is read.
     pub scene: Scene,
-    /// Table of the scene as written, with the changes.
+    /// Table of the scene as written, with the changes applied.
     pub table: Table,
-    /// Table of the scene with the rows of every motion in place of its file.
+    /// Table of the scene in which the rows of every motion replace the file name.
     pub whole: Table,
     /// Input files of the scene.
     pub files: Disk,
-    /// File of the scene.
+    /// Path of the scene file, if any.
     pub file: Option<PathBuf>,
 }
 
 impl Input {
-    /// The scene of a table, with the file it came from if any.
+    /// Creates the input from the table of a scene and the file from which it was read, if any.
     ///
     /// # Errors
-    /// Invalid keys and values, with the file if there is one.
+    ///
+    /// Keys or values are invalid; the error contains the file if there is one.
     pub fn new(table: Table, files: Disk, file: Option<PathBuf>) -> Result<Input> {
         let named = |e| name_file(file.as_deref(), e);
         let whole = files.with_motions(&table).map_err(named)?;
@@ -44,16 +45,16 @@ impl Input {
         })
     }
 
-    /// The scene of a TOML file, or the one in a `summary.json`.
+    /// Reads the scene in a TOML file or in a `summary.json`.
     ///
     /// # Errors
-    /// Files that cannot be read, and as [`Input::new`].
+    ///
+    /// The file cannot be read; errors of [`Input::new`].
     pub fn open(path: &Path) -> Result<Input> {
         Input::new(table(path)?, Disk::beside(path), Some(path.to_path_buf()))
     }
 
-    /// The resolved scene, changes included, independent of the folder it is read from: the path of a
-    /// recording is absolute, rows of motions replace their files.
+    /// Resolved scene with its changes, independent of its folder: the path of a recording is absolute, and rows of motions replace their files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
         let absolute = |name: &PathBuf| {
@@ -83,7 +84,7 @@ impl Input {
         table
     }
 
-    /// The recording of the scene, with those of further walkers.
+    /// Recording of the scene, and recordings of further walkers.
     fn recordings(&self) -> Option<(&PathBuf, &[PathBuf])> {
         let gait = self.scene.gait.as_ref()?;
         match &gait.source {
@@ -97,10 +98,11 @@ impl Input {
         Some(self.files.shown(self.recordings()?.0))
     }
 
-    /// The paths of all files that it was read from: its own, its recordings and its motions.
+    /// Paths of all files from which the scene was read: the scene file, recordings and motions.
     ///
     /// # Errors
-    /// A folder of recordings that cannot be read.
+    ///
+    /// A folder of recordings cannot be read.
     pub fn paths(&self) -> Result<Vec<PathBuf>> {
         let gait = self.scene.gait.as_ref();
         let of_force = gait.map(|gait| gait.files(&self.files)).transpose()?;
@@ -110,7 +112,7 @@ impl Input {
         Ok(self.file.iter().cloned().chain(named).collect())
     }
 
-    /// Title block of a drawing of the scene.
+    /// Title block for a drawing of the scene.
     #[cfg(feature = "cad")]
     pub fn title(&self) -> gaitcam_cad::drawing::Title {
         gaitcam_cad::drawing::Title {
@@ -119,10 +121,11 @@ impl Input {
         }
     }
 
-    /// The force curve of the scene, if there is one.
+    /// Force curve of the scene, if it has a force.
     ///
     /// # Errors
-    /// Faults of the load model, the file or the recording.
+    ///
+    /// Errors of the load model, the file or the recording.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         let gait = self.scene.gait.as_ref();
         let force = gait.map(|gait| gait.force(&self.files)).transpose();
@@ -131,7 +134,7 @@ impl Input {
     }
 }
 
-/// Day of the last change of a file, counted from 1970-01-01 (UTC).
+/// Day of the last change of a file, as days since 1970-01-01 (UTC).
 #[cfg(feature = "cad")]
 fn last_change(file: &Path) -> Option<u64> {
     const SECONDS: u64 = 86_400;
@@ -139,10 +142,11 @@ fn last_change(file: &Path) -> Option<u64> {
     Some(time.duration_since(std::time::UNIX_EPOCH).ok()?.as_secs() / SECONDS)
 }
 
-/// The table of a TOML file, or of the scene in a `summary.json`.
+/// Table of a TOML file, or of the scene in a `summary.json`.
 ///
 /// # Errors
-/// Files that cannot be read or hold no scene.
+///
+/// The file cannot be read or contains no scene.
 pub fn table(path: &Path) -> Result<Table> {
     let text = read::read_text(path)?;
     if path.extension().is_some_and(|e| e == "json") {
@@ -151,10 +155,11 @@ pub fn table(path: &Path) -> Result<Table> {
     parse(&text, Some(path))
 }
 
-/// The table of a scene file, or of the built-in scene of this name if there is no such file, with its input files.
+/// Table of a scene file, or of the built-in scene with this name if there is no such file, with the input files.
 ///
 /// # Errors
-/// Files that cannot be read or hold no scene; an unknown name.
+///
+/// The file cannot be read or contains no scene; the name is unknown.
 pub fn named(path: &Path) -> Result<(Table, Disk)> {
     let name = path
         .to_str()
@@ -168,16 +173,17 @@ pub fn named(path: &Path) -> Result<(Table, Disk)> {
     }
 }
 
-/// The table of a scene's text; `path` names the file in faults.
+/// Parses the text of a scene; `path` names the file in errors.
 ///
 /// # Errors
-/// Text that is not TOML, with its line where there is a file.
+///
+/// The text is not TOML; the error contains the line if there is a file.
 pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
     text.parse()
         .map_err(|e: toml::de::Error| not_toml(path, text, &e))
 }
 
-/// The scene in a summary.json.
+/// Scene in a `summary.json`.
 fn of_summary(path: &Path, text: &str) -> Result<Table> {
     let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
     let missing = || FileError::NoSceneInSummary.in_file(path);
@@ -185,7 +191,7 @@ fn of_summary(path: &Path, text: &str) -> Result<Table> {
     serde_json::from_value(scene.clone()).map_err(|_| missing())
 }
 
-/// Error of a text that is not JSON.
+/// Error for a text that is not JSON.
 pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
     let fault = e.to_string();
     FileError::NotJson { fault }.at_line(path, e.line())
@@ -203,7 +209,7 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     }
 }
 
-/// Places the fault of a recording that does not exist at the key that names it.
+/// Sets the location of the error for a missing recording to the key that names it.
 fn at_key_if_missing(e: Error) -> Error {
     let is_missing =
         |f: &FileError| matches!(f, FileError::CannotRead { fault } if fault == "missing");
@@ -216,7 +222,7 @@ fn at_key_if_missing(e: Error) -> Error {
     }
 }
 
-/// Adds the scene file's name to the place of a fault.
+/// Adds the name of the scene file to the location of an error.
 fn name_file(path: Option<&Path>, mut e: Error) -> Error {
     if let (Some(path), Place::Key(key)) = (path, &e.place) {
         e.place = Place::Key(format!("{}: {key}", path.display()));

@@ -12,14 +12,14 @@ use serde::{Deserialize, Serialize};
 /// Default number of manufactured cams.
 const SAMPLES: u64 = 10_000;
 
-/// A key with its values.
+/// A varied key with its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Varied {
-    /// Text of `gaitcam sweep --vary`: `KEY=START:STOP:COUNT`, `KEY=A,B`, of a sample `KEY=START:STOP`.
+    /// Text as for `gaitcam sweep --vary`: `KEY=START:STOP:COUNT`, `KEY=A,B`; for a sample `KEY=START:STOP`.
     Text(String),
     /// Key and values as written in a scene file.
     Listed(String, Vec<String>),
-    /// Key with its unit, as in tables, and numbers (SI).
+    /// Key with its unit, as in tables, and numbers in SI units.
     Numbers(String, Vec<f64>),
 }
 
@@ -44,13 +44,13 @@ pub struct SweepQuestion {
     pub scenes: Vec<NamedScene>,
     /// Values of several keys, row by row.
     pub list: Vec<Varied>,
-    /// Recordings, each combined with all values of `vary`.
+    /// Recordings; each is combined with all values of `vary`.
     pub recordings: Vec<String>,
-    /// Keys with the values to combine.
+    /// Keys and values that are combined.
     pub vary: Vec<Varied>,
-    /// Number of sampled points, instead of every combination.
+    /// Number of sampled points, instead of all combinations.
     pub sample: Option<u64>,
-    /// Sampling method of the points.
+    /// Sampling method.
     pub method: Method,
     /// Seed of the random numbers.
     pub seed: u64,
@@ -59,18 +59,20 @@ pub struct SweepQuestion {
 }
 
 impl SweepQuestion {
-    /// The sweep with its recordings; `files` returns the files of a base scene by its index.
+    /// The sweep with its recordings. `files` returns the files of a base scene by its index.
     ///
     /// # Errors
+    ///
     /// As [`SweepQuestion::subject`] and [`Sweep::new`].
     pub fn sweep<'a, F: Files + 'a>(&self, files: impl Fn(usize) -> &'a F) -> Result<Sweep> {
         Sweep::new(self.subject()?, files)
     }
 
-    /// Contents of the rows.
+    /// Subject of the sweep.
     ///
     /// # Errors
-    /// Keys and values that cannot be varied; tolerances beside them.
+    ///
+    /// Keys or values that cannot be varied; tolerances together with varied keys.
     pub fn subject(&self) -> Result<Subject> {
         if !self.tolerances.is_empty() {
             return self.scattered().map(Subject::Scatter);

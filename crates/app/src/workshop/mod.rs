@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop, where the build has them.
+//! Files for CAD and the workshop, if the build includes them.
 
 mod piece;
 #[cfg(feature = "cad")]

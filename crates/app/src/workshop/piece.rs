@@ -14,25 +14,25 @@ pub enum Piece {
     Sheet,
     /// The plate as STL.
     Stl,
-    /// The plate as 3MF.
+    /// Plate as STL.
     ThreeMf,
     /// Wall of a groove as STL.
     Wall(Wall),
     /// Solid as a STEP file.
     Step,
-    /// Workbook with the tables of law and profile.
+    /// Workbook with tables of law and profile.
     Workbook,
-    /// Path of a milling cutter.
+    /// Path of a cutter's centre.
     Cutter,
-    /// Program for that cutter, for the first or the second cam.
+    /// Program for the milling cutter, for the first or the second cam.
     Program(usize),
-    /// Program for a wire cutter.
+    /// Program for wire cutting.
     Wire,
     /// Electronic cam, by the index of its dialect.
     Ecam(usize),
 }
 
-/// Default radius of the cutter for a path, m: that of a barrel's roller, otherwise 3 mm.
+/// Default radius of the cutter for a path, m: for a barrel the radius of its roller, otherwise 3 mm.
 pub fn usual_cutter(design: &Design) -> f64 {
     let roller = design.groove.as_ref().map(|groove| groove.roller_radius());
     roller.unwrap_or(0.003)

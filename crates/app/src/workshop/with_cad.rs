@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop: options and makers.
+//! Files for CAD and the workshop: options and functions that make them.
 
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
@@ -13,32 +13,32 @@ use serde_json::{Value, json};
 
 use super::piece::{Piece, usual_cutter};
 
-/// Vertices of a solid's profile.
+/// Number of vertices of the profile of a solid.
 const VERTICES: usize = 720;
-/// Triangles of a groove's wall: along the groove for every turn, and through its depth.
+/// Number of triangles of the wall of a groove: along the groove per turn, and over its depth.
 const WALL: [usize; 2] = [720, 8];
 
-/// Bytes of a file, if it can be made, with remarks about it.
+/// Content of a file, if it can be made, with remarks on it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
 /// Options of the files for the workshop.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {
-    /// Solids, a sheet and a workbook for manufacturing.
+    /// Whether solids, a drawing and a workbook for manufacturing are written.
     pub solid: bool,
-    /// Radius of the cutter of the path, m.
+    /// Radius of the cutter for the path, m.
     pub tool: Option<f64>,
-    /// Depth of a pass of that cutter, m; without it the operator brings the cutter to depth.
+    /// Depth of a pass of the cutter, m; without it the operator sets the depth.
     pub pass: Option<f64>,
-    /// Half the diameter of a wire plus its spark gap, m.
+    /// Half the diameter of a wire plus the spark gap, m.
     pub wire: Option<f64>,
     /// Controllers for which an electronic cam is written.
     pub ecam: Option<Dialect>,
     /// Layers of the DXF drawings.
     pub drawn: dxf::Content,
-    /// Edges of profile.dxf as arcs or as splines.
+    /// Representation of the edges in profile.dxf: arcs or splines.
     pub curves: dxf::Curves,
-    /// Unit of the drawing, of DXF and of programs.
+    /// Unit of the drawing, of DXF files and of programs.
     pub units: Units,
     /// Title block of the drawing.
     pub title: drawing::Title,
@@ -53,21 +53,21 @@ pub enum Remark {
     NoStep(Error),
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// Error of the electronic cam on its controller.
+    /// Force error of the electronic cam with its controller.
     Ecam(ElectronicCam),
     /// The electronic cam cannot be made.
     NoEcam(Error),
-    /// The program for the cutter or the wire cannot be made.
+    /// The program for cutter or wire cannot be made.
     NoProgram(Error),
 }
 
 impl Remark {
-    /// Whether the program for the cutter fails for this reason.
+    /// Whether this remark means that there is no program for the cutter.
     pub fn forbids_program(&self) -> bool {
         matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
     }
 
-    /// Reason why a file could not be made, if the remark contains one.
+    /// Reason for which a file could not be made, if the remark contains one.
     pub fn into_fault(self) -> Option<Error> {
         match self {
             Remark::NoSolid(fault)
@@ -107,7 +107,7 @@ impl Workshop {
         }
     }
 
-    /// A file of a design; `points` are the rows of its tables.
+    /// Makes a file of a design; `points` is the number of rows of its tables.
     pub(crate) fn make(
         &self,
         piece: Piece,
@@ -165,7 +165,7 @@ impl Workshop {
         Ok((Some(bytes), gouges.collect()))
     }
 
-    /// The program for the first or the second cam.
+    /// Program for the first or the second cam.
     fn program(&self, design: &Design, cam: usize) -> Made {
         let cut = gcode::Milling {
             tool: self.tool(design),
@@ -191,7 +191,7 @@ fn groove(design: &Design, wall: Wall) -> Made {
     }
 }
 
-/// An electronic cam as JSON, with the file's place or name: number of intervals, force error of the controller, and the part that it adds.
+/// Electronic cam as JSON, with the path or name of the file: number of intervals, force error with the controller, and its part that the file adds.
 pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
     let replayed = cam.replayed;
     json!({
@@ -214,7 +214,7 @@ fn electronic(design: &Design, dialect: Dialect) -> Made {
     })
 }
 
-/// Title block of a drawing of a scene without a file; `whole` is its table with the rows of every motion.
+/// Title block for a drawing of a scene without a file. `whole` is its table in which the rows of every motion replace the file name.
 pub fn title(scene: &Scene, whole: &toml::Table) -> Title {
     let usual = Title::default();
     Title {

@@ -1,4 +1,4 @@
-//! Build without CAD: the names of workshop files are known, so that earlier ones are removed, but none is made.
+//! Build without CAD. The names of the workshop files are known, so that earlier files are removed, but no file is made.
 
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
@@ -6,14 +6,14 @@ use gaitcam_output::{Language, Timing};
 
 use super::piece::Piece;
 
-/// Bytes of a file, if it can be made, with remarks about it.
+/// Content of a file, if it can be made, with remarks on it.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// Without the feature `cad` there are no options.
+/// Options of the workshop files; there are none without the feature `cad`.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {}
 
-/// Remarks on files, of which there are none.
+/// Remarks on workshop files; there are none without the feature `cad`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {}
 
@@ -22,7 +22,7 @@ impl Remark {
         match *self {}
     }
 
-    /// Reason why a file could not be made.
+    /// Reason for which a file could not be made.
     pub fn into_fault(self) -> Option<Error> {
         match self {}
     }
