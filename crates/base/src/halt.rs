@@ -1,10 +1,10 @@
-//! Stopping a computation: the library has no clock and polls this object instead.
+//! Stop condition of a computation. The library has no clock and polls this object instead.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Polled by every iterative computation between its steps; once true, the computation returns its best result so far.
+/// Stop condition, polled by every iterative computation between its steps. When it is true, the computation returns its best result so far.
 ///
 /// ```
 /// use gaitcam_base::halt::Halt;
@@ -21,17 +21,17 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Default)]
 pub struct Halt {
     asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
-    /// State shared by all copies.
+    /// State that all copies share.
     was_heard: Arc<AtomicBool>,
 }
 
 impl Halt {
-    /// Never stops a computation.
+    /// A condition that never stops a computation.
     pub fn never() -> Self {
         Halt::default()
     }
 
-    /// Stops computations once `asked` returns true; it is called often, from any thread.
+    /// A condition that stops computations when `asked` returns true. It is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Halt {
             asked: Some(Arc::new(asked)),
@@ -39,7 +39,8 @@ impl Halt {
         }
     }
 
-    /// Stops computations once `asked` returns true, at the latest after a given number of polls, which is the same on every machine.
+    /// A condition that stops computations when `asked` returns true, and at the latest after a given number of polls. This number is reached at the
+    /// same step on every machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;
@@ -66,7 +67,7 @@ impl Halt {
         is_asked
     }
 
-    /// Whether a computation was stopped. A computation that finished earlier was not; its result does not depend on time.
+    /// Whether a computation was stopped. The result of a computation that was not stopped does not depend on time.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

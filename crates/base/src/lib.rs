@@ -1,11 +1,11 @@
 //! Foundations shared by the crates of gaitcam.
 //!
-//! - [`error`]: a fault in the input, with its place, a code for programs and its data;
+//! - [`error`]: an error in the input, with its location, a code for programs and its data;
 //! - [`units`]: quantities with units as users write them, `"3 in"` or `"30 psi/in^3"`;
-//! - [`wording`]: sentences made from data, in English and Spanish;
-//! - [`text`]: numbers and text as files and pages show them;
-//! - [`halt`]: how a caller ends a computation;
-//! - [`threads`]: threads where the system may refuse them.
+//! - [`wording`]: messages from data, in English and Spanish;
+//! - [`text`]: format of numbers and text in files and pages;
+//! - [`halt`]: stop condition of a computation;
+//! - [`threads`]: threads on systems that may refuse them.
 //!
 //! ```
 //! use gaitcam_base::units::{Dimension, parse};
@@ -28,7 +28,7 @@ pub mod threads;
 pub mod units;
 pub mod wording;
 
-/// The program in the README compiles and runs.
+/// Compiles and runs the program in the README as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

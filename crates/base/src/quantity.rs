@@ -22,7 +22,7 @@ pub(crate) type Exponents = [i32; 4];
 pub enum Dimension {
     /// A plain number or a percentage.
     Ratio,
-    /// A fraction that must be written with %, because a bare number would be ambiguous.
+    /// A fraction that must be written with %, because a number without % would be ambiguous.
     Percent,
     Length,
     Angle,
@@ -48,9 +48,9 @@ pub enum Dimension {
     AngularDamping,
     /// Moment of inertia, kg·m².
     Inertia,
-    /// Derivatives of lift by cam angle: m/rad, m/rad², m/rad³.
+    /// Derivative of the lift with respect to the cam angle: m/rad, m/rad², m/rad³, by order.
     LengthPerAngle(u8),
-    /// Derivatives of an oscillating follower's angle by cam angle: rad/rad … rad/rad³.
+    /// Derivative of an oscillating follower's angle with respect to the cam angle: rad/rad … rad/rad³, by order.
     AnglePerAngle(u8),
 }
 
@@ -105,7 +105,7 @@ impl Dimension {
         <&str>::from(self).replace('-', " ")
     }
 
-    /// The SI unit as scenes write it and tables name it.
+    /// SI unit, as scenes and tables write it.
     pub fn si(self) -> &'static str {
         self.row().1
     }
@@ -116,10 +116,10 @@ impl Dimension {
     }
 }
 
-/// A value in SI with its dimension, as results and messages carry it.
+/// A value in SI units with its dimension, used in results and messages.
 ///
-/// Serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`.
-/// `wording` shows it in the customary unit, here 13.6 mm.
+/// It serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`. `wording` displays it in the common
+/// unit, here 13.6 mm.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, Quantity};
@@ -130,14 +130,14 @@ impl Dimension {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    /// Value in SI (radians for angles).
+    /// Value in SI units (radians for angles).
     pub value: f64,
     /// Dimension of the quantity.
     pub dimension: Dimension,
 }
 
 impl Quantity {
-    /// A value in SI.
+    /// A value in SI units.
     pub fn new(value: f64, dimension: Dimension) -> Quantity {
         Quantity { value, dimension }
     }

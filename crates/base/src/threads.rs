@@ -1,8 +1,8 @@
-//! Starting threads where the system may refuse them.
+//! Start of threads on systems that may refuse them.
 
 use std::thread::{Builder, Scope};
 
-/// Starts up to `count` threads in a scope, as many as the system allows; returns their number.
+/// Starts up to `count` threads in a scope, as many as the system permits. Returns their number.
 ///
 /// ```
 /// use gaitcam_base::threads::start;

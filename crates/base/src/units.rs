@@ -1,18 +1,17 @@
 //! Quantities with units: `"3 in"` becomes 0.0762 m.
 //!
-//! A quantity is a number, a blank (optional) and a unit expression of factors joined by `*`, a blank,
-//! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`,
-//! `"3/8 in"`, `"1 3/8 in"`, `"1-3/8 in"`. Angles are a dimension of their own, so that
-//! degrees cannot be given for metres. Results are in SI and radians.
+//! A quantity is a number, an optional space, and a unit expression of factors joined by `*`, space, `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`,
+//! `"2 N m"`. The number may have a decimal comma or be a fraction: `"2,5 mm"`, `"3/8 in"`, `"1 3/8 in"`, `"1-3/8 in"`. Angle is a separate
+//! dimension, so degrees are rejected where metres are expected. Results are in SI units and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
 use crate::quantity::Exponents;
 pub use crate::quantity::{Dimension, Quantity};
 
-/// Standard gravity as the source papers use it, m/s² (Campillo de Blas 2017, eq. 22).
+/// Standard gravity as used in the source papers, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Unit names, their factors to SI and their exponents. The pound depends on the dimension: see [`parse`].
+/// Unit names, their factors to SI and their exponents. The meaning of pound depends on the dimension: see [`parse`].
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -61,13 +60,15 @@ pub const LBF: f64 = 4.448_221_615_260_5;
 /// One pound (mass) in kilograms.
 const LB: f64 = 0.453_592_37;
 
-/// Reads a quantity of the given dimension; the result is in SI and radians.
+/// Parses a quantity of the given dimension; the result is in SI units and radians.
 ///
-/// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either; any other bare number is rejected. `lb` is a mass
-/// where a mass is expected and a force elsewhere. `inf` is rejected, as is a magnitude above 1e30: products of a few values stay finite.
+/// `"0"` needs no unit, because zero is equal in every unit, and a [`Dimension::Ratio`] needs no unit either. Any other number without a unit is
+/// rejected. `lb` is a mass where a mass is expected, otherwise a force. `inf` and magnitudes above 1e30 are rejected, so products of a few values
+/// stay finite.
 ///
 /// # Errors
-/// Text that is not a quantity, another dimension, a value above 1e30.
+///
+/// The text is not a quantity or has another dimension; the magnitude is above 1e30.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let example = || dimension.example().to_string();
@@ -111,13 +112,14 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     in_range(value * factor, text)
 }
 
-/// Largest magnitude of a value in SI units: products of a few of them are finite.
+/// Maximum magnitude of a value in SI units. Products of a few such values are finite.
 const MOST: f64 = 1e30;
 
-/// A value in SI units, rejected if products of a few such values would overflow.
+/// Checks that products of a few values of this magnitude, in SI units, do not overflow.
 ///
 /// # Errors
-/// A magnitude above 1e30; not a number.
+///
+/// The magnitude is above 1e30, or the value is not a number.
 pub fn in_range(value: f64, text: impl ToString) -> Result<f64> {
     if value.abs() <= MOST {
         return Ok(value);
@@ -126,7 +128,7 @@ pub fn in_range(value: f64, text: impl ToString) -> Result<f64> {
     Err(UnitsError::OutOfRange { text }.into())
 }
 
-/// The number at the start of a text, including a whole number with a fraction, and the remaining text.
+/// Number at the start of a text, including a whole number with a fraction, and the remaining text.
 fn leading_number(text: &str) -> Option<(f64, &str)> {
     let (number, rest) = split_number(text);
     let value: f64 = number.replace(',', ".").parse().ok()?;
@@ -160,7 +162,7 @@ fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     (divisor > 0.0).then(|| (value / divisor, after))
 }
 
-/// `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` without thousands separators.
+/// Text without thousands separators, `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` if it has none.
 fn without_groups(text: &str) -> Option<String> {
     let mark = |c: char| c == '.' || c == ',';
     let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));
@@ -174,8 +176,8 @@ fn without_groups(text: &str) -> Option<String> {
     groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm"; an `e` counts as exponent only before a digit, a comma as decimal sign
-/// only between digits and where no other sign is.
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit; a comma is a decimal mark only between digits and if there
+/// is no other mark.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);

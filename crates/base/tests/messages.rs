@@ -1,4 +1,4 @@
-//! Every fault of a quantity has its sentence in both languages.
+//! Every error of a quantity has a message in both languages.
 
 use gaitcam_base::error::{Fault, UnitsError};
 use gaitcam_base::units::Quantity;

@@ -1,4 +1,4 @@
-//! Kinds of fault, and an error that holds a fault of any area.
+//! Kinds of errors, and an error that contains a fault of any area.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use crate::wording::{Catalogue, Language, code};
 
-/// The faults of one area: an enum whose variants carry data and whose messages are in a catalogue under `AREA-variant`, the help as the attribute
-/// `.help`.
+/// Errors of one area: an enum whose variants contain data. Their messages are in a catalogue as `AREA-variant`, with the suggested change as the
+/// attribute `.help`.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Fault};
@@ -38,17 +38,17 @@ use crate::wording::{Catalogue, Language, code};
 /// assert_eq!(error.fault(), Some(&TableError::TooShort { rows: 3 }));
 /// ```
 pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
-    /// Prefix of the messages of the area.
+    /// Prefix of the message keys of the area.
     const AREA: &'static str;
     /// Prefix of the codes of the area.
     const CODES: &'static str = Self::AREA;
-    /// Catalogue of the messages of these faults.
+    /// Catalogue with the messages of these errors.
     const WORDS: &'static Catalogue;
-    /// Whether the faults are answers: the input is valid but no result satisfies it.
+    /// Whether the errors are results: the input is valid, but no result satisfies it.
     const IS_ANSWER: bool = false;
 }
 
-/// A fault of any area, or one with its own text.
+/// An error of any area, or one with a separate text.
 pub trait AnyFault: Debug + Send + Sync {
     fn code(&self) -> String;
     fn what(&self, language: Language) -> String;
@@ -88,7 +88,7 @@ impl<F: Fault> AnyFault for F {
     }
 }
 
-/// A fault without a message in a catalogue.
+/// An error without a message in a catalogue.
 #[derive(Debug, PartialEq)]
 pub struct Own {
     pub code: String,

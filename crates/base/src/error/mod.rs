@@ -1,7 +1,7 @@
-//! Faults in the input: what is wrong, where it is, and what would be right.
+//! Errors in the input: description, location and suggested change.
 //!
-//! Each area has an enum of its faults, which implements [`Fault`]; an [`Error`] holds any of them with its place. The messages are in the catalogue
-//! of the crate that has the enum.
+//! Each area has an enum of its errors, which implements [`Fault`]. An [`Error`] contains any of them with its location. The messages are in the
+//! catalogue of the crate that contains the enum.
 
 mod fault;
 mod place;
@@ -19,7 +19,7 @@ use fault::{AnyFault, Own};
 pub use place::{Place, Placed};
 pub use units::UnitsError;
 
-/// A fault in the input: its place and its kind.
+/// An error in the input: its location and its kind.
 ///
 /// Displays as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
 ///
@@ -37,7 +37,7 @@ pub use units::UnitsError;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Error {
-    /// Location of the fault.
+    /// Location of the error.
     pub place: Place,
     fault: Arc<dyn AnyFault>,
 }
@@ -66,7 +66,7 @@ impl<F: Fault> From<F> for Error {
 }
 
 impl Error {
-    /// A fault with a code and English text given by the caller.
+    /// Creates an error with a code and an English text of the caller.
     pub fn own(code: &str, what: impl Into<String>) -> Self {
         let (code, what) = (code.to_string(), what.into());
         Error {
@@ -75,7 +75,7 @@ impl Error {
         }
     }
 
-    /// Places the fault, unless a more exact place is already known.
+    /// Sets the location of the error, unless a more exact location is already known.
     #[must_use]
     pub fn at(mut self, place: Place) -> Self {
         if self.place == Place::Unplaced {
@@ -84,39 +84,39 @@ impl Error {
         self
     }
 
-    /// Replaces the place of the fault.
+    /// Replaces the location of the error.
     #[must_use]
     pub fn placed(mut self, place: Place) -> Self {
         self.place = place;
         self
     }
 
-    /// The fault, if it belongs to this area.
+    /// The error as an error of area `F`, if it belongs to this area.
     pub fn fault<F: Fault>(&self) -> Option<&F> {
         self.fault.as_any().downcast_ref()
     }
 
-    /// The code of the fault, for scripts and tests: area and variant in kebab-case. Sentences may change, codes do not.
+    /// Code of the error, for scripts and tests: area and variant in kebab-case. Messages may change, codes do not.
     pub fn code(&self) -> String {
         self.fault.code()
     }
 
-    /// Whether the fault is an answer: the input is valid but no result satisfies it.
+    /// Whether the error is a result: the input is valid, but no result satisfies it.
     pub fn is_answer(&self) -> bool {
         self.fault.is_answer()
     }
 
-    /// Message without the place.
+    /// Message without the location.
     pub fn what(&self, language: Language) -> String {
         self.fault.what(language)
     }
 
-    /// Suggested correction in a language, if the fault has one.
+    /// Suggested change in a language, if the error has one.
     pub fn help(&self, language: Language) -> Option<String> {
         self.fault.help(language)
     }
 
-    /// Place, fault and help as one line.
+    /// Location, message and suggested change in one line.
     pub fn sentence(&self, language: Language) -> String {
         let (place, what) = (self.place.before(language), self.what(language));
         match self.help(language) {
@@ -132,7 +132,7 @@ impl PartialEq for Error {
     }
 }
 
-/// Place, code, and English message.
+/// Serialises location, code and English message.
 impl Serialize for Error {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         let mut out = serializer.serialize_struct("Error", 3)?;
@@ -151,7 +151,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The candidate nearest to `word` by edit distance, if one is within typing distance.
+/// The candidate nearest to `word` by edit distance, if the distance is that of a typing error.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let is_part = |c: &&&str| c.split(['-', '_']).any(|part| part == word);

@@ -1,4 +1,4 @@
-//! The place of a fault.
+//! Location of an error.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::Error;
 use crate::wording::Language;
 
-/// Location of a fault in the input.
+/// Location of an error in the input.
 ///
 /// ```
 /// use gaitcam_base::error::Place;
@@ -29,12 +29,12 @@ pub enum Place {
     Byte(PathBuf, usize),
     /// A dotted key of a scene, for example `limits.stroke`.
     Key(String),
-    /// A flag or argument of the command line, for example `--set`.
+    /// A flag or argument on the command line, for example `--set`.
     Argument(String),
 }
 
 impl Place {
-    /// The location as prefix of a message in this language, with its colon.
+    /// The location in a language as a prefix of a message, with a colon.
     pub fn before(&self, language: Language) -> String {
         let line_word = match language {
             Language::En => "line",
@@ -57,7 +57,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Places a fault; an error that already has a place keeps it.
+/// Sets the location of an error. An error that already has a location keeps it.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Place, Placed};
@@ -68,27 +68,27 @@ impl fmt::Display for Place {
 /// assert_eq!(error.clone().at_key("gait.file"), error);
 /// ```
 pub trait Placed: Into<Error> {
-    /// Locates the fault in a whole file.
+    /// Locates the error in a whole file.
     fn in_file(self, path: &Path) -> Error {
         self.into().at(Place::File(path.to_path_buf()))
     }
 
-    /// Locates the fault in a line of a file, counted from 1.
+    /// Locates the error in a line of a file, counted from 1.
     fn at_line(self, path: &Path, line: usize) -> Error {
         self.into().at(Place::Line(path.to_path_buf(), line))
     }
 
-    /// Locates the fault at a byte of a file, counted from 0.
+    /// Locates the error at a byte of a file, counted from 0.
     fn at_byte(self, path: &Path, offset: usize) -> Error {
         self.into().at(Place::Byte(path.to_path_buf(), offset))
     }
 
-    /// Locates the fault at a dotted key of a scene.
+    /// Locates the error at a dotted key of a scene.
     fn at_key(self, key: &str) -> Error {
         self.into().at(Place::Key(key.to_string()))
     }
 
-    /// Locates the fault at a flag or argument of the command.
+    /// Locates the error at a flag or argument of the command.
     fn at_argument(self, argument: &str) -> Error {
         self.into().at(Place::Argument(argument.to_string()))
     }

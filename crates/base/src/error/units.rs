@@ -1,4 +1,4 @@
-//! Faults in a quantity with a unit.
+//! Errors in a quantity with a unit.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 use super::Fault;
 use crate::wording::{Catalogue, WORDS};
 
-/// Fault in the text of a quantity. `example` is a valid one.
+/// Error in the text of a quantity. `example` is a valid text.
 ///
 /// ```
 /// use gaitcam_base::error::UnitsError;
@@ -21,26 +21,26 @@ use crate::wording::{Catalogue, WORDS};
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum UnitsError {
-    /// No number at the start.
+    /// The text does not start with a number.
     NoNumber { text: String, example: String },
-    /// A number with separated thousands; `plain` is the number without separators.
+    /// The number has thousands separators; `plain` is the number without them.
     Grouped { text: String, plain: String },
-    /// A number without its unit.
+    /// The number has no unit.
     NoUnit { text: String, example: String },
-    /// A fraction that may be meant as a percentage.
+    /// The number is a fraction that may be meant as a percentage.
     BareShare { text: String, percent: f64 },
-    /// A unit of another dimension.
+    /// The unit belongs to another dimension.
     WrongDimension {
         text: String,
         unit: String,
         dimension: String,
         example: String,
     },
-    /// The quantity is so large that products of it overflow.
+    /// The quantity is so large that products with it overflow.
     OutOfRange { text: String },
-    /// An exponent that is not a small integer.
+    /// An exponent is not a small integer.
     Exponent { factor: String },
-    /// A unit that no dimension has.
+    /// The unit is unknown.
     UnknownUnit {
         unit: String,
         nearest: Option<String>,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A text as a cell of CSV that no spreadsheet takes for a formula: an apostrophe precedes such a text. Numbers remain unchanged.
+/// A text as a CSV cell. If a spreadsheet would interpret it as a formula, an apostrophe is put before it. Numbers are unchanged.
 ///
 /// ```
 /// use gaitcam_base::text::{cell_text, text_cell};
@@ -18,14 +18,14 @@ pub fn text_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// The original text of a cell made by [`text_cell`].
+/// Original text of a cell that [`text_cell`] made.
 pub fn cell_text(cell: &str) -> &str {
     let text = cell.strip_prefix('\'');
     text.filter(|text| begins_like_formula(text))
         .unwrap_or(cell)
 }
 
-/// A text as a cell of CSV: in quotation marks where it has a comma, a quotation mark or a line break.
+/// A text as a CSV cell, in quotation marks if it contains a comma, a quotation mark or a line break.
 pub fn quoted(text: &str) -> Cow<'_, str> {
     match text.contains([',', '"', '\n', '\r']) {
         true => Cow::Owned(format!("\"{}\"", text.replace('"', "\"\""))),
@@ -33,7 +33,7 @@ pub fn quoted(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// The trimmed cells of a line of CSV, without the marks of [`quoted`].
+/// Trimmed cells of a CSV line, without the quotation marks of [`quoted`].
 ///
 /// ```
 /// use gaitcam_base::text::{cells, quoted};
@@ -55,7 +55,7 @@ fn unquoted(cell: &str) -> Cow<'_, str> {
     inner.map_or(Cow::Borrowed(cell), |c| Cow::Owned(c.replace("\"\"", "\"")))
 }
 
-/// Leading apostrophes count too, so that removing one restores the text.
+/// Whether a text starts like a formula. Leading apostrophes count too, so that removing one of them restores the text.
 fn begins_like_formula(text: &str) -> bool {
     let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');
     text.trim_start_matches('\'').starts_with(begins) && text.parse::<f64>().is_err()

@@ -1,6 +1,6 @@
 //! Text inside XML and HTML.
 
-/// Text escaped for element content and attributes.
+/// Text with escaped characters for element content and attributes.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Numbers and text as files and pages show them.
+//! Format of numbers and text in files and pages.
 
 mod cell;
 mod escape;

@@ -1,8 +1,8 @@
-//! Decimal numbers of drawings and pictures.
+//! Decimal numbers in drawings and figures.
 
 /// Appends `x` rounded to at most `decimals` decimals (12 or fewer), without trailing zeros and without −0.
 ///
-/// Drawings hold tens of thousands of coordinates; this takes a tenth of the time of `format!`.
+/// Drawings contain tens of thousands of coordinates. This function needs a tenth of the time of `format!`.
 pub fn append(out: &mut String, x: f64, decimals: u32) {
     let scale = 10u64.pow(decimals);
     let scaled = (x * scale as f64).round();

@@ -1,10 +1,10 @@
-//! The messages of a crate in both languages.
+//! Messages of a crate in both languages.
 
 use std::sync::OnceLock;
 
 use super::{Language, Messages};
 
-/// A Fluent file in English and in Spanish.
+/// A Fluent file, in English and in Spanish.
 ///
 /// ```
 /// use gaitcam_base::wording::SENTENCES;
@@ -13,7 +13,7 @@ use super::{Language, Messages};
 /// ```
 pub type File = [&'static str; 2];
 
-/// The messages of one crate, with the fields and areas that need special formatting.
+/// Messages of one crate, with the fields and areas that need special formatting.
 ///
 /// ```
 /// use gaitcam_base::wording::{Catalogue, Language, Sentences};
@@ -30,15 +30,16 @@ pub type File = [&'static str; 2];
 /// assert_eq!(WORDS.of(Language::En).sentence("file", &message), "arm without the arm");
 /// ```
 pub struct Sentences {
-    /// The Fluent files with all messages of the crate, in English and in Spanish.
+    /// Fluent files with all messages of the crate, in English and in Spanish.
     pub files: &'static [File],
-    /// Fields that quote the user or select a variant of a sentence; they are not translated.
+    /// Fields that quote the user or select a variant of a message. They are not translated.
     pub as_typed: &'static [&'static str],
-    /// Areas whose messages appear as arguments of messages of other areas.
+    /// Areas whose messages are arguments of messages of other areas.
     pub shared: &'static [&'static str],
-    /// Areas of notes on a result and of reasons. Their quantities have four digits; those of errors have six, because users type them back.
+    /// Areas of notes on a result and of reasons. Their quantities have four digits. Quantities of errors have six digits, because users enter them
+    /// again.
     pub notes: &'static [&'static str],
-    /// Messages of these areas whose quantities users type back, with six digits.
+    /// Messages of these areas whose quantities users enter again; they have six digits.
     pub typed_back: &'static [&'static str],
 }
 
@@ -53,7 +54,7 @@ impl Sentences {
     };
 }
 
-/// The messages of a crate and of the crates below it; a language is indexed at first use.
+/// Messages of a crate and of the crates below it. A language is indexed at first use.
 ///
 /// ```
 /// use gaitcam_base::wording::{Catalogue, Language, Sentences};
@@ -71,7 +72,7 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// A catalogue of the messages of one or more crates.
+    /// Creates a catalogue of the messages of one or more crates.
     pub const fn new(crates: &'static [Sentences]) -> Catalogue {
         Catalogue {
             crates,
@@ -79,7 +80,7 @@ impl Catalogue {
         }
     }
 
-    /// The messages in a language.
+    /// Messages in a language.
     pub fn of(&self, language: Language) -> &Messages {
         let place = language as usize;
         self.messages[place].get_or_init(|| Messages::new(language, self.crates))

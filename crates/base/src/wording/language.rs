@@ -1,9 +1,9 @@
-//! Languages of messages and how a locale selects one.
+//! Languages of messages, and selection of a language by a locale.
 
 use serde::Serialize;
 use strum::{Display, IntoStaticStr};
 
-/// A language of messages, reports and pictures.
+/// Language of messages, reports and figures.
 ///
 /// ```
 /// use gaitcam_base::wording::Language;
@@ -23,7 +23,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language of a tag such as `es`, `es_MX.UTF-8` or `en-GB`; `None` for others.
+    /// Language of a tag such as `es`, `es_MX.UTF-8` or `en-GB`; `None` for other tags.
     ///
     /// ```
     /// use gaitcam_base::wording::Language;
@@ -38,7 +38,7 @@ impl Language {
         }
     }
 
-    /// Language tag: `en`, `es`.
+    /// Language tag: `en` or `es`.
     pub fn tag(self) -> &'static str {
         self.into()
     }
@@ -54,14 +54,14 @@ impl Language {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InLanguages {
-    /// The text in English.
+    /// Text in English.
     pub en: String,
-    /// The text in Spanish.
+    /// Text in Spanish.
     pub es: String,
 }
 
 impl InLanguages {
-    /// The texts of a function for all languages.
+    /// Texts of a function for all languages.
     pub fn of(text: impl Fn(Language) -> String) -> InLanguages {
         InLanguages {
             en: text(Language::En),

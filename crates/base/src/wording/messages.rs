@@ -1,4 +1,4 @@
-//! The Fluent messages of one language.
+//! Fluent messages of one language.
 
 use std::collections::BTreeMap;
 use std::sync::{RwLock, RwLockReadGuard};
@@ -39,11 +39,11 @@ const NOTE_DIGITS: usize = 4;
 /// ```
 pub struct Messages {
     language: Language,
-    /// Messages of each crate.
+    /// Messages of the crates of the catalogue.
     crates: &'static [Sentences],
-    /// Messages parsed so far; parsing all takes longer than most designs.
+    /// Messages parsed so far. Parsing all messages takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
-    /// The Fluent text of every message by key.
+    /// Fluent texts of all messages, by key.
     texts: BTreeMap<&'static str, &'static str>,
 }
 
@@ -54,7 +54,7 @@ impl Messages {
     ///
     /// # Panics
     ///
-    /// On a line that begins no message and on a duplicate key; both are programming errors.
+    /// If a line does not begin a message, or if a key occurs twice. Both are programming errors.
     pub(super) fn new(language: Language, crates: &'static [Sentences]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
@@ -74,12 +74,12 @@ impl Messages {
         }
     }
 
-    /// The Fluent text of a message.
+    /// Fluent text of a message.
     fn text_of(&self, key: &str) -> Option<&'static str> {
         self.texts.get(key).copied()
     }
 
-    /// The parsed messages, including this one and those it refers to; `None` if there is no such key.
+    /// Parsed messages, including this one and those to which it refers; `None` if there is no such key.
     fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
         let parsed = self.read();
@@ -96,11 +96,11 @@ impl Messages {
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    /// Parses a message and those it refers to.
+    /// Parses a message and those to which it refers.
     ///
     /// # Panics
     ///
-    /// On invalid Fluent text, which is a programming error.
+    /// If the Fluent text is invalid, which is a programming error.
     fn add(&self, key: &str, text: &str) {
         let resource = match FluentResource::try_new(text.to_string()) {
             Ok(resource) => resource,
@@ -122,13 +122,13 @@ impl Messages {
         self.texts.keys().map(|key| (*key).to_string()).collect()
     }
 
-    /// The sentence of a message, whose key is `area-variant`. A missing key is shown with the data of the message.
+    /// Text of a message with the key `area-variant`. If the key is missing, the key and the data are shown.
     pub fn sentence(&self, area: &str, message: &impl Serialize) -> String {
         let data = serde_json::to_value(message).unwrap_or_default();
         self.of_value(area, &data)
     }
 
-    /// The remedy: the `.help` attribute of the message.
+    /// Suggested change: the attribute `.help` of the message.
     pub fn help(&self, area: &str, message: &impl Serialize) -> Option<String> {
         let data = serde_json::to_value(message).unwrap_or_default();
         let (variant, fields) = parts(&data)?;
@@ -142,18 +142,18 @@ impl Messages {
         self.language
     }
 
-    /// A number with a fixed count of decimals, with the decimal sign of the language.
+    /// A number with a fixed number of decimals and the decimal separator of the language.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         fixed(self.language, value, decimals)
     }
 
-    /// The text of a key without arguments: headings, labels.
+    /// Text of a key without arguments, such as a heading or label.
     pub fn text(&self, key: &str) -> String {
         let text = self.value_of(key, "", &Value::Null);
         text.unwrap_or_else(|| key.to_string())
     }
 
-    /// The name of a unit variant (`flat-translating`, `force_min`) in this language, or as it is typed.
+    /// Name of a unit variant (`flat-translating`, `force_min`) in this language, or the typed name.
     pub fn name(&self, typed: &str) -> String {
         let key = format!("name-{}", typed.replace(['_', '.', ' '], "-"));
         let name = self.value_of(&key, "", &Value::Null);
@@ -171,12 +171,12 @@ impl Messages {
         sentence.unwrap_or_else(missing)
     }
 
-    /// The text of a message with its fields; `None` if there is no such key.
+    /// Text of a message with its fields; `None` if there is no such key.
     fn value_of(&self, key: &str, area: &str, fields: &Value) -> Option<String> {
         self.pattern_of(key, area, fields, |message| message.value())
     }
 
-    /// The text of one of a message's patterns.
+    /// Text of one pattern of a message.
     fn pattern_of(
         &self,
         key: &str,
@@ -194,7 +194,7 @@ impl Messages {
         Some(text.into_owned())
     }
 
-    /// The fields of a message as Fluent arguments. A field may itself be a message.
+    /// Fields of a message as Fluent arguments. A field may be a message.
     fn arguments(&self, key: &str, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
@@ -218,7 +218,7 @@ impl Messages {
         arguments
     }
 
-    /// Text of the user, one or several, unchanged.
+    /// One or several texts of the user, unchanged.
     fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         let texts = match value {
             Value::String(_) => std::slice::from_ref(value),
@@ -269,7 +269,7 @@ impl Messages {
     }
 }
 
-/// Significant digits of the quantities of a note, enough to keep two different values distinct.
+/// Number of significant digits for the quantities of a note, so that two different values remain distinct.
 fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     let mut values: Vec<f64> = fields
         .filter_map(|f| f.get("value")?.as_f64())
@@ -284,7 +284,7 @@ fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     }
 }
 
-/// Keys and texts of the messages of a Fluent file. Keys are at the start of a line.
+/// Keys and texts of the messages of a Fluent file. A key is at the start of a line.
 fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let begins = |text: &str| text.starts_with(|c: char| c.is_ascii_lowercase());
     let ends =
@@ -309,7 +309,7 @@ fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static 
     })
 }
 
-/// The text after its first line; `None` if there is only one line.
+/// Text after the first line; `None` if there is only one line.
 fn after_line(text: &'static str) -> Option<&'static str> {
     memchr::memchr(b'\n', text.as_bytes()).map(|end| &text[end + 1..])
 }
@@ -323,7 +323,7 @@ fn references(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Variant and fields of an enum serialised by serde.
+/// Variant and fields of an enum that serde has serialised.
 fn parts(data: &Value) -> Option<(&str, &Value)> {
     match data {
         Value::String(variant) => Some((variant, &Value::Null)),
@@ -332,7 +332,7 @@ fn parts(data: &Value) -> Option<(&str, &Value)> {
     }
 }
 
-/// The value of a serialised quantity.
+/// Value of a serialised quantity.
 fn finite(value: &Value) -> f64 {
     match value.as_str() {
         Some("inf") => f64::INFINITY,
@@ -341,7 +341,7 @@ fn finite(value: &Value) -> f64 {
     }
 }
 
-/// The key of a message: area and variant in kebab-case.
+/// Key of a message: area and variant in kebab-case.
 pub fn code(area: &str, message: &impl Serialize) -> String {
     let data = serde_json::to_value(message).unwrap_or_default();
     let variant = parts(&data).map_or("", |p| p.0);

@@ -1,16 +1,16 @@
-//! Messages from data: code + data + language → sentence.
+//! Messages from data: code, data and language determine the text.
 //!
-//! An error, a note or a reason is an enum variant with fields. Its sentence is in a Fluent file under the key `area-variant`, both in kebab-case, the fields being its arguments; the remedy of a fault is the
-//! attribute `.help` of the same message:
+//! An error, a note or a reason is an enum variant with fields. Its text is in a Fluent file with the key `area-variant`, both parts in kebab-case.
+//! The fields are the arguments of the text. The suggested change of an error is the attribute `.help` of the same message:
 //!
 //! ```text
 //! law-uncovered = the segments cover { $covered } of { $wanted }
 //!     .help = lengthen or add segments until they cover the turn
 //! ```
 //!
-//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the customary unit with six significant digits (four in a note or reason), a plain number with
-//! six, a list joined by commas; a unit variant (a follower, a limit, a law) by the message `name-…` of that variant, where there is one, otherwise
-//! as it is typed in scenes. `None` is the word `none`, which selectors can match.
+//! Arguments: a [`Quantity`](crate::units::Quantity) is displayed in its common unit with six significant digits (four in a note or reason), a number
+//! with six. A list is joined by commas. A unit variant (a follower, a limit, a law) is displayed by the message `name-…` of the variant, if there is
+//! one, otherwise as it is written in scenes. `None` is the word `none`, which selectors can match.
 
 mod catalogue;
 mod language;
@@ -22,7 +22,7 @@ pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
 pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded, walker};
 
-/// Messages of this crate: names of quantities, faults of quantities.
+/// Messages of this crate: names of quantities, errors of quantities.
 pub const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
@@ -32,5 +32,5 @@ pub const SENTENCES: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// The catalogue of this crate.
+/// Catalogue of this crate.
 pub static WORDS: Catalogue = Catalogue::new(&[SENTENCES]);

@@ -26,10 +26,10 @@ const SHOWN: &[(&str, &str, f64)] = &[
 
 /// Maximum number of significant digits for display.
 pub const DIGITS: usize = 4;
-/// Significant digits of a number that users type back, in an error or a suggested change.
+/// Number of significant digits of a number that users enter again, in an error or a suggested change.
 pub(super) const EXACT: usize = 6;
 
-/// A number for display: at most four significant digits, no trailing zeros; `−0` is 0, Spanish has a decimal comma.
+/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0; Spanish has a decimal comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};
@@ -52,7 +52,7 @@ pub fn rounded(language: Language, value: f64, digits: usize) -> String {
     to_digits(language, value, digits).replace('-', "−")
 }
 
-/// A number that users may type back: six significant digits, with an ASCII minus sign.
+/// A number that users may enter again: six significant digits, with an ASCII minus sign.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, exact};
@@ -62,7 +62,7 @@ pub fn exact(language: Language, value: f64) -> String {
     to_digits(language, value, EXACT)
 }
 
-/// "low … high" for display; an end that is zero up to rounding is 0.
+/// Range "low … high" for display. An end that is zero up to rounding errors is 0.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, range};
@@ -74,7 +74,7 @@ pub fn range(language: Language, low: f64, high: f64) -> String {
     format!("{} … {}", number(language, low), number(language, high))
 }
 
-/// An angle given in rad, in degrees to one decimal.
+/// An angle in rad, displayed in degrees with one decimal.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, degrees};
@@ -119,7 +119,7 @@ fn localised(language: Language, text: &str) -> String {
     }
 }
 
-/// A number with a fixed count of decimals, for columns of a table.
+/// A number with a fixed number of decimals, for columns of a table.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, fixed};
@@ -131,7 +131,7 @@ pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
     localised(language, if zero { &text[1..] } else { &text })
 }
 
-/// The name of a walker for display; a walker of a load model is named by the step frequency.
+/// Name of a walker for display. The name of a walker of a load model is the step frequency.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, walker};
@@ -153,7 +153,7 @@ fn short(text: &str) -> &str {
     }
 }
 
-/// The displayed unit of an SI unit, and the factor to it.
+/// Displayed unit for an SI unit, and the factor to it.
 pub fn people(si: &str) -> (&str, f64) {
     SHOWN
         .iter()
@@ -161,7 +161,7 @@ pub fn people(si: &str) -> (&str, f64) {
         .map_or((si, 1.0), |row| (row.1, row.2))
 }
 
-/// A quantity in SI as text in the customary unit: 0.0136 m is `13.6 mm`.
+/// A quantity in SI units as text in its common unit: 0.0136 m is `13.6 mm`.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, quantity};
