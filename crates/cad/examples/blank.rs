@@ -1,4 +1,4 @@
-//! A cam as an outline to cut and as a solid: `cargo run --release -p gaitcam-cad --example blank [FOLDER]`.
+//! Writes a cam as an outline and as a solid: `cargo run --release -p gaitcam-cad --example blank [FOLDER]`.
 
 use std::path::PathBuf;
 

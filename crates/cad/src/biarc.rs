@@ -1,34 +1,34 @@
-//! The profile as circular arcs that follow it to a stated tolerance.
+//! The profile as circular arcs within a given tolerance.
 //!
-//! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a biarc). Intervals whose arcs exceed the
+//! Between two points of the profile, with their exact tangents, two arcs with a common tangent meet (biarc). Intervals whose arcs exceed the
 //! tolerance are halved.
 
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Widest interval of one biarc, rad.
+/// Maximum width of the interval of one biarc, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
-/// Points of an interval at which the distance is measured, while fitting and for the report.
+/// Number of points of an interval at which the distance is measured for fitting.
 const TRIED: usize = 16;
 const PROVED: usize = 64;
-/// Maximum number of halvings of an interval; more mean a corner.
+/// Maximum number of halvings of an interval; more would mean a corner.
 const DEEPEST: usize = 14;
-/// Arcs flatter than this become chords, because rounding would destroy the radius.
+/// Bulge below which an arc becomes a chord, because the radius would have a large rounding error.
 const FLAT: f64 = 1e-10;
 
 /// A chain of arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
-    /// x, y (m) and the bulge of the edge that follows: tan of a quarter of the arc's angle, positive
-    /// counter-clockwise. An open chain's last bulge is 0.
+    /// Vertices x, y (m) and the bulge of the following edge: tan of a quarter of the arc's angle, positive counter-clockwise. For an open chain, the
+    /// last bulge is 0.
     pub vertices: Vec<[f64; 3]>,
-    /// Whether the last edge leads back to the first vertex.
+    /// Whether the last edge ends at the first vertex.
     pub closed: bool,
-    /// Largest distance between the true profile and the arcs, m, at 64 points of each pair.
+    /// Maximum distance between the exact profile and the arcs, m, at 64 points of each pair of arcs.
     pub deviation: f64,
 }
 
-/// Two arcs: start, joint, end, and their bulges.
+/// Biarc: start, joint, end, and both bulges.
 struct Biarc {
     points: [[f64; 2]; 3],
     bulges: [f64; 2],
@@ -36,13 +36,13 @@ struct Biarc {
     tangent: [f64; 2],
 }
 
-/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent turns back in cusps), a law with velocity jumps, and a
-/// tolerance that is not positive or below rounding.
+/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps), for a law with velocity jumps, and for a
+/// tolerance that is not positive or below rounding errors.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// Arcs within a tolerance of any edge that is cut.
+/// Arcs within a tolerance of any edge to be cut.
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -108,7 +108,7 @@ fn follow(
 }
 
 impl Biarc {
-    /// The biarc with equal arms d at both ends: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
+    /// Biarc with equal arms d at both ends: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
     fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
@@ -143,7 +143,7 @@ impl Biarc {
         [0, 1].map(|k| circle(self.points[k], self.points[k + 1], self.bulges[k]))
     }
 
-    /// Distance of a point near the biarc from it.
+    /// Distance between a biarc and a nearby point.
     fn distance(&self, q: [f64; 2], circles: [Option<Circle>; 2]) -> f64 {
         let joint = self.points[1];
         let k = usize::from(dot([q[0] - joint[0], q[1] - joint[1]], self.tangent) > 0.0);
@@ -183,7 +183,7 @@ pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     Some((centre, radius.abs()))
 }
 
-/// Extreme points in ±x and ±y of an arc of less than half a circle, beyond its ends.
+/// Extreme points in ±x and ±y of an arc that is shorter than a semicircle, except its ends.
 pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
     let Some(([x, y], r)) = circle(a, b, bulge) else {
         return Vec::new();

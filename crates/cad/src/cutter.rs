@@ -1,4 +1,4 @@
-//! The path of a milling cutter's centre, and where the cutter would gouge the cam.
+//! Path of a milling cutter's centre, and positions at which the cutter would gouge the cam.
 
 use std::fmt::Write;
 
@@ -6,40 +6,40 @@ use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Smallest depth that counts as gouging, m: rounding of the profile is below it.
+/// Minimum depth of gouging, m; rounding errors of the profile are smaller.
 const TOUCH: f64 = 1e-9;
 
-/// The cutter's centre at one cam angle.
+/// Centre of the cutter at one cam angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutterPoint {
-    /// Cam angle of the profile point being cut, rad.
+    /// Cam angle of the profile point that is cut, rad.
     pub theta: f64,
-    /// Centre of the cutter, cam frame, m.
+    /// x coordinate of the cutter's centre, cam frame, m.
     pub x: f64,
-    /// Centre of the cutter, cam frame, m.
+    /// y coordinate of the cutter's centre, cam frame, m.
     pub y: f64,
 }
 
-/// Reasons why a cutter damages the profile.
+/// Reasons for which a cutter damages the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gouge {
-    /// The cutter is wider than a hollow of the profile.
+    /// The radius of the cutter exceeds a concave radius of the profile.
     Hollow {
-        /// Cam angle of the tightest hollow, rad.
+        /// Cam angle of the minimum concave radius, rad.
         at: f64,
-        /// Radius of the hollow, m: the largest cutter that fits it.
+        /// Minimum concave radius, m: the maximum radius of a cutter.
         radius: f64,
     },
-    /// The cutter penetrates the profile at an angle other than the one being cut.
+    /// The cutter penetrates the profile at an angle other than the one that is cut.
     Elsewhere {
-        /// Cam angle being cut, rad.
+        /// Cam angle of the point that is cut, rad.
         at: f64,
-        /// Cam angle whose profile is damaged, rad.
+        /// Cam angle of the damaged point, rad.
         damaged: f64,
         /// Depth of the damage, m.
         depth: f64,
     },
-    /// The profile itself is undercut: no cutter makes it.
+    /// The profile is undercut, so no cutter can produce it.
     Undercut {
         /// Cam angle of the cusp, rad.
         at: f64,
@@ -49,17 +49,18 @@ pub enum Gouge {
 /// A cutter path with its gouges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutterPath {
-    /// The path; it closes on its first point for a closed law.
+    /// Path of the cutter's centre. For a closed law it ends at its first point.
     pub points: Vec<CutterPoint>,
-    /// Empty when the cutter leaves the cam as designed.
+    /// Damage by the cutter; empty if it does not damage the cam.
     pub gouges: Vec<Gouge>,
 }
 
-/// Path of a cutter of radius `tool` (m) around the outside of the cam: the profile's parallel at that distance, along the exact normals at `points`
-/// equal steps of the cam angle. Gouging in hollows is detected by the exact curvature, elsewhere at the `points` of the profile.
+/// Path of a cutter of radius `tool` (m) around the outside of the cam: the parallel curve of the profile at this distance, along the exact normals
+/// at `points` equal steps of the cam angle. Gouging in concave parts is detected by the exact curvature, elsewhere at the `points` of the profile.
 ///
 /// # Errors
-/// A tool radius that is not positive.
+///
+/// The radius of the tool is not positive.
 pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
     let tool = positive(tool)?;
     let cam = &synthesis.cam;
@@ -104,7 +105,7 @@ pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> 
     })
 }
 
-/// A valid radius of a cutter.
+/// Checks that the radius of a cutter is positive.
 pub(crate) fn positive(radius: f64) -> Result<f64> {
     if radius.is_finite() && radius > 0.0 {
         return Ok(radius);
@@ -115,7 +116,7 @@ pub(crate) fn positive(radius: f64) -> Result<f64> {
     .into())
 }
 
-/// The deepest penetration of the cutter at any profile point: index cut, index damaged, depth.
+/// Maximum penetration of the cutter at any profile point: index of the point that is cut, index of the damaged point, depth.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;
     for (i, c) in path.iter().enumerate() {
@@ -133,7 +134,7 @@ fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usi
     worst
 }
 
-/// The path as a table: `theta_rad,x_m,y_m`, full precision.
+/// The path as a table `theta_rad,x_m,y_m` in full precision.
 pub fn csv(path: &CutterPath) -> String {
     let mut out = String::from("theta_rad,x_m,y_m\n");
     for p in &path.points {

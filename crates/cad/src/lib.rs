@@ -1,10 +1,10 @@
 //! A finished cam as files for CAD, printing and machining.
 //!
-//! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles
-//! of a conjugate pair, the walls of a barrel's groove ([`Edge`](gaitcam::synth::Edge)). Every exporter is a pure function from the
-//! design to the bytes of one file at true scale, in millimetres or, of DXF, drawing and programs, in [`Units`]; the same design gives the same bytes.
+//! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles of a conjugate pair, the walls of a
+//! barrel's groove ([`Edge`](gaitcam::synth::Edge)). Every exporter is a pure function from the design to the bytes of one file at true scale.
+//! Lengths are in millimetres; in DXF files, drawings and programs they are in [`Units`]. The same design gives the same bytes.
 //!
-//! | module | makes | accuracy |
+//! | module | output | accuracy |
 //! |---|---|---|
 //! | [`dxf`] | outline as polyline, arcs or splines (R12, R2000) | vertices on the profile; arcs and splines within a tolerance |
 //! | [`svg`] | outline for a laser or a page | vertices on the profile |

@@ -1,18 +1,18 @@
-//! Annotations of outline drawings: layers, marks, the arrow of rotation.
+//! Annotations of outline drawings: layers, marks, and the arrow of rotation.
 
 use gaitcam::synth::Design;
 
-/// Half the length of the centre mark's strokes, m.
+/// Half the length of the strokes of the centre mark, m.
 const MARK: f64 = 0.003;
 
-/// Content of a layer, named as in an SVG.
+/// Name of a layer as an SVG identifier.
 pub fn id(layer: &str) -> String {
     let name = layer.split_once('_').map_or(layer, |(_, name)| name);
     name.to_lowercase().replace('_', "-")
 }
 
-/// Reference lines of the drawing, with their layers, m: the centre of a disc, the foot of
-/// a sliding cam, the seams at which an unrolled barrel begins each turn.
+/// Reference lines of the drawing with their layers, m: the centre of a disc, the foot of a translating cam, the start of each turn of an unrolled
+/// barrel.
 pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;
     let (start, length) = synthesis.cam.law.extent();
@@ -37,15 +37,15 @@ pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
         .collect()
 }
 
-/// The mark of θ = 0, along the follower's motion (+y) from halfway between bore and base circle up to the
-/// base circle; radii and result in one unit.
+/// Mark of θ = 0, along the motion of the follower (+y), from the middle between bore and base circle to the base circle. The radii and the result
+/// have the same unit.
 pub fn zero_mark(base: f64, bore: f64) -> [[f64; 2]; 2] {
     [[0.0, 0.5 * (base + bore)], [0.0, base]]
 }
 
-/// Arrow in the sense of rotation: an arc about the centre, on the side away from the mark of θ = 0.
+/// Arrow in the direction of rotation: an arc about the centre, on the side opposite to the mark of θ = 0.
 pub struct Arrow {
-    /// Whether θ decreases: the profile's angle increases counter-clockwise.
+    /// Whether θ decreases; the polar angle of the profile then increases counter-clockwise.
     pub clockwise: bool,
     /// Radius of the arrow.
     pub radius: f64,

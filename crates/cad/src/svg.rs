@@ -1,4 +1,4 @@
-//! `profile.svg`: the cam's outline at true scale, one user unit per millimetre.
+//! `profile.svg`: outline of the cam at true scale, with one user unit per millimetre.
 
 use std::fmt::Write;
 
@@ -10,13 +10,12 @@ use gaitcam_base::text::append;
 use gaitcam_base::text::escaped;
 
 const MM: f64 = 1000.0;
-/// Blank edge around the drawing, mm.
+/// Width of the empty margin around the drawing, mm.
 const MARGIN: f64 = 5.0;
 
-/// The edges that are cut with pitch curve, base and prime circle and centre mark; printed at 100 % it is
-/// the cam.
+/// Edges to be cut, with pitch curve, base and prime circle and centre mark. Printed at 100 %, the drawing has the size of the cam.
 ///
-/// `points` vertices at equal steps of the cam angle; width and height are in mm, the cam's y points up.
+/// The edges have `points` vertices at equal steps of the cam angle. Width and height are in mm; the cam's y axis points up.
 pub fn profile(synthesis: &Design, points: usize) -> String {
     let follower = &synthesis.cam.follower;
     let edges = Edge::all(synthesis).into_iter();
@@ -77,7 +76,7 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
     out
 }
 
-/// Base and prime circle and bore of a rotating cam, the mark of θ = 0 and the arrow; radii in mm.
+/// Adds base circle, prime circle and bore of a rotating cam, the mark of θ = 0 and the arrow; radii in mm.
 fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     let _ = writeln!(
         out,
@@ -109,7 +108,7 @@ fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     );
 }
 
-/// The edge of the hole for the shaft as path data in mm with y down.
+/// Edge of the hole for the shaft as path data in mm with y downwards.
 pub(crate) fn hole(bore: &Bore) -> String {
     let edge = bore.outline();
     let place = |[x, y, _]: [f64; 3]| format!("{:.6} {:.6}", MM * x, -MM * y);
@@ -146,7 +145,7 @@ fn rotation(out: &mut String, arrow: &Arrow) {
     );
 }
 
-/// Path data in mm with y down, to a nanometre.
+/// Path data in mm with y downwards, to a nanometre.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {

@@ -1,6 +1,6 @@
-//! The unit of lengths in files for the workshop.
+//! Unit of lengths in files for the workshop.
 
-/// The unit of lengths in drawings and programs.
+/// Unit of lengths in drawings and programs.
 ///
 /// ```
 /// use gaitcam_cad::Units;
@@ -12,7 +12,7 @@ pub enum Units {
     /// Lengths are written in millimetres.
     #[default]
     Millimetres,
-    /// Inches of 25.4 mm.
+    /// Lengths are written in inches of 25.4 mm.
     Inches,
 }
 
@@ -33,7 +33,7 @@ impl Units {
         }
     }
 
-    /// A length in m as a number with a given count of decimals of a millimetre, one more for inches.
+    /// A length in m as a number with a given number of decimals of a millimetre, and one more for inches.
     pub fn number(self, length: f64, decimals: usize) -> String {
         let decimals = decimals + usize::from(self == Units::Inches);
         format!("{:.decimals$}", self.per_metre() * length)

@@ -1,4 +1,4 @@
-//! The title block: material, roughness, tolerance, revision and date.
+//! Title block: material, roughness, tolerance, revision and date.
 
 use gaitcam::cam::{Cam, Measures};
 use gaitcam::sweep::{Part, Scatter, Spread, Tolerance};
@@ -9,33 +9,34 @@ use super::layout::Layout;
 use super::pen::{Pen, Stroke};
 use crate::words::Labels;
 
-/// Letter heights of a field's value, of its name and of the title, mm per em.
+/// Letter height of the value of a field, mm per em.
 const VALUE: f64 = 2.9;
 const NAME: f64 = 1.9;
 const HEAD: f64 = 4.6;
-/// Height of the title's field and of the others, mm.
+/// Height of the field with the title, mm.
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 
 /// Default roughness Ra of a profile, m: ground.
 const USUAL_ROUGHNESS: f64 = 0.8e-6;
-/// Available profile tolerances, m, the widest first.
+/// Available profile tolerances, m, the largest first.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
-/// Sampled cams per tolerance, and the seed of their errors.
+/// Number of sampled cams per tolerance.
 const MADE: u64 = 1000;
 const SEED: u64 = 1;
 
-/// A tolerance on the profile and its effect on the force.
+/// A profile tolerance and its effect on the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scattered {
     /// Half width of the tolerance, m.
     tolerance: f64,
-    /// RMS force error that 95 % of the manufactured cams stay below, percent of the mean force.
+    /// RMS force error below which 95 % of the manufactured cams are, in percent of the mean force.
     error: f64,
 }
 
-/// The tolerance of the scene, or the widest available one whose manufacturing error is at most half of the error `allowed` (fraction of the mean
-/// force) beyond the design's own, squares added, for 95 % of the cams. If none qualifies, the narrowest. `None` without a target force.
+/// Tolerance of the scene; otherwise the largest available one whose manufacturing error, for 95 % of the cams, is at most half of the remaining
+/// error. The remaining error is the root of the difference of the squares of `allowed` (fraction of the mean force) and of the error of the design.
+/// If no tolerance qualifies, the smallest one. `None` without a target force.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {
@@ -60,10 +61,10 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     widest.or_else(|| Some(of(narrowest)))
 }
 
-/// A field of the title block: name and value.
+/// Field of the title block: name and value.
 type Field = (String, String);
 
-/// Draws the title block of one piece; `sheet` counts from 1.
+/// Draws the title block of one cam; `sheet` counts from 1.
 pub fn draw(
     pen: &mut Pen,
     (design, cam, name): (&Design, &Cam, Option<&str>),
@@ -158,7 +159,7 @@ fn fields(
     ]
 }
 
-/// The profile tolerance and its force error.
+/// Profile tolerance and its force error, as text.
 fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) {
     let making = making(design, title.accuracy);
     let error = match &making {
@@ -177,12 +178,12 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
     (words.decimal(tolerance), error)
 }
 
-/// A number to six decimals, without trailing zeros.
+/// A number with six decimals, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{}", (1e6 * x).round() / 1e6)
 }
 
-/// The Gregorian date `days` after 1970-01-01, as 2026-01-31.
+/// Gregorian date `days` after 1970-01-01, as 2026-01-31.
 fn civil_date(days: u64) -> String {
     let leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
     let (mut year, mut left) = (1970, days);

@@ -1,13 +1,13 @@
 //! Helvetica and Symbol, which every PDF reader contains: byte and width of each character.
 //!
-//! Widths in thousandths of an em, from the metrics of the standard fonts; Helvetica in Windows' encoding.
+//! Widths are in thousandths of an em, from the metrics of the standard fonts; Helvetica is in Windows encoding.
 
 /// One of the two fonts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Face {
     /// Helvetica, for letters and digits.
     Helvetica,
-    /// Greek letters and signs.
+    /// Symbol, for Greek letters and signs.
     Symbol,
 }
 
@@ -22,7 +22,7 @@ pub struct Glyph {
     width: u16,
 }
 
-/// Characters of Symbol: the character, its code, its width.
+/// Characters of Symbol: character, code, width.
 const SYMBOLS: [(char, u8, u16); 14] = [
     ('−', 0x2d, 549),
     ('Δ', b'D', 612),
@@ -40,7 +40,7 @@ const SYMBOLS: [(char, u8, u16); 14] = [
     ('≥', 0xb3, 549),
 ];
 
-/// Helvetica from the space to the tilde.
+/// Widths of Helvetica from the space to the tilde.
 #[rustfmt::skip]
 const ASCII: [u16; 95] = [
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
@@ -51,7 +51,7 @@ const ASCII: [u16; 95] = [
     556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
 
-/// Helvetica from the non-breaking space (0xA0) to ÿ.
+/// Widths of Helvetica from the non-breaking space (0xA0) to ÿ.
 #[rustfmt::skip]
 const LATIN: [u16; 96] = [
     278, 333, 556, 556, 556, 556, 260, 556, 333, 737, 370, 556, 584, 333, 737, 333,
@@ -62,7 +62,7 @@ const LATIN: [u16; 96] = [
     556, 556, 556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500,
 ];
 
-/// The glyph of a character; a question mark if it is missing.
+/// Glyph of a character; a question mark if the character is missing.
 pub fn glyph(c: char) -> Glyph {
     let helvetica = |byte, width| Glyph {
         face: Face::Helvetica,
@@ -88,7 +88,7 @@ pub fn glyph(c: char) -> Glyph {
     }
 }
 
-/// Width of a line of text, ems.
+/// Width of a line of text, em.
 pub fn width(text: &str) -> f64 {
     text.chars()
         .map(|c| f64::from(glyph(c).width) / 1000.0)

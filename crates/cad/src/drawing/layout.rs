@@ -1,6 +1,6 @@
 //! Size, scale and areas of a sheet; mm from the lower left corner.
 
-/// A rectangle: left, bottom, right, top.
+/// Rectangle: left, bottom, right, top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Area {
     pub left: f64,
@@ -19,15 +19,15 @@ impl Area {
     }
 }
 
-/// Room for the labels of dimensions on both sides of the plan view, mm.
+/// Space for the labels of dimensions on both sides of the plan view, mm.
 pub const LABELS: f64 = 40.0;
-/// Room above the plan view for the mark of θ = 0, and below for the dimension of the side view, mm.
+/// Space above the plan view for the mark of θ = 0, mm.
 pub const ABOVE: f64 = 12.0;
-/// Room below the plan view for the dimension of the side view, mm.
+/// Space below the plan view for the dimension of the side view, mm.
 pub const BELOW: f64 = 14.0;
-/// Room right of the side view for the number of a thin plate's thickness, mm.
+/// Space to the right of the side view for the thickness of a thin plate, mm.
 pub const BESIDE: f64 = 16.0;
-/// Distance of the frame from the sheet's edge, mm; on the left, where sheets are bound, it is 20.
+/// Distance of the frame from the edge of the sheet, mm; on the left, where sheets are bound, it is 20.
 const EDGE: f64 = 10.0;
 const BOUND: f64 = 20.0;
 
@@ -35,7 +35,7 @@ const BOUND: f64 = 20.0;
 const ENLARGED: [f64; 3] = [5.0, 2.0, 1.0];
 const REDUCED: [f64; 3] = [2.0, 5.0, 10.0];
 
-/// A scale: millimetres on the sheet for millimetres of the cam.
+/// Scale: millimetres on the sheet for millimetres of the cam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     sheet: f64,
@@ -43,17 +43,17 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Millimetres on the sheet per millimetre.
+    /// Millimetres on the sheet per millimetre of the cam.
     pub fn factor(self) -> f64 {
         self.sheet / self.cam
     }
 
-    /// Text of the scale on drawings: `1 : 2`.
+    /// Text of the scale in drawings, such as `1 : 2`.
     pub fn text(self) -> String {
         format!("{} : {}", self.sheet, self.cam)
     }
 
-    /// 50 : 1 down to 1 : 10 000, largest first.
+    /// All scales from 50 : 1 to 1 : 10 000, the largest first.
     fn all() -> impl Iterator<Item = Scale> {
         let enlarged = [10.0, 1.0].into_iter().flat_map(|ten| {
             ENLARGED.map(|step| Scale {
@@ -86,22 +86,21 @@ pub struct Layout {
     pub table: Area,
     /// Area of the title block.
     pub title: Area,
-    /// Tables side by side over which the rows are distributed; columns of the title block's fields.
+    /// Number of adjacent tables over which the rows are distributed, and of columns of fields in the title block.
     pub blocks: usize,
     /// Scale of the views.
     pub scale: Scale,
 }
 
-/// Heights of the title block and the table, mm, on both sheets.
+/// Heights of the title block for both kinds of sheets, mm.
 const TITLE: [f64; 2] = [50.0, 74.0];
 const TABLE: [f64; 2] = [96.0, 137.0];
-/// Width of the column with table and title block on A3.
+/// Width of the column with table and title block on A3, mm.
 const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// The sheet for views of a width and height in mm at a scale in mm per mm: A4, or A3 where A4 would need a reduction and A3 allows a larger
-    /// scale.
+    /// Sheet for views of a width and height in mm at a scale in mm per mm: A4, or A3 if A4 would require a reduction and A3 permits a larger scale.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
@@ -120,7 +119,7 @@ impl Layout {
         Layout { scale, ..self }
     }
 
-    /// A4 upright with all areas in one column, or A3 with table and title block in a second column.
+    /// A4 in portrait format with all areas in one column, or A3 with table and title block in a second column.
     fn of_paper(is_a3: bool) -> Layout {
         let (name, width, blocks) = if is_a3 {
             ("A3", 420.0, 2)
@@ -169,7 +168,7 @@ impl Layout {
     }
 }
 
-/// The minimum scale, for cams that fit at no standard scale.
+/// Minimum scale, for cams that fit at no standard scale.
 const SMALLEST: Scale = Scale {
     sheet: 1.0,
     cam: 10_000.0,

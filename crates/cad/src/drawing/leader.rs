@@ -7,20 +7,20 @@ use gaitcam::cam::{Bore, Keyway};
 use super::pen::{Anchor, Pen, Stroke};
 use crate::words::Labels;
 
-/// Letters of dimensions, mm per em.
+/// Letter height of dimensions, mm per em.
 const LETTERS: f64 = 3.2;
-/// Distance of the two lines of a label.
+/// Distance between the two lines of a label, mm.
 const LINE: f64 = 3.9;
-/// Length of the leader's horizontal end, mm.
+/// Length of the horizontal end of a leader, mm.
 const SHELF: f64 = 2.0;
-/// Below this width the arrows of a dimension are outside its extension lines, mm.
+/// Width, mm, below which the arrows of a dimension are outside its extension lines.
 const NARROW: f64 = 14.0;
-/// Distance of a dimension's number from its line, mm, and how far extension lines go beyond it.
+/// Distance between a dimension's number and its line, mm.
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
 impl Pen {
-    /// Two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
+    /// Draws two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
     pub fn label(&mut self, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
         let shelf = [end[0] + side * SHELF, end[1]];
         self.line(&[from, end, shelf], Stroke::Thin);
@@ -38,7 +38,7 @@ impl Pen {
         }
     }
 
-    /// The distance between two vertical edges with lower ends at `foot`, on a horizontal line at height `y` below them.
+    /// Draws the distance between two vertical edges with lower ends at `foot`, on a horizontal line at the height `y` below them.
     pub fn level(&mut self, text: &str, [left, right]: [f64; 2], foot: f64, y: f64) {
         for x in [left, right] {
             self.line(&[[x, foot - ABOVE], [x, y - BEYOND]], Stroke::Thin);
@@ -58,18 +58,18 @@ impl Pen {
         }
     }
 
-    /// Letters of dimensions, centred above `at`.
+    /// Writes text in the letters of dimensions, centred above `at`.
     pub fn note(&mut self, text: &str, at: [f64; 2]) {
         self.text(text, at, LETTERS, Anchor::Middle);
     }
 
-    /// A horizontal and a vertical line through a centre.
+    /// Draws a horizontal and a vertical line through a centre.
     pub fn cross(&mut self, [x, y]: [f64; 2], reach: f64, stroke: Stroke) {
         self.line(&[[x - reach, y], [x + reach, y]], stroke);
         self.line(&[[x, y - reach], [x, y + reach]], stroke);
     }
 
-    /// Arrow in the sense of rotation between two angles from the mark of θ = 0, which is upwards; rad.
+    /// Draws an arrow in the direction of rotation between two angles from the mark of θ = 0, which points upwards; rad.
     pub fn rotation(
         &mut self,
         [x, y]: [f64; 2],
@@ -87,13 +87,13 @@ impl Pen {
     }
 }
 
-/// Label of the hole for the shaft.
+/// Label of the hole for the shaft: two lines.
 pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
-/// Label of its keyway: width with the fit of the key's seat, and the bore's height through it, by which it is measured.
+/// Label of the keyway: width with the fit of the key's seat, and height of the bore through the keyway, by which it is measured.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

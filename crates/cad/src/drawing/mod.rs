@@ -1,6 +1,6 @@
-//! `drawing.pdf`: the workshop drawing, one sheet for each rotating cam. It contains lines and letters in standard fonts, so that the file stays
-//! small and its numbers can be searched and copied. Lengths on the sheet are millimetres or inches, angles degrees, in the frame of the cam at θ =
-//! 0, the follower's motion upwards.
+//! `drawing.pdf`: the workshop drawing, one sheet per rotating cam. It contains lines and letters in standard fonts, so the file is small and its
+//! numbers can be searched and copied. Lengths on the sheet are in millimetres or inches, angles in degrees, in the frame of the cam at θ = 0 with
+//! the motion of the follower upwards.
 
 mod block;
 mod disc;
@@ -23,23 +23,23 @@ use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
 use piece::Piece;
 
-/// Radius of the probing ball of the table, m.
+/// Radius of the probing ball in the table, m.
 pub const BALL: f64 = 0.001;
 
 /// Entries of the title block that are not part of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Title {
-    /// The revision: it changes whenever the scene does.
+    /// Revision; it changes whenever the scene changes.
     pub revision: Option<u32>,
-    /// Date of the scene, where it is a file: days since 1970-01-01.
+    /// Date of the scene if it is a file: days since 1970-01-01.
     pub date: Option<u64>,
-    /// Allowed RMS force error, fraction of the mean force.
+    /// Permitted RMS force error, as a fraction of the mean force.
     pub accuracy: f64,
     /// Unit of the dimensions.
     pub units: Units,
 }
 
-/// Default allowed RMS force error, fraction of the mean force.
+/// Default of the permitted RMS force error, as a fraction of the mean force.
 const USUAL_ACCURACY: f64 = 0.005;
 
 impl Default for Title {
@@ -53,12 +53,12 @@ impl Default for Title {
     }
 }
 
-/// The revision of a scene: CRC-32 of its text.
+/// Revision of a scene: CRC-32 of its text.
 pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
 
-/// The drawing; `None` for a barrel cam and a translating cam.
+/// PDF drawing; `None` for a barrel cam and a translating cam.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
     if design.cam.follower.is_unrolled() {
         return None;

@@ -1,20 +1,20 @@
-//! Lines and letters on a PDF sheet, in millimetres from the lower left corner, y up.
+//! Lines and letters on a PDF sheet, in millimetres from the lower left corner, with y upwards.
 
 use pdf_writer::{Buf, Content, Name, Str};
 
 use super::helvetica::{Face, Glyph, glyph, width};
 
-/// Points of a PDF per millimetre.
+/// PDF points per millimetre.
 pub const POINT: f64 = 72.0 / 25.4;
-/// Names of the fonts in the sheet's resources.
+/// Name of the font Helvetica in the resources of the sheet.
 pub const HELVETICA: Name<'static> = Name(b"Helvetica");
 /// Name of the font Symbol.
 pub const SYMBOL: Name<'static> = Name(b"Symbol");
 
-/// Length of the control arm of a quarter circle of radius 1 (to 3e-4 of the radius).
+/// Length of the control arm of a quarter circle of radius 1 (accurate to 3e-4 of the radius).
 const QUARTER: f64 = 0.552_284_749_8;
 
-/// Kinds of lines of ISO 128: width, mm, and pattern.
+/// Kinds of lines of ISO 128, with width, mm, and pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
     /// Lines of visible edges.
@@ -23,7 +23,7 @@ pub enum Stroke {
     Thin,
     /// Lines of hidden edges.
     Hidden,
-    /// Axes and reference circles: long dash, dot.
+    /// Lines of axes and reference circles: long dash, dot.
     Centre,
 }
 
@@ -44,7 +44,7 @@ impl Stroke {
     }
 }
 
-/// Reference point of a text, always on the baseline.
+/// Reference point of a text on its baseline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Start of the text.
@@ -113,7 +113,7 @@ impl Pen {
         self.ring(&corners, stroke);
     }
 
-    /// Draws a circle of radius `r` about a point, mm.
+    /// Draws a circle of radius `r`, mm, about a point.
     pub fn circle(&mut self, [x, y]: [f64; 2], r: f64, stroke: Stroke) {
         self.take(stroke);
         self.content.move_to(pt(x + r), pt(y));
@@ -133,7 +133,7 @@ impl Pen {
         self.content.close_and_stroke();
     }
 
-    /// Draws a filled arrowhead with its tip at `tip`, pointing along the unit vector `along`.
+    /// Draws a filled arrowhead with its tip at `tip`, in the direction of the unit vector `along`.
     pub fn arrowhead(&mut self, tip: [f64; 2], along: [f64; 2]) {
         /// Length and half width of an arrowhead, mm.
         const SIZE: [f64; 2] = [2.5, 0.42];
@@ -147,7 +147,7 @@ impl Pen {
         self.content.close_path().fill_nonzero();
     }
 
-    /// Writes a line of text of `size` mm per em.
+    /// Writes a line of text with `size` mm per em.
     pub fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
         let long = size * width(text);
         let start = match anchor {
@@ -171,7 +171,7 @@ impl Pen {
         self.content.end_text();
     }
 
-    /// Writes a line of text, reduced to a width of `room` mm.
+    /// Writes a line of text, reduced in size to a width of at most `room` mm.
     pub fn text_within(&mut self, text: &str, at: [f64; 2], size: f64, room: f64) {
         let long = size * width(text);
         let size = if long > room {

@@ -1,4 +1,4 @@
-//! One rotating cam with its hole.
+//! A rotating cam with its hole.
 
 use std::f64::consts::TAU;
 
@@ -8,11 +8,11 @@ use gaitcam::synth::Design;
 use super::radii::farthest;
 use gaitcam::synth::Edge;
 
-/// One cam to be manufactured.
+/// A cam to be manufactured.
 pub struct Piece<'a> {
     pub cam: &'a Cam,
     pub edge: Edge<'a>,
-    /// Key of its name in a conjugate pair.
+    /// Key of the cam's name in a conjugate pair; `None` for a single cam.
     pub name: Option<&'static str>,
     pub bore: Option<Bore>,
     pub thickness: f64,
@@ -49,14 +49,14 @@ impl<'a> Piece<'a> {
         self.cam.follower.prime_radius()
     }
 
-    /// Radius of the circle about the centre that contains the drawing, m.
+    /// Radius of the circle about the centre that contains the whole cam, m.
     pub fn radius(&self) -> f64 {
         let [x, y] = farthest(&self.edge, 1440).p;
         x.hypot(y).max(self.prime())
     }
 }
 
-/// The edge of the hole for the shaft, m: `count` points at equal angles and its corners.
+/// Edge of the hole for the shaft, m: `count` points at equal angles, and the corners.
 pub fn bore_edge(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
     let mut angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
     angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));

@@ -1,26 +1,26 @@
-//! The table of radii: the profile at given polar angles, and the rest position of a probing ball moved towards the cam's centre.
+//! Table of radii: the profile at given polar angles, and the position of a probing ball that is moved towards the cam's centre until contact.
 
 use gaitcam::synth::{Edge, EdgePoint};
 
 /// Number of profile points between which crossings with a ray are searched.
 const SAMPLES: usize = 2880;
-/// Bisection steps that reach rounding.
+/// Number of bisection steps that reach rounding errors.
 const HALVINGS: usize = 60;
 
-/// One row of the table; lengths in m.
+/// Row of the table; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radius {
-    /// Polar angle from the mark of θ = 0 (+y) clockwise, as the profile runs, rad.
+    /// Polar angle from the mark of θ = 0 (+y), clockwise like the profile, rad.
     pub angle: f64,
-    /// Distance of the profile from the cam's centre.
+    /// Distance of the profile from the cam centre.
     pub profile: f64,
-    /// Distance of the ball's centre where the ball touches the profile.
+    /// Distance of the ball's centre from the cam centre at contact.
     pub ball: f64,
 }
 
 /// `count` rows at equal steps of the polar angle, for a ball of radius `ball` m.
 ///
-/// If a ray meets the profile several times, the outermost point counts, as for a probe.
+/// If a ray meets the profile several times, the outermost point is used, as by a probe.
 pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
     let [start, .., end] = *edge.breaks() else {
         return Vec::new();
@@ -47,7 +47,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
         .collect()
 }
 
-/// The point of the profile farthest from the centre, among `count` of them.
+/// The farthest of `count` profile points from the centre.
 pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
     let distance = |e: &EdgePoint| e.p[0].hypot(e.p[1]);
     edge.points(count)
@@ -70,13 +70,13 @@ fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64
     0.5 * (low + high)
 }
 
-/// The profile's point moved out by `off` along the normal.
+/// Point at the distance `off` from the profile along its normal.
 fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
     // The profile runs clockwise: outwards lies to the left of its tangent.
     [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
 }
 
-/// Farthest crossing of the ray at a polar angle with the parallel of the profile at distance `off`; 0 without a crossing.
+/// Farthest crossing of the ray at a polar angle with the parallel curve of the profile at the distance `off`; 0 without a crossing.
 fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let turned = |e: &EdgePoint| {

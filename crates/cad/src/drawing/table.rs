@@ -1,16 +1,16 @@
-//! The table of radii on the sheet.
+//! Table of radii on the sheet.
 
 use super::layout::Layout;
 use super::pen::{Anchor, Pen, Stroke};
 
-/// Letters, height of a row and of the lines of the heading, mm.
+/// Letter height of the table, mm.
 const LETTERS: f64 = 2.7;
 const ROW: f64 = 3.4;
 const LINE: f64 = 4.2;
 
-/// A table: rows of as many cells as there are columns.
+/// A table whose rows have one cell per column.
 pub struct Table {
-    /// Headings of the columns, one or two lines.
+    /// Heading, one or two lines.
     pub heading: Vec<String>,
     /// Symbols and units of the columns.
     pub columns: Vec<String>,
@@ -18,7 +18,7 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-/// Right ends of the columns of a block, as fractions of its width.
+/// Right ends of the columns of a block, as fractions of the block's width.
 fn stops(columns: usize) -> Vec<f64> {
     let first = if columns > 2 { 0.26 } else { 0.42 };
     let step = (1.0 - first) / (columns - 1) as f64;
@@ -26,7 +26,7 @@ fn stops(columns: usize) -> Vec<f64> {
     [0.0].into_iter().chain(rest).collect()
 }
 
-/// Writes the table, its rows distributed over the blocks of the layout; narrow tables get twice as many blocks.
+/// Writes the table with its rows distributed over the blocks of the layout. Narrow tables have twice as many blocks.
 pub fn draw(pen: &mut Pen, table: &Table, layout: &Layout) {
     let area = layout.table;
     for (i, line) in table.heading.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Plan and side view of one cam with their dimensions.
+//! Plan view and side view of a cam with dimensions.
 
 use std::f64::consts::TAU;
 
@@ -13,20 +13,20 @@ use crate::words::Labels;
 const MM: f64 = 1000.0;
 /// Number of points of the outline.
 const POINTS: usize = 1440;
-/// Least height of the labels' column above and below the centre, mm.
+/// Minimum height of the column of labels above and below the centre, mm.
 const LEAST_HEIGHT: f64 = 20.0;
-/// Distance of labels from the circle around the cam, mm.
+/// Distance between the labels and the circle around the cam, mm.
 const OFF: f64 = 5.0;
-/// Length of centre lines beyond the outline, mm.
+/// Length of the centre lines beyond the outline, mm.
 const OVER: f64 = 4.0;
-/// Distance of the side view's dimension from it, mm.
+/// Distance between the side view and its dimension, mm.
 const UNDER: f64 = 8.0;
-/// Where the arrow of rotation begins and ends, from the mark of θ = 0, rad.
+/// Angles at which the arrow of rotation begins and ends, from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
-/// Points of the bore's edge between its corners.
+/// Number of points of the bore's edge between its corners.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side, and height as a fraction of the column's.
+/// Positions of the labels: side, and height as a fraction of the column's height.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -38,34 +38,34 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
-/// Height above which a label is above the keyway.
+/// Height above which a label is above the keyway, as a fraction.
 const HIGH: f64 = 0.5;
 
-/// One label with the point that it marks.
+/// A label with the point that it marks.
 struct Label {
     text: [String; 2],
-    /// Marked circle about the centre, by its radius on the sheet, or marked point of the sheet.
+    /// Marked object: a circle about the centre, given by its radius on the sheet, or a point of the sheet.
     of: Target,
 }
 
 enum Target {
     Circle(f64),
     Point([f64; 2]),
-    /// A point marked from above.
+    /// A point that is marked from above.
     Below([f64; 2]),
 }
 
-/// The views on the sheet.
+/// Views of a cam on the sheet.
 pub struct Views<'a> {
     piece: &'a Piece<'a>,
     words: &'a Labels,
-    /// The cam's centre in the plan view, mm.
+    /// Centre of the cam in the plan view, mm.
     centre: [f64; 2],
     /// Millimetres on the sheet per metre of the cam.
     scale: f64,
-    /// Radius of the circle around everything in the plan view, mm.
+    /// Radius of the circle around the whole plan view, mm.
     around: f64,
-    /// Left edge of the side view.
+    /// Position of the left edge of the side view, mm.
     side: f64,
 }
 
@@ -141,7 +141,7 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// The free place nearest to a point, at least at the height `from`, a fraction of the column's height.
+    /// Free position nearest to a point, at least at the height `from`, as a fraction of the column's height.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);
@@ -152,7 +152,7 @@ impl<'a> Views<'a> {
             .min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
-    /// Labelled dimensions; the largest radius is placed first.
+    /// Labelled dimensions; the maximum radius is placed first.
     fn labelled(&self) -> Vec<Label> {
         let (words, piece) = (self.words, self.piece);
         let mut out = Vec::new();
@@ -185,7 +185,7 @@ impl<'a> Views<'a> {
         out
     }
 
-    /// End of a label's leader.
+    /// End of the leader of a label.
     fn slot(&self, [side, part]: [f64; 2]) -> [f64; 2] {
         [
             self.centre[0] + side * (self.around + OFF),
@@ -206,7 +206,7 @@ impl<'a> Views<'a> {
         pen.label(&label.text, from, end, slot[0]);
     }
 
-    /// Side view of the cam from the right, with the bore hidden.
+    /// Draws the side view of the cam from the right, with the bore as hidden lines.
     fn side_view(&self, pen: &mut Pen, outline: &[[f64; 2]]) {
         let ends = outline
             .iter()

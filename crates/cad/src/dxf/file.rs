@@ -1,8 +1,7 @@
-//! The DXF file itself: header, tables, blocks and entities of the dialects R12 and R2000.
+//! The DXF file: header, tables, blocks and entities of the dialects R12 and R2000.
 //!
-//! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the
-//! next. Since R13 every object has a handle (group 5), an owner (330) and subclass markers (100), and a
-//! file needs its tables, block records and root dictionary even where they are empty.
+//! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the next line. Since R13 every object has a handle
+//! (group 5), an owner (330) and subclass markers (100), and a file needs its tables, block records and root dictionary even if they are empty.
 
 use std::fmt::{Display, Write};
 
@@ -14,7 +13,7 @@ use gaitcam_base::text::append;
 /// Entities of the drawing; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Vertices x, y and the bulge of the edge that follows: tan(¼ of its arc), 0 for a chord.
+    /// Vertices x, y and the bulge of the following edge: tan(¼ of its arc), 0 for a chord.
     Polyline {
         vertices: Vec<[f64; 3]>,
         closed: bool,
@@ -42,12 +41,12 @@ pub struct Drawing {
     /// Layer names with their colour indices.
     pub layers: Vec<(&'static str, u8)>,
     pub shapes: Vec<(&'static str, Shape)>,
-    /// Left, bottom and right, top, mm.
+    /// Lower left and upper right corner, mm.
     pub extent: [[f64; 2]; 2],
 }
 
 impl Drawing {
-    /// Bytes of the file; the same drawing gives the same bytes.
+    /// Content of the file. The same drawing gives the same bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -87,7 +86,7 @@ impl Drawing {
         out.put(0, "ENDSEC");
     }
 
-    /// Tables and blocks; returns the handle of the model space.
+    /// Writes tables and blocks. Returns the handle of the model space.
     fn tables(&self, out: &mut Groups) -> u32 {
         out.section("TABLES");
         out.table("VPORT", &[], |_, _| {});
@@ -173,7 +172,7 @@ impl Drawing {
     }
 }
 
-/// The root dictionary with its one entry.
+/// Writes the root dictionary with its only entry.
 fn objects(out: &mut Groups) {
     out.section("OBJECTS");
     let root = out.object("DICTIONARY", 0, &["AcDbDictionary"]);
@@ -184,18 +183,18 @@ fn objects(out: &mut Groups) {
     out.put(281, 1).put(0, "ENDSEC");
 }
 
-/// Text of a file during writing.
+/// Text of a file while it is written.
 struct Groups {
     text: String,
-    /// Whether the dialect is R13 or later: handles, owners, subclasses.
+    /// Whether the dialect is R13 or later, with handles, owners and subclasses.
     later: bool,
-    /// The next free handle.
+    /// Next free handle.
     handle: u32,
     /// Factor from millimetres to the unit of the file.
     scale: f64,
 }
 
-/// The blocks of the spaces.
+/// Writes the blocks of the spaces.
 fn blocks(out: &mut Groups, spaces: [&str; 2], records: &[u32]) {
     out.section("BLOCKS");
     for (name, &record) in spaces.into_iter().zip(records) {
@@ -229,12 +228,12 @@ impl Groups {
         self.put(0, "SECTION").put(2, name);
     }
 
-    /// A length in mm, in the unit of the file.
+    /// Writes a length in mm, in the unit of the file.
     fn length(&mut self, code: u16, x: f64) -> &mut Self {
         self.number(code, self.scale * x)
     }
 
-    /// A real number with a point, to a thousandth of a picometre.
+    /// Writes a real number with a decimal point, to a thousandth of a picometre.
     fn number(&mut self, code: u16, x: f64) -> &mut Self {
         let mut text = String::with_capacity(24);
         append(&mut text, x, 12);
@@ -274,7 +273,7 @@ impl Groups {
         own
     }
 
-    /// A table of named records, each completed by `rest`; returns their handles.
+    /// Writes a table of named records, each completed by `rest`. Returns their handles.
     fn table(&mut self, kind: &str, names: &[&str], rest: impl Fn(&mut Self, &str)) -> Vec<u32> {
         self.put(0, "TABLE").put(2, kind);
         let own = self.handle;
@@ -300,7 +299,7 @@ impl Groups {
         self.put(8, layer).class(class);
     }
 
-    /// A spline, which R12 lacks; bit 8 of its flags marks it as planar.
+    /// Writes a spline, which R12 does not support. Bit 8 of its flags marks it as planar.
     fn spline(&mut self, space: u32, layer: &str, Clamped { control, knots }: &Clamped) {
         self.entity("SPLINE", "AcDbSpline", space, layer);
         self.put(210, "0.0").put(220, "0.0").put(230, "1.0");
@@ -320,7 +319,7 @@ impl Groups {
         }
     }
 
-    /// R12 has only the heavy polyline, in which each vertex is an entity.
+    /// Writes a polyline. R12 has only the heavy polyline, in which each vertex is an entity.
     fn polyline(&mut self, space: u32, layer: &str, vertices: &[[f64; 3]], closed: bool) {
         let flag = u8::from(closed);
         if self.later {

@@ -11,7 +11,7 @@ use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 
-/// Layers with their AutoCAD colour indices; a drawing contains those it uses. Edges to cut are on `CUT_*`.
+/// Layers with their AutoCAD colour indices. A drawing contains only those that it uses. Edges to be cut are on `CUT_*`.
 const LAYERS: [(&str, u8); 13] = [
     ("CUT_PROFILE", 7),
     ("CUT_UPPER_WALL", 4),
@@ -27,28 +27,28 @@ const LAYERS: [(&str, u8); 13] = [
     (ZERO, 1),
     (ROTATION, 1),
 ];
-/// Layer of the mark that shows where θ = 0 meets the follower.
+/// Layer of the mark at which θ = 0 meets the follower.
 const ZERO: &str = "REF_THETA_ZERO";
-/// Layer of the arrow that shows how the cam turns.
+/// Layer of the arrow of rotation.
 const ROTATION: &str = "REF_ROTATION";
 
-/// Oldest program version that must read the file.
+/// Oldest program version that can read the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
-    /// Heavy polylines: every program reads it. Its header has no unit, so millimetres are declared in the later dialects' variable, which readers
-    /// look for in R12 as well.
+    /// Heavy polylines, which every program reads. The R12 header has no unit, so millimetres are declared in the variable of later dialects, which
+    /// readers also use for R12.
     R12,
-    /// Lightweight polylines, millimetres declared in the header; splines.
+    /// Lightweight polylines and splines, with millimetres declared in the header.
     R2000,
 }
 
-/// Which layers a drawing has.
+/// Layers that a drawing contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Content {
-    /// Edges to cut on layers `CUT_*`, everything else on layers `REF_*`.
+    /// Edges to be cut on layers `CUT_*`, all other lines on layers `REF_*`.
     #[default]
     All,
-    /// Layers `CUT_*` alone: for machines that cut every line.
+    /// Only the layers `CUT_*`, for machines that cut every line.
     CutOnly,
 }
 
@@ -58,7 +58,7 @@ pub enum Curves {
     /// Polylines of circular arcs, which every machine reads.
     #[default]
     Arcs,
-    /// Cubic B-splines, C² as the profile is: for CAD.
+    /// Cubic B-splines, C² like the profile, for CAD.
     Splines,
 }
 
@@ -69,7 +69,7 @@ pub struct Options {
     pub points: usize,
     /// Dialect of the file.
     pub version: Version,
-    /// The hole for the shaft, if any.
+    /// Hole for the shaft, if any.
     pub bore: Option<Bore>,
     /// Layers of the drawing.
     pub content: Content,
@@ -77,14 +77,14 @@ pub struct Options {
     pub units: Units,
 }
 
-/// Largest distance of the default drawing from the profile, m: a hundredth of the grinding error.
+/// Maximum distance between the default drawing and the profile, m: a hundredth of the grinding error.
 pub const FAITHFUL: f64 = 1e-7;
 
-/// Largest distance of splines from the edges at the points compared, m: between them at most [`FAITHFUL`].
+/// Maximum distance between splines and edges at the compared points, m. Between these points it is at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// The drawing for manufacturing: the profile in arcs within [`FAITHFUL`] (R12) or in splines (R2000), and the bore of the scene. A profile that
-/// neither can follow, and the pitch curve, are polylines of `points` vertices at equal steps of the cam angle.
+/// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] (R12) or as splines (R2000), and the bore of the scene. If neither is possible,
+/// the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch curve.
 pub fn profile(
     synthesis: &Design,
     points: usize,
@@ -106,8 +106,8 @@ pub fn profile(
     drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
 
-/// Every edge that is cut (a disc's profile, both cams of a pair, both walls of an unrolled groove) as
-/// chords, with pitch curve, base and prime circle, bore and centre mark.
+/// Drawing of all edges to be cut (profile of a disc, both cams of a pair, both walls of an unrolled groove) as chords, with pitch curve, base and
+/// prime circle, bore and centre mark.
 pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
@@ -119,31 +119,30 @@ pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     sheet.drawing.bytes()
 }
 
-/// A vertex in mm at the start of a chord (bulge 0).
+/// Vertex in mm at the start of a chord (bulge 0).
 fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }
 
-/// Vertices of arcs in mm.
+/// Converts the vertices of arcs to mm.
 fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mm = |&[x, y, bulge]: &[f64; 3]| [MM * x, MM * y, bulge];
     vertices.iter().map(mm).collect()
 }
 
-/// A profile drawn in arcs.
+/// A profile drawn as arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcDrawing {
-    /// Bytes of the file.
+    /// Content of the file.
     pub bytes: Vec<u8>,
     /// Number of arcs in the file.
     pub arcs: usize,
-    /// Largest distance between the true edges and the arcs, m.
+    /// Maximum distance between the exact edges and the arcs, m.
     pub deviation: f64,
 }
 
-/// As [`drawing`], with the edges as polylines of circular arcs (bulges) within `tolerance` m of the
-/// true ones; `options.points` counts for the pitch curve only. `None` where no arcs can follow one
-/// ([`biarc::fit`]).
+/// As [`drawing`], with the edges as polylines of circular arcs (bulges) within `tolerance` m of the exact edges. `options.points` applies only to
+/// the pitch curve. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
 pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcDrawing> {
     let mut sheet = Sheet::new(options);
     let (mut arcs, mut deviation) = (0, 0.0_f64);
@@ -162,8 +161,8 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
     })
 }
 
-/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the true ones, in the dialect R2000.
-/// `None` where no splines can follow one.
+/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in the dialect R2000. `None` if splines cannot
+/// approximate an edge.
 pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     let version = Version::R2000;
     let mut sheet = Sheet::new(Options { version, ..options });
@@ -179,7 +178,7 @@ pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// A drawing during writing.
+/// A drawing while it is written.
 struct Sheet {
     drawing: Drawing,
     options: Options,
@@ -214,7 +213,7 @@ impl Sheet {
         self.drawing.shapes.push((layer, shape));
     }
 
-    /// Vertices x, y (mm) and the bulge of the edge that follows: tan(¼ of its arc), 0 for a chord.
+    /// Adds a polyline with vertices x, y (mm) and the bulge of the following edge: tan(¼ of its arc), 0 for a chord.
     fn polyline(&mut self, layer: &'static str, vertices: &[[f64; 3]], closed: bool) {
         let mut reach = Vec::with_capacity(2 * vertices.len());
         for (i, &[x, y, bulge]) in vertices.iter().enumerate() {
@@ -226,7 +225,7 @@ impl Sheet {
         self.add(layer, Shape::Polyline { vertices, closed }, &reach);
     }
 
-    /// Draws everything but the edges.
+    /// Draws all lines except the edges.
     fn construction(&mut self, synthesis: &Design) {
         let follower = &synthesis.cam.follower;
         let round = !follower.is_unrolled();

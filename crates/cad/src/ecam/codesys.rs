@@ -1,4 +1,4 @@
-//! CODESYS SoftMotion: an `MC_CAM_REF` over an array of `SMC_CAMXYVA` (online help of SM3_Basic: `MC_CAM_REF`, `SMC_CAM_TYPE`).
+//! CODESYS SoftMotion: an `MC_CAM_REF` with an array of `SMC_CAMXYVA` (online help of SM3_Basic: `MC_CAM_REF`, `SMC_CAM_TYPE`).
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Positions alone, as CSV: one line per point.
+//! Positions only, as CSV with one line per point.
 
 use std::fmt::Write;
 
@@ -23,7 +23,7 @@ pub fn read(text: &str) -> Option<Curve> {
     })
 }
 
-/// The rows of numbers below the comment and the heading.
+/// Rows of numbers below the comment and the heading.
 pub fn rows<const N: usize>(text: &str) -> Option<Vec<[f64; N]>> {
     let row = |line: &str| {
         let cells: Option<Vec<f64>> = line.split(',').map(|c| c.parse().ok()).collect();

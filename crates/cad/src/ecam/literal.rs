@@ -1,6 +1,6 @@
 //! Numbers in structured text (IEC 61131-3).
 
-/// The shortest literal that reads back as the same number: with a decimal point, as reals need one. A single has fewer digits.
+/// Shortest literal that is read back as the same number, with the decimal point that reals require. A single-precision number has fewer digits.
 pub fn literal(x: f64) -> String {
     let single = x as f32;
     let text = match f64::from(single) == x {
@@ -14,7 +14,7 @@ pub fn literal(x: f64) -> String {
     }
 }
 
-/// The values of `name := value` in the order of the text, one list per name; `None` where their lengths differ or a value is not a number.
+/// Values of `name := value` in the order of the text, one list per name; `None` if the lists differ in length or a value is not a number.
 pub fn assigned<const N: usize>(text: &str, names: [&str; N]) -> Option<Vec<[f64; N]>> {
     let mut columns: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
     for (column, name) in columns.iter_mut().zip(names) {

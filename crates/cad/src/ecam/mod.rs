@@ -1,9 +1,9 @@
-//! Electronic cams: a law as a program text or table of a motion controller, and the error of that controller.
+//! Electronic cams: a law as a program text or table for a motion controller, and the error of the controller.
 //!
-//! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends carries a law of degree 5 exactly. A
-//! cubic spline through positions alone has the acceleration of the law to the second order of the distance h of its points, and the rounding of
-//! their numbers divided by h²: beyond some number, more points increase the error. Every file is therefore read back, executed in the number type of
-//! its controller and compared with the law.
+//! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends represents a law of degree 5 exactly.
+//! The acceleration of a cubic spline through positions has two errors: one proportional to h², with the distance h of the points, and the rounding
+//! error of the positions divided by h². Above some number of points, more points increase the error. Every file is therefore read back, executed in
+//! the number type of its controller, and compared with the law.
 
 mod codesys;
 mod csv;
@@ -25,7 +25,7 @@ use gaitcam::units::Quantity;
 use replay::Curve;
 pub use table::{Node, Table};
 
-/// Kinds of motion controllers.
+/// Kind of motion controller.
 ///
 /// ```
 /// use gaitcam_cad::ecam::{Dialect, Interpolation};
@@ -37,22 +37,22 @@ pub use table::{Node, Table};
 pub enum Dialect {
     /// CODESYS SoftMotion: `MC_CAM_REF` of type XYVA, as structured text.
     Codesys,
-    /// TwinCAT: `MC_MotionFunctionPoint`, quintic from motion to motion, as structured text.
+    /// TwinCAT: `MC_MotionFunctionPoint` with quintics between the points, as structured text.
     Twincat,
     /// Polynomial segments with lift, velocity and acceleration at both ends (SEW, Siemens), as a table.
     Segments,
-    /// Logix: a `CAM` array for `MCCP`, cubic spline with its end slopes, as structured text.
+    /// Logix: a `CAM` array for `MCCP` with a cubic spline and its end slopes, as structured text.
     Rockwell,
-    /// Positions alone, as a table.
+    /// Positions only, as a table.
     Csv,
 }
 
-/// Interpolation of a controller between the points.
+/// Interpolation between the points by a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
     /// A quintic with lift, velocity and acceleration at both ends.
     Quintic,
-    /// The cubic spline through the positions.
+    /// Cubic spline through the positions.
     CubicSpline,
 }
 
@@ -65,10 +65,10 @@ pub enum Number {
     Double,
 }
 
-/// Capabilities of a dialect.
+/// Properties of a dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Carries {
-    /// How the controller interpolates between points.
+    /// Interpolation by the controller.
     pub interpolation: Interpolation,
     /// Number type of points and coefficients.
     pub number: Number,
@@ -79,7 +79,7 @@ pub struct Carries {
 }
 
 impl Dialect {
-    /// Every supported dialect, in the order of the help.
+    /// All supported dialects, in the order of the help text.
     pub const ALL: [Dialect; 5] = [
         Dialect::Codesys,
         Dialect::Twincat,
@@ -99,7 +99,7 @@ impl Dialect {
         }
     }
 
-    /// Name of the dialect's file.
+    /// File name of the dialect.
     pub const fn file(self) -> &'static str {
         match self {
             Dialect::Codesys => "ecam_codesys.st",
@@ -110,7 +110,7 @@ impl Dialect {
         }
     }
 
-    /// Capabilities of the dialect.
+    /// Properties of the dialect.
     pub fn carries(self) -> Carries {
         use Interpolation::{CubicSpline, Quintic};
         use Number::{Double, Single};
@@ -132,20 +132,20 @@ impl Dialect {
     }
 }
 
-/// Default maximum number of points where the controller states none.
+/// Default maximum number of points if the controller does not state one.
 const MOST: usize = 100_000;
 /// Maximum number of automatically chosen points.
 const MOST_CHOSEN: usize = 4096;
-/// Minimum number of requested intervals.
+/// Minimum number of intervals that can be requested.
 const FEWEST: usize = 4;
-/// Added error, as a fraction of the mean force, below which no more points are tried.
+/// Added error, as a fraction of the mean force, below which the number of points is not increased further.
 const EXACT: f64 = 1e-4;
-/// Accepted added error, as a fraction, where the design states none.
+/// Accepted added error, as a fraction of the mean force, if the design does not state one.
 const ACCEPTED: f64 = 0.005;
-/// Nodes of the quadrature for the square of a difference of quintics.
+/// Number of quadrature nodes for the square of a difference of quintics.
 const GAUSS: usize = 6;
 
-/// A file for a controller, and the error of the controller.
+/// A file for a controller, and the error with this controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronicCam {
     /// Dialect of the file.
@@ -154,27 +154,28 @@ pub struct ElectronicCam {
     pub text: String,
     /// Number of intervals between points.
     pub intervals: usize,
-    /// Error of the controller.
+    /// Error with the controller.
     pub replayed: Replayed,
 }
 
-/// The error of a controller that executes a file.
+/// Error of a controller that executes a file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Replayed {
-    /// RMS difference of force between the executed motion and the law, N; `None` without a drive.
+    /// RMS difference between the forces of the executed motion and of the law, N; `None` without a drive.
     pub added: Option<f64>,
-    /// Force error relative to the mean target. Without a target it is relative to the largest force, without a drive the acceleration error relative
-    /// to the largest acceleration.
+    /// Added force error relative to the mean target. Without a target it is relative to the maximum force; without a drive it is the acceleration
+    /// error relative to the maximum acceleration.
     pub share: f64,
-    /// RMS force error against the target, N; `None` without one.
+    /// RMS difference between the force and the target, N; `None` without a target.
     pub error: Option<f64>,
 }
 
-/// The electronic cam of a design, with the requested number of intervals per cycle, otherwise the minimum that reproduces the law.
+/// Electronic cam of a design, with the requested number of intervals per cycle, or with the minimum number that reproduces the law.
 ///
 /// # Errors
-/// A number of intervals out of range; a motion further from the law than the design's accuracy allows, with a sufficient number; a design for a
-/// shaft whose speed is not constant.
+///
+/// The number of intervals is out of range; the motion differs from the law by more than the accuracy of the design permits (with a sufficient
+/// number); the shaft speed of the design is not constant.
 pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Result<ElectronicCam> {
     if design.shaft.is_some() {
         return Err(WriteError::EcamOfMotor.at_key("law.shaft"));
@@ -200,7 +201,7 @@ pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Resu
     }
 }
 
-/// The cam with the fewest points that reproduce the law, otherwise the most accurate one.
+/// The cam with the minimum number of points that reproduces the law; otherwise the most accurate one.
 fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     let breaks = design.cam.law.breaks();
     let mut best: Option<ElectronicCam> = None;
@@ -228,7 +229,7 @@ fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     best.unwrap_or_else(|| executed(design, dialect, breaks))
 }
 
-/// The file with points at these angles, read back and executed.
+/// The file with points at the given angles, read back and executed.
 fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam {
     let carries = dialect.carries();
     let table = Table::of(design, angles, carries.number);
@@ -243,7 +244,7 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
 }
 
 impl Replayed {
-    /// Error of a text that cannot be read back.
+    /// Error for a text that cannot be read back.
     const NOT_READ: Replayed = Replayed {
         added: None,
         share: f64::INFINITY,
@@ -251,7 +252,7 @@ impl Replayed {
     };
 }
 
-/// The executed motion compared with the law and, if there is one, the target.
+/// Comparison of the executed motion with the law and, if there is one, with the target.
 fn held_against(design: &Design, motion: &Law) -> Replayed {
     let law = &design.cam.law;
     let (start, length) = law.extent();
@@ -293,10 +294,10 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
     }
 }
 
-/// Number of parts of the cycle in which the target is smooth enough for the quadrature.
+/// Number of parts of the cycle in which the target is sufficiently smooth for the quadrature.
 const PARTS: f64 = 720.0;
 
-/// The breaks of both, and further ones where they are further apart than `most`.
+/// Breaks of both functions, and further ones where the distance exceeds `most`.
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);
@@ -311,7 +312,7 @@ fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     out
 }
 
-/// Whether the motion follows the law within the required accuracy of the force.
+/// Whether the motion reproduces the law within the required accuracy of the force.
 fn accepted(design: &Design, made: &ElectronicCam) -> bool {
     made.replayed.share <= accepted_share(design)
 }
@@ -351,8 +352,8 @@ mod tests {
     use super::*;
     use gaitcam::scene::built_in;
 
-    /// The review's own integration (a table of positions rounded to 1 µm, interpolated by cubics) gave 4.5, 72 and 477 % of the
-    /// weight at 360, 1440 and 3600 points.
+    /// An independent integration (a table of positions rounded to 1 µm, interpolated by cubics) gave 4.5, 72 and 477 % of the weight for 360, 1440
+    /// and 3600 points.
     #[test]
     fn a_table_rounded_to_a_micrometre_is_worse_with_more_points() {
         let design = built_in("footbridge")

@@ -1,4 +1,4 @@
-//! Execution of a file as by its controller: polynomials between the points, in the controller's number type.
+//! Execution of a file as by its controller: polynomials between the points, in the number type of the controller.
 
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
@@ -10,7 +10,7 @@ use super::table::{Node, Table};
 pub enum Curve {
     /// Lift, velocity and acceleration at both ends of every segment.
     Segments(Vec<[Node; 2]>),
-    /// Positions, and the slopes at both ends where the file has them.
+    /// Positions, and the slopes at both ends if the file contains them.
     Points {
         points: Vec<[f64; 2]>,
         slopes: Option<[f64; 2]>,
@@ -18,7 +18,7 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// Quintics from point to point: x, y, y′, y″.
+    /// Quintics through points with x, y, y′ and y″.
     pub fn through(nodes: &[[f64; 4]]) -> Curve {
         let node = |n: [f64; 4]| Node {
             x: n[0],
@@ -30,7 +30,7 @@ impl Curve {
     }
 }
 
-/// The executed motion as a law in rad (or m) and m (or rad).
+/// The executed motion as a law with positions in rad (or m) and lifts in m (or rad).
 pub fn motion(curve: &Curve, table: &Table, number: Number) -> Law {
     let [fx, fy] = table.factors;
     let (degree, breaks, pieces): (usize, Vec<f64>, Vec<f64>) = match curve {
@@ -64,7 +64,7 @@ pub fn motion(curve: &Curve, table: &Table, number: Number) -> Law {
     Law::from_poly(PiecewisePoly::new(breaks, degree, pieces), table.closed)
 }
 
-/// Bernstein coefficients of the quintic with position, velocity and acceleration of both ends.
+/// Bernstein coefficients of the quintic with the positions, velocities and accelerations at both ends.
 fn quintic(ends: &[Node; 2]) -> [f64; 6] {
     let [p, q] = ends;
     let h = q.x - p.x;
@@ -78,7 +78,7 @@ fn quintic(ends: &[Node; 2]) -> [f64; 6] {
     ]
 }
 
-/// Bernstein coefficients of the cubic with positions and slopes of both ends.
+/// Bernstein coefficients of the cubic with the positions and slopes at both ends.
 fn cubic(p: &[[f64; 2]], m: &[f64]) -> [f64; 4] {
     let h = p[1][0] - p[0][0];
     [
@@ -104,7 +104,7 @@ fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     tridiagonal(&rows, right)
 }
 
-/// Slopes of the periodic cubic spline. The equations of a cycle are those of a chain with a rank-one change (Sherman and Morrison).
+/// Slopes of the periodic cubic spline. Its equations are those of an open spline with a rank-one change (Sherman–Morrison formula).
 fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     let n = points.len() - 1;
     let row_of = |i: usize| match i {
@@ -125,7 +125,7 @@ fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     m
 }
 
-/// The equation of the slope between two intervals: equal second derivatives.
+/// Equation of the slope between two intervals, for equal second derivatives.
 fn row(before: &[[f64; 2]], after: &[[f64; 2]]) -> ([f64; 3], f64) {
     let [h, k] = [before, after].map(|p| p[1][0] - p[0][0]);
     (

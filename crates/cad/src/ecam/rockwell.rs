@@ -1,4 +1,4 @@
-//! Logix: a `CAM` array and its `MCCP` with start and end slope (Rockwell, MOTION-RM002: `CAM` data type, `MCCP`).
+//! Logix: a `CAM` array and its `MCCP` with start and end slopes (Rockwell, MOTION-RM002: `CAM` data type, `MCCP`).
 
 use std::fmt::Write;
 

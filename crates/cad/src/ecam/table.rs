@@ -1,4 +1,4 @@
-//! The points of an electronic cam, in the units of its controller.
+//! Points of an electronic cam, in the units of its controller.
 
 use gaitcam::cam::Measures;
 use gaitcam::law::Svaj;
@@ -6,10 +6,10 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
-/// Values below this are rounding: mm or degrees, and their derivatives.
+/// Magnitude below which values in mm or degrees, and their derivatives, are rounding errors.
 const ROUNDING: f64 = 1e-15;
 
-/// A point of the cam with the derivatives of the follower's position with respect to the cam's position.
+/// A point of the cam, with derivatives of the follower's position with respect to the cam's position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.
@@ -31,16 +31,16 @@ pub struct Table {
     pub x_unit: &'static str,
     /// Unit of y: `mm` or `deg`.
     pub y_unit: &'static str,
-    /// x per rad (or m) of the law, y per m (or rad).
+    /// Factors of the units: x per rad (or m) of the law, y per m (or rad).
     pub factors: [f64; 2],
-    /// Whether the motion repeats after its last point.
+    /// Whether the motion is periodic.
     pub closed: bool,
-    /// Both ends of every interval: a law may jump between two.
+    /// Both ends of every interval; the law may jump between two intervals.
     pub segments: Vec<[Node; 2]>,
 }
 
 impl Table {
-    /// Table of a design with points at these angles (for a sliding cam: positions, m), rounded to the numbers of the controller.
+    /// Table of a design with points at the given angles (for a translating cam: positions, m), rounded to the number type of the controller.
     pub fn of(design: &Design, angles: &[f64], number: Number) -> Table {
         let measures = design.cam.follower.measures();
         let (x_unit, x) = match measures {
@@ -83,13 +83,13 @@ impl Table {
         }
     }
 
-    /// Every point once: the left ends, and the last right end.
+    /// All points once: the left ends, and the last right end.
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let last = self.segments.last().map(|s| s[1]);
         self.segments.iter().map(|s| s[0]).chain(last)
     }
 
-    /// Meaning of the numbers, for the head of a file.
+    /// Description of the numbers, for the head of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
         // No character that ends a comment.
@@ -102,7 +102,7 @@ impl Table {
 }
 
 impl Number {
-    /// The nearest number of the controller; rounding errors become 0.
+    /// Nearest number of the controller's type; rounding errors become 0.
     pub fn nearest(self, x: f64) -> f64 {
         match self {
             _ if x.abs() < ROUNDING => 0.0,

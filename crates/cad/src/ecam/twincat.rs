@@ -1,5 +1,5 @@
-//! TwinCAT: an array of `MC_MotionFunctionPoint` (Beckhoff Information System, TF5050: `MC_MotionFunctionPoint`,
-//! `MC_MotionFunctionType`), for `MC_CamTableSelect` with `MC_TABLETYPE_MOTIONFUNCTION`.
+//! TwinCAT: an array of `MC_MotionFunctionPoint` (Beckhoff Information System, TF5050: `MC_MotionFunctionPoint`, `MC_MotionFunctionType`) for
+//! `MC_CamTableSelect` with `MC_TABLETYPE_MOTIONFUNCTION`.
 
 use std::fmt::Write;
 

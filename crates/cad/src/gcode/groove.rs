@@ -1,8 +1,7 @@
-//! The groove of a barrel on a rotary axis: the cutter's axis meets the barrel's axis, like the roller's.
+//! Groove of a barrel on a rotary axis. The axis of the cutter meets the axis of the barrel, like the axis of the roller.
 //!
-//! A cutter of the roller's radius on the path of the roller cuts the envelope of the roller: no ridge and no gouge at
-//! any depth. A thinner cutter cannot: where the groove is oblique its circle touches the wall
-//! at another place at every depth.
+//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller, without ridges and gouges at any depth.
+//! A thinner cutter cannot do this: in an oblique part of the groove its circle touches the wall at a different place at every depth.
 
 use std::fmt::Write;
 
@@ -13,16 +12,16 @@ use gaitcam::units::Quantity;
 use super::{ACCELERATION, DECIMALS, FEED, Milling, code, comment, finished, named};
 
 const MM: f64 = 1000.0;
-/// Largest distance of the lines from the path of the roller, m.
+/// Maximum distance between the lines and the path of the roller, m.
 const LINES: f64 = 2e-7;
-/// Longest line segment, rad.
+/// Maximum length of a line segment, rad.
 const LONGEST: f64 = std::f64::consts::TAU / 72.0;
 /// Maximum number of halvings of a line.
 const DEEPEST: usize = 16;
 /// Relative difference below which two radii are equal.
 const ONE: f64 = 1e-6;
 
-/// The program for a cutter; two passes for two rollers offset from their stud.
+/// Program for a cutter, with two passes for two rollers that are offset from their stud.
 pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
     let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();
@@ -90,7 +89,7 @@ pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<Strin
     Ok(finished(out))
 }
 
-/// Feed on the surface, mm/min; the acceleration across the groove stays within that of the table.
+/// Feed on the surface, mm/min. The acceleration across the groove is limited to that of the table.
 fn feed(groove: &BarrelGroove, theta: f64) -> f64 {
     let (_, surface) = groove.depth();
     let bend = MM * groove.rho_pitch(theta, surface).abs();

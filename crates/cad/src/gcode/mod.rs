@@ -1,5 +1,5 @@
-//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, a wire with
-//! its entry.
+//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, wire cutting
+//! with its entry.
 
 mod groove;
 mod outside;
@@ -15,22 +15,21 @@ use super::{Units, cutter};
 use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
-/// Feed of the point of contact along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators
-/// adjust it with the override.
+/// Feed of the contact point along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators adjust it with the override.
 const FEED: f64 = 200.0;
 /// Spindle speed for this feed, 1/min.
 const SPINDLE: f64 = 2000.0;
-/// Axial feed of the cutter, fraction of [`FEED`].
+/// Axial feed of the cutter, as a fraction of [`FEED`].
 const PLUNGE: f64 = 0.25;
 /// Height above the plate for rapid moves, m.
 const CLEAR: f64 = 0.005;
-/// A remainder of the plate below this fraction of a pass gets no pass.
+/// Fraction of a pass below which the remaining thickness of the plate has no separate pass.
 const REST: f64 = 1e-6;
-/// Maximum number of passes through a plate; more mean a mistyped depth.
+/// Maximum number of passes through a plate; more would mean a wrong depth.
 const MOST_PASSES: f64 = 1000.0;
 /// Maximum acceleration of the machine table on an arc, mm/s².
 const ACCELERATION: f64 = 500.0;
-/// Relative change of the feed that is written.
+/// Relative change of the feed above which a new feed is written.
 const NEW_FEED: f64 = 0.01;
 
 /// Options of the milling program.
@@ -45,14 +44,14 @@ const NEW_FEED: f64 = 0.01;
 pub struct Milling {
     /// Radius of the cutter, m.
     pub tool: f64,
-    /// Depth of a pass, m; `None` leaves depth and spindle to the operator.
+    /// Depth of a pass, m. If `None`, the operator sets depth and spindle speed.
     pub pass: Option<f64>,
     /// Unit of the program.
     pub units: Units,
 }
 
 impl Milling {
-    /// Options for a cutter radius, m: millimetres, depth set by the operator.
+    /// Options for a cutter radius, m, with millimetres and with the depth set by the operator.
     pub fn of(tool: f64) -> Milling {
         Milling {
             tool,
@@ -66,9 +65,9 @@ impl Milling {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Move {
     to: [f64; 2],
-    /// Centre of an arc and whether it is counter-clockwise; `None` for a line.
+    /// Centre of an arc, and whether it is counter-clockwise; `None` for a line.
     arc: Option<([f64; 2], bool)>,
-    /// Feed of the cutter's centre, mm/min.
+    /// Feed of the cutter centre, mm/min.
     feed: f64,
 }
 
@@ -90,25 +89,25 @@ impl Move {
     }
 }
 
-/// Feed of the cutter's centre on an arc of radius `path` m, mm/min: the contact, on the radius `profile` m, moves with one
-/// feed where the table's acceleration allows it.
+/// Feed of the cutter centre on an arc of radius `path` m, mm/min. The contact, at the radius `profile` m, moves with a constant feed if the
+/// acceleration of the table permits it.
 fn feed_on(path: f64, profile: f64) -> f64 {
     let most = 60.0 * (ACCELERATION * MM * path).sqrt();
     (FEED * path / profile).min(most)
 }
 
-/// A path of the cutter's centre, m.
+/// Path of the cutter centre, m.
 struct Path {
     start: [f64; 2],
     moves: Vec<Move>,
 }
 
-/// The programs for a cutter: the bore and around the outside of each cam, or through the groove of a barrel, whose
-/// cutter has the roller's radius.
+/// Programs for a cutter: bore and outside of each cam, or groove of a barrel, for which the cutter has the radius of the roller.
 ///
 /// # Errors
-/// A radius that is not positive, a pass below a thousandth of the thickness; a profile that no chain of arcs follows (undercut, jumps of the
-/// velocity), a cutter that does not fit a hollow or differs from the groove's width.
+///
+/// A radius that is not positive; a pass below a thousandth of the thickness; a profile that arcs cannot approximate (undercut, jumps of the
+/// velocity); a cutter that does not fit a concave part or differs from the width of the groove.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -155,7 +154,7 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     Edge::all(design).iter().map(program).collect()
 }
 
-/// The round part of the bore; it is omitted, for a drill, if the cutter is too wide.
+/// Writes the round part of the bore. It is omitted, and must be drilled, if the cutter is too wide.
 fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     let Some(bore) = design.problem.cam.hole() else {
         return;
@@ -175,11 +174,12 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     }
 }
 
-/// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with its keyway, then the
-/// outside. For a pair, the program cuts the first cam.
+/// Program for a wire that cuts at the distance `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with its keyway,
+/// then the outside. For a pair, the program cuts the first cam.
 ///
 /// # Errors
-/// As [`milling`]; a barrel, and a wire too thick for the keyway.
+///
+/// As [`milling`]; a barrel; a wire that is too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
@@ -208,7 +208,7 @@ pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     Ok(out.finished())
 }
 
-/// A program during writing.
+/// A program while it is written.
 struct Program {
     text: String,
     units: Units,
@@ -234,23 +234,23 @@ impl Program {
         self.line(&format!("({note})"));
     }
 
-    /// A length in m.
+    /// Formats a length in m.
     fn length(&self, x: f64) -> String {
         self.units.number(x, DECIMALS)
     }
 
-    /// A length in m with its unit.
+    /// Formats a length in m with its unit.
     fn named(&self, x: f64) -> String {
         named(self.units, x)
     }
 
-    /// A feed in mm/min with its unit.
+    /// Formats a feed in mm/min with its unit.
     fn feed(&self, feed: f64) -> String {
         let unit = self.units.name().to_uppercase();
         format!("{} {unit}/MIN", written_feed(self.units, feed))
     }
 
-    /// The end of the header, for paths in the plane of the cam.
+    /// Writes the end of the header for paths in the plane of the cam.
     fn begin_plane(&mut self, design: &Design) {
         self.note(if design.cam.follower.is_unrolled() {
             "ZERO AT THE FOOT BELOW THE START, +Y ALONG THE FOLLOWER"
@@ -261,7 +261,7 @@ impl Program {
         self.line(&format!("G90 {plane} G17 G40 G94"));
     }
 
-    /// A path at every depth of a pass (m), or once with an instruction to the operator.
+    /// Writes a path at the depth of every pass (m), or once with an instruction to the operator.
     fn passes(&mut self, path: &Path, task: &str, pass: Option<f64>) {
         let [x, y] = path.start.map(|v| self.length(v));
         let start = format!("G0 X{x} Y{y}");
@@ -317,13 +317,13 @@ impl Program {
 /// Number of decimals of a millimetre.
 const DECIMALS: usize = 4;
 
-/// A length in m with its unit.
+/// Formats a length in m with its unit.
 fn named(units: Units, x: f64) -> String {
     let unit = units.name().to_uppercase();
     format!("{} {unit}", units.number(x, DECIMALS))
 }
 
-/// The G-code of the unit.
+/// G-code of the unit.
 fn code(units: Units) -> &'static str {
     match units {
         Units::Millimetres => "G21",
@@ -331,7 +331,7 @@ fn code(units: Units) -> &'static str {
     }
 }
 
-/// A feed in mm/min in the unit of the program.
+/// Formats a feed in mm/min in the unit of the program.
 fn written_feed(units: Units, feed: f64) -> String {
     match units {
         Units::Millimetres => format!("{feed:.0}"),
@@ -353,7 +353,7 @@ fn finished(text: String) -> String {
     lines.collect()
 }
 
-/// A coordinate as the program writes it, m.
+/// A coordinate rounded as in the program, m.
 fn rounded(units: Units, x: f64) -> f64 {
     let step = match units {
         Units::Millimetres => 1e7,

@@ -1,16 +1,15 @@
-//! The path around the outside of a profile, in arcs and lines.
+//! Path around the outside of a profile, as arcs and lines.
 //!
-//! The arcs that follow the profile have parallels that are arcs about the same centres, so the path is as
-//! accurate as the arcs. The cam is passed clockwise, the cutter on its left: climb milling with a spindle that
-//! turns clockwise.
+//! The arcs that approximate the profile have parallel arcs about the same centres, so the path is as accurate as the arcs. The path is clockwise
+//! with the cutter on its left: climb milling with a spindle that turns clockwise.
 
 use super::{Move, Path, feed_on};
 use crate::biarc::{self, circle};
 use gaitcam::synth::Edge;
 
-/// Largest distance of the arcs from the profile, m: with the rounding of the program below one micrometre.
+/// Maximum distance between the arcs and the profile, m. Together with the rounding of the program it is below one micrometre.
 const ARCS: f64 = 5e-7;
-/// Minimum radius of the lead-in and lead-out arcs, in cutter radii and in m.
+/// Minimum radius of the lead-in and lead-out arcs, in cutter radii.
 const LEAD: f64 = 1.0;
 const LEAST_LEAD: f64 = 0.002;
 /// Length of the line from the start hole of a wire to the profile, m.
@@ -19,16 +18,15 @@ const WAY_IN: f64 = 0.003;
 /// Kind of entry and exit of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lead {
-    /// Quarter circles, tangential: a milling cutter leaves no mark.
+    /// Tangential quarter circles, so that a milling cutter leaves no mark.
     Arcs,
-    /// Straight along the normal, for a wire that starts outside the blank or in its own hole.
+    /// Straight lines along the normal, for a wire that starts outside the blank or in a start hole.
     Lines,
 }
 
-/// The path around the outside of an edge, entered and left by `lead`.
+/// Path around the outside of an edge, with entry and exit by `lead`.
 ///
-/// `None` where no chain of arcs follows the edge (undercut, jumps of the velocity) and where the cutter does not fit a
-/// hollow.
+/// `None` if arcs cannot approximate the edge (undercut, jumps of the velocity), or if the cutter does not fit a concave part.
 pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let arcs = biarc::along(edge, ARCS)?;
     let mut ends = arcs.vertices;
@@ -95,8 +93,8 @@ fn with_lines(
     }
 }
 
-/// The parallel of one arc of the profile at the distance `tool` on its left, with the outward normals at its
-/// ends; `None` if the cutter does not fit into it.
+/// Parallel of one arc of the profile at the distance `tool` on its left, with the outward normals at its ends; `None` if the cutter does not fit
+/// into the arc.
 fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])> {
     let (from, to) = ([a[0], a[1]], [b[0], b[1]]);
     let Some((centre, radius)) = circle(from, to, a[2]) else {

@@ -1,10 +1,10 @@
-//! The hole for the shaft, cut from its centre by a wire or a cutter.
+//! Hole for the shaft, cut from its centre by a wire or a cutter.
 
 use gaitcam::cam::Bore;
 
 use super::{Move, Path};
 
-/// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` if it does not fit.
+/// Path along the edge of the hole at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` if the tool does not fit.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;
     if round <= 0.0 {

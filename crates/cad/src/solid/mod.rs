@@ -1,4 +1,4 @@
-//! The cam as a solid: a plate with its holes, the walls of a barrel's groove, as STL and 3MF.
+//! The cam as a solid: a plate with its holes, or the walls of a barrel's groove, as STL and 3MF.
 
 mod plate;
 mod stl;
@@ -12,12 +12,12 @@ pub use plate::{Plate, plate};
 pub use stl::file as binary_stl;
 pub use wall::wall;
 
-/// A triangle mesh, mm; triangles are counter-clockwise seen from outside.
+/// Triangle mesh, mm. The triangles are counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Vertices x, y, z.
     pub vertices: Vec<[f64; 3]>,
-    /// Indices of each triangle's vertices.
+    /// Indices of the vertices of each triangle.
     pub triangles: Vec<[usize; 3]>,
 }
 

@@ -12,20 +12,21 @@ const MM: f64 = 1000.0;
 /// A plate of constant thickness, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
-    /// Thickness; the plate lies on z = 0.
+    /// Thickness of the plate, which lies on z = 0.
     pub thickness: f64,
-    /// The hole for the shaft, if any.
+    /// Hole for the shaft, if any.
     pub bore: Option<Bore>,
     /// Number of vertices of the profile.
     pub points: usize,
 }
 
-/// The plate's surface. Every profile vertex gets a bore vertex on its ray from the centre (without a bore: the centre), so that the faces are wedges
-/// that cannot overlap.
+/// Surface of the plate. Every vertex of the profile has a bore vertex on its ray from the centre (without a bore: the centre), so that the faces are
+/// wedges that cannot overlap.
 ///
 /// # Errors
-/// A profile that some ray from the centre meets more than once, a bore that does not fit, an invalid thickness or number of points, an undercut
-/// profile, an open law.
+///
+/// A profile that a ray from the centre meets more than once; a bore that does not fit; an invalid thickness or number of points; an undercut
+/// profile; an open law.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * positive(plate.thickness)?;
@@ -73,7 +74,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     })
 }
 
-/// Smallest distance of the polygon from the centre.
+/// Minimum distance of the polygon from the centre.
 fn clearance(outline: &[[f64; 2]]) -> f64 {
     let n = outline.len();
     (0..n)
@@ -87,7 +88,7 @@ fn clearance(outline: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Ring vertices at both heights: index 2i below, 2i + 1 above.
+/// Vertices of a ring at both heights: index 2i at the bottom, 2i + 1 at the top.
 fn ring(points: &[[f64; 2]], thickness: f64) -> Vec<[f64; 3]> {
     points
         .iter()

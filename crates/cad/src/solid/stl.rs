@@ -7,7 +7,7 @@ use stl_io::{Normal, Triangle, Vertex};
 use super::Mesh;
 use gaitcam::error::{Result, WriteError};
 
-/// The mesh as binary STL, mm.
+/// Mesh as binary STL, mm.
 pub fn file(mesh: &Mesh) -> Result<Vec<u8>> {
     let triangles: Vec<Triangle> = mesh
         .triangles

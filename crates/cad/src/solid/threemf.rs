@@ -21,7 +21,7 @@ const RELATIONS: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 <Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" \
 Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
 
-/// The mesh (mm) as a 3MF package of one object.
+/// Mesh (mm) as a 3MF package with one object.
 pub fn package(mesh: &Mesh, name: &str) -> Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let parts = [

@@ -1,14 +1,14 @@
-//! The walls of a barrel's groove as surfaces.
+//! Walls of a barrel's groove as surfaces.
 
 use super::Mesh;
 use gaitcam::cam::{BarrelGroove, Wall};
 
 const MM: f64 = 1000.0;
 
-/// One wall from floor to surface, mm: an open sheet whose front looks into the groove.
+/// Wall from the floor of the groove to the surface of the cylinder, mm: an open surface whose front faces the groove.
 ///
-/// `along` strips for the whole law, `through` for its depth; the vertices lie exactly on the envelope of
-/// the roller ([`BarrelGroove::wall_point`]).
+/// It has `along` strips for the whole law and `through` strips for its depth. The vertices lie exactly on the envelope of the roller
+/// ([`BarrelGroove::wall_point`]).
 pub fn wall(groove: &BarrelGroove, wall: Wall, along: usize, through: usize) -> Mesh {
     let (start, length) = groove.law().extent();
     let (inner, outer) = groove.depth();

@@ -1,14 +1,14 @@
-//! Clamped cubic B-splines through given points: the first and the last two spans are one cubic each ("not a knot").
+//! Clamped cubic B-splines through given points. The first two spans, and the last two, are a single cubic ("not a knot").
 
 use std::ops::Range;
 
 /// Minimum number of spans.
 pub const FEWEST: usize = 4;
 
-/// The spline space through values at 0, 1, … `spans`, with its equations eliminated once for all right sides.
+/// Spline space for values at 0, 1, … `spans`, with its equations eliminated once for all right-hand sides.
 pub struct Interpolant {
     spans: usize,
-    /// Row i holds the factors of columns i − 3 … i + 3.
+    /// Factors of the rows: row i contains the columns i − 3 … i + 3.
     rows: Vec<[f64; 7]>,
 }
 
@@ -16,7 +16,7 @@ pub struct Interpolant {
 const BAND: usize = 3;
 
 impl Interpolant {
-    /// The space of a number of spans, at least [`FEWEST`].
+    /// Creates the space for a number of spans, at least [`FEWEST`].
     pub fn new(spans: usize) -> Self {
         let n = spans + 1;
         let mut rows = vec![[0.0; 2 * BAND + 1]; n];
@@ -43,7 +43,7 @@ impl Interpolant {
         Interpolant { spans, rows }
     }
 
-    /// Control points of the spline through `points`, one for each of 0 … spans.
+    /// Control points of the spline through `points`, one point per value of 0 … spans.
     pub fn control<const D: usize>(&self, points: &[[f64; D]]) -> Vec<[f64; D]> {
         let n = self.spans + 1;
         let mut out = points.to_vec();
@@ -71,7 +71,7 @@ impl Interpolant {
         out
     }
 
-    /// The spline of given control points at `x` in 0 … spans.
+    /// Value at `x` in 0 … spans of the spline with the given control points.
     pub fn at<const D: usize>(&self, control: &[[f64; D]], x: f64) -> [f64; D] {
         let (first, weights) = basis(self.spans, x);
         let mut out = [0.0; D];
@@ -83,7 +83,7 @@ impl Interpolant {
         out
     }
 
-    /// The knots, each with its multiplicity.
+    /// Knots, each with its multiplicity.
     pub fn knots(&self) -> Vec<(usize, f64)> {
         knots(self.spans)
     }
@@ -94,7 +94,7 @@ fn knots(spans: usize) -> Vec<(usize, f64)> {
     clamped(2..spans - 1, spans)
 }
 
-/// Multiplicities and knots of a clamped cubic, with given multiplicities and knots between its ends.
+/// Multiplicities and knots of a clamped cubic, for given inner knots.
 pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     let mut out = vec![(4, 0.0)];
     out.extend(inner.map(|k| (1, k as f64)));
@@ -102,7 +102,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     out
 }
 
-/// The first of the four basis functions that are not zero at `x`, and their values (Cox and de Boor).
+/// Index of the first of the four basis functions that are not zero at `x`, and their values (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
     // Knot k of the full sequence.
     let knot = |k: usize| match k {

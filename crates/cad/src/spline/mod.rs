@@ -22,8 +22,8 @@ pub struct Clamped {
     pub knots: Vec<(usize, f64)>,
 }
 
-/// Consecutive splines within `tolerance` m of an edge. A closed edge gives one periodic spline, C², in `parts` parts, counter-clockwise; an open
-/// edge gives one spline per piece of the law, in the direction of increasing θ. `None` if the number of spans does not suffice.
+/// Consecutive splines within `tolerance` m of an edge. A closed edge gives one periodic C² spline in `parts` parts, counter-clockwise. An open edge
+/// gives one spline per span of the law, in the direction of increasing θ. `None` if the maximum number of spans is not sufficient.
 pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> {
     if edge.is_undercut() {
         return None;
@@ -45,7 +45,7 @@ pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> 
     Some((0..parts).map(part).collect())
 }
 
-/// The edge between two angles, in either direction.
+/// Spline of the edge between two angles, in either direction.
 pub fn piece(edge: &Edge, [from, to]: [f64; 2], tolerance: f64) -> Option<Clamped> {
     let mut spans = FEWEST;
     while spans <= MOST {

@@ -3,16 +3,16 @@
 use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
-/// Number of spans of the first and of the finest spline tried.
+/// Minimum and maximum number of spans that are tried.
 const SPANS: [usize; 2] = [64, 16384];
 
-/// A closed uniform cubic B-spline, counter-clockwise, mm.
+/// Closed uniform cubic B-spline, counter-clockwise, mm.
 pub struct Spline {
     pub control: Vec<[f64; 2]>,
 }
 
 impl Spline {
-    /// The coarsest spline that stays within `tolerance` m of the edge.
+    /// Spline with the minimum number of spans within `tolerance` m of the edge.
     pub fn within(edge: &Edge, tolerance: f64) -> Option<Self> {
         let mut spans = SPANS[0];
         while spans <= SPANS[1] {
@@ -25,7 +25,7 @@ impl Spline {
         None
     }
 
-    /// The spline through `n` points at equal steps of the angle; the profile itself runs clockwise.
+    /// Spline through `n` points at equal steps of the angle. The direction is opposite to that of the profile, which is clockwise.
     fn through(edge: &Edge, n: usize) -> Self {
         let points: Vec<[f64; 2]> = (0..n)
             .map(|i| edge.at(angle(edge, n, i as f64)).p.map(|x| MM * x))
@@ -37,12 +37,12 @@ impl Spline {
         }
     }
 
-    /// Control point `i`, with cyclic index.
+    /// Control point `i`, with a cyclic index.
     fn at(&self, i: usize) -> [f64; 2] {
         self.control[i % self.control.len()]
     }
 
-    /// Largest distance from the true edge along its normal, mm, at thirds of the spans.
+    /// Maximum distance from the exact edge along its normal, mm, at thirds of the spans.
     fn deviation(&self, edge: &Edge) -> f64 {
         let n = self.control.len();
         let mut worst = 0.0_f64;
@@ -68,7 +68,7 @@ impl Spline {
         worst
     }
 
-    /// Spans `from` … `to` as a clamped B-spline.
+    /// Control points of the spans `from` … `to` as a clamped B-spline.
     pub fn part(&self, from: usize, to: usize) -> Vec<[f64; 2]> {
         let n = self.control.len();
         let mix = |all: &[(f64, usize)]| {
@@ -88,14 +88,14 @@ impl Spline {
     }
 }
 
-/// Angle of point `i` of `n`, against the direction of the profile.
+/// Angle of point `i` of `n`, opposite to the direction of the profile.
 fn angle(edge: &Edge, n: usize, i: f64) -> f64 {
     let breaks = edge.breaks();
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     end - (end - start) * i / n as f64
 }
 
-/// Solves (c₋ + 4c + c₊)/6 = p cyclically: Thomas' elimination with Sherman and Morrison's correction.
+/// Solves (c₋ + 4c + c₊)/6 = p with periodic ends: Thomas algorithm with the Sherman–Morrison correction.
 fn cyclic(points: Vec<f64>) -> Vec<f64> {
     let n = points.len();
     // The corners are taken out by adding their share to both end rows.

@@ -1,15 +1,15 @@
-//! The instances of a STEP file (ISO 10303-21) and the topology of extruded solids.
+//! Instances of a STEP file (ISO 10303-21), and topology of extruded solids.
 
 use std::fmt::Write;
 
 use crate::spline::Clamped;
 
-/// One piece of a closed outline, counter-clockwise, mm.
+/// Piece of a closed outline, counter-clockwise, mm.
 #[derive(Debug, Clone)]
 pub enum Piece {
     /// A piece that is a B-spline curve.
     Spline(Clamped),
-    /// A straight piece between two points.
+    /// A straight line between two points.
     Line([[f64; 2]; 2]),
     /// An arc between two points, about a centre.
     Arc {
@@ -28,7 +28,7 @@ impl Piece {
     }
 }
 
-/// A circle as two arcs, so that no edge meets itself.
+/// A circle as two arcs, so that no edge is closed in itself.
 pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
     let at = |side: f64| [centre[0] + side * radius, centre[1]];
     let arc = |from: f64| Piece::Arc {
@@ -42,13 +42,13 @@ pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
 /// Instance number of an edge of the solid.
 type Rim = usize;
 
-/// Edges of a wall at its bottom and top.
+/// Edges at the bottom and at the top of a wall.
 pub struct Rims {
     pub low: Vec<Rim>,
     pub high: Vec<Rim>,
 }
 
-/// Instances of a file during writing.
+/// Instances of a file while it is written.
 #[derive(Default)]
 pub struct File {
     text: String,
@@ -78,7 +78,7 @@ impl File {
         self.add(&format!("VERTEX_POINT('',#{point})"))
     }
 
-    /// Axes at a point, with z along `normal` and x along `right`.
+    /// Axis system at a point, with z along `normal` and x along `right`.
     fn axes(&mut self, at: [f64; 3], normal: [f64; 3], right: [f64; 3]) -> usize {
         let origin = self.point(at);
         let up = self.direction(normal);
@@ -103,19 +103,19 @@ impl File {
         self.add(&format!("LINE('',#{foot},#{vector})"))
     }
 
-    /// A circle at height z, counter-clockwise.
+    /// Circle at the height z, counter-clockwise.
     pub fn circle(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
         let axes = self.level(centre, z, 1.0);
         self.add(&format!("CIRCLE('',#{axes},{})", real(radius)))
     }
 
-    /// A cylinder about an upright axis, its normal outwards.
+    /// Cylinder about a vertical axis with an outward normal.
     pub fn cylinder(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
         let axes = self.level(centre, z, 1.0);
         self.add(&format!("CYLINDRICAL_SURFACE('',#{axes},{})", real(radius)))
     }
 
-    /// A piece of outline at height z.
+    /// Piece of an outline at the height z.
     fn curve(&mut self, piece: &Piece, z: f64) -> usize {
         match piece {
             Piece::Line([a, b]) => self.line([a[0], a[1], z], [b[0], b[1], z]),
@@ -127,7 +127,7 @@ impl File {
         }
     }
 
-    /// The surface above a piece; its normal points to the right of the piece.
+    /// Surface above a piece; its normal points to the right of the piece.
     fn surface(&mut self, piece: &Piece, [low, high]: [f64; 2]) -> usize {
         match piece {
             Piece::Line([a, b]) => {
@@ -148,7 +148,7 @@ impl File {
         }
     }
 
-    /// A loop of edges, each taken along (`true`) or against its sense.
+    /// Loop of edges, each used in its direction (`true`) or against it.
     pub fn ring(&mut self, edges: &[(Rim, bool)]) -> usize {
         let oriented: Vec<usize> = (edges.iter())
             .map(|(rim, along)| {
@@ -158,7 +158,7 @@ impl File {
         self.add(&format!("EDGE_LOOP('',{})", list(&oriented)))
     }
 
-    /// A loop of consecutive edges, counter-clockwise or clockwise.
+    /// Loop of consecutive edges, counter-clockwise or clockwise.
     fn round(&mut self, rims: &[Rim], along: bool) -> usize {
         let mut edges: Vec<(Rim, bool)> = rims.iter().map(|r| (*r, along)).collect();
         if !along {
@@ -176,7 +176,7 @@ impl File {
         self.add(&format!("ADVANCED_FACE('',{bounds},#{surface},{sense})"))
     }
 
-    /// The wall above an outline between two heights, its faces added to `faces`; the material is inside the outline or, for a hole, outside.
+    /// Wall above an outline between two heights; its faces are added to `faces`. The material is inside the outline, for a hole outside.
     pub fn wall(
         &mut self,
         pieces: &[Piece],
@@ -222,7 +222,7 @@ impl File {
         rims
     }
 
-    /// A horizontal face within an outline and around holes, facing up or down.
+    /// Horizontal face within an outline and around holes, with an upward or downward normal.
     pub fn cap(
         &mut self,
         z: f64,
@@ -244,7 +244,7 @@ impl File {
         self.add(&format!("MANIFOLD_SOLID_BREP('{name}',#{shell})"))
     }
 
-    /// Writes product, units and header.
+    /// Writes product, units and header. Returns the content of the file.
     pub fn finish(mut self, solids: &[usize], name: &str) -> Vec<u8> {
         let name = quoted(name);
         let mut items = vec![self.level([0.0; 2], 0.0, 1.0)];
@@ -304,7 +304,7 @@ fn truth(value: bool) -> &'static str {
     if value { ".T." } else { ".F." }
 }
 
-/// A real with its decimal point.
+/// A real number with its decimal point.
 pub fn real(x: f64) -> String {
     let mut text = String::new();
     gaitcam_base::text::append(&mut text, x, 12);
@@ -314,7 +314,7 @@ pub fn real(x: f64) -> String {
     text
 }
 
-/// A quoted text: printable ASCII, other characters as `?`.
+/// A text in quotation marks: printable ASCII, with other characters replaced by `?`.
 fn quoted(text: &str) -> String {
     text.chars()
         .map(|c| match c {

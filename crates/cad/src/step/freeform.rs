@@ -15,8 +15,8 @@ impl File {
         ))
     }
 
-    /// A surface, cubic in the first direction and of any degree in the second; `net[i][j]` is point i of the first and j of
-    /// the second.
+    /// Surface, cubic in the first direction and of any degree in the second; `net[i][j]` is point i of the first and point j of the second
+    /// direction.
     pub fn spline_surface(&mut self, net: &[Vec<[f64; 3]>], knots: [&Knots; 2]) -> usize {
         let rows: Vec<String> = net.iter().map(|row| self.points(row)).collect();
         let degree = knots[1][0].0 - 1;

@@ -1,8 +1,8 @@
-//! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214). Lengths in mm.
+//! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214), with lengths in mm.
 //!
-//! A disc's profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until it stays within [`FAITHFUL`] of
-//! the true one; the plate is its extrusion with the hole for the shaft. A conjugate pair gives both cams in their positions on the shaft, one plate
-//! thickness apart. A slide has its foot under the profile. A barrel has no solid.
+//! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle, refined until it is within [`FAITHFUL`] of
+//! the exact profile. The plate is its extrusion with the hole for the shaft. A conjugate pair gives both cams in their positions on the shaft, with
+//! a distance of one plate thickness. A translating cam has its foot below the profile. There is no solid of a barrel.
 
 mod file;
 mod freeform;
@@ -17,19 +17,19 @@ use gaitcam::synth::Edge;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-/// Largest distance of a spline from the true profile at the points compared, m; less than 0.1 µm between them.
+/// Maximum distance between a spline and the exact profile at the compared points, m; it is below 0.1 µm between them.
 pub const FAITHFUL: f64 = 5e-8;
-/// Half the width of the space for the mark of θ = 0, mm.
+/// Minimum of half the width of the space for the mark of θ = 0, mm.
 const LEAST_ROOM: f64 = 0.25;
 /// Number of edges of the profile.
 const EDGES: usize = 4;
 
-/// The cam as a solid; both cams of a pair.
+/// The cam as a solid, or both cams of a pair.
 ///
 /// # Errors
 ///
-/// On a barrel, a law that does not close, an undercut profile, a thickness that is not positive, and a profile that no
-/// spline of so many spans follows.
+/// A barrel; a law that is not closed; an undercut profile; a thickness that is not positive; a profile that no spline with the permitted number of
+/// spans approximates.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
     if design.groove.is_some() {
         return Err(WriteError::BarrelSolid.into());
@@ -67,7 +67,7 @@ fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
     Ok(solids)
 }
 
-/// A valid thickness of a plate.
+/// Checks that the thickness of a plate is positive.
 pub(crate) fn positive(thickness: f64) -> Result<f64> {
     if thickness.is_finite() && thickness > 0.0 {
         return Ok(thickness);
@@ -78,7 +78,7 @@ pub(crate) fn positive(thickness: f64) -> Result<f64> {
     .into())
 }
 
-/// The engraved mark of θ = 0: a shallow round hole in the upper face, mm.
+/// Engraved mark of θ = 0: a shallow round hole in the upper face, mm.
 #[derive(Debug, Clone, Copy)]
 struct Dot {
     centre: [f64; 2],
@@ -87,7 +87,7 @@ struct Dot {
 }
 
 impl Dot {
-    /// Radius halfway between the hole for the shaft and the base circle; `None` without room.
+    /// The mark in the middle between the hole for the shaft and the base circle; `None` if there is no space.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
         let reach = design.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
@@ -99,7 +99,7 @@ impl Dot {
         })
     }
 
-    /// Adds wall and floor of the mark below a face at height z; returns its rims.
+    /// Adds wall and floor of the mark below a face at the height z. Returns its edges.
     fn add_to(self, file: &mut File, z: f64, faces: &mut Vec<usize>) -> Rims {
         let floor = z - self.depth;
         let outline = circle(self.centre, self.radius);
@@ -135,7 +135,7 @@ impl Body {
     }
 }
 
-/// The hole's edge in straight pieces and arcs, mm.
+/// Edge of the hole as straight pieces and arcs, mm.
 fn hole_pieces(bore: &Bore) -> Vec<Piece> {
     let edge = bore.outline();
     let at = |i: usize| {

@@ -1,4 +1,4 @@
-//! A translating cam: its profile above its foot, extruded.
+//! A translating cam: the profile above its foot, extruded.
 
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
@@ -25,7 +25,7 @@ pub fn add(file: &mut File, design: &Design) -> Result<usize> {
     Ok(file.solid("slide", &faces))
 }
 
-/// Counter-clockwise from the foot's left end: foot, right side, profile backwards, left side; mm.
+/// Outline counter-clockwise from the left end of the foot: foot, right side, profile in reverse, left side; mm.
 fn outline(edge: &Edge) -> Result<Vec<Piece>> {
     let breaks = edge.breaks();
     let [first, last] = [breaks[0], breaks[breaks.len() - 1]].map(|x| edge.at(x).p.map(|x| MM * x));

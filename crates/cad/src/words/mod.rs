@@ -1,4 +1,4 @@
-//! Labels and lengths of drawings, by language: one Fluent file each.
+//! Labels and lengths of drawings, with one Fluent file per language.
 
 use std::ops::Deref;
 
@@ -11,7 +11,7 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// The labels of a drawing, and lengths in its unit.
+/// Labels of a drawing, and lengths in its unit.
 #[derive(Clone, Copy)]
 pub(crate) struct Labels {
     words: Words,
@@ -27,23 +27,23 @@ impl Deref for Labels {
 }
 
 impl Labels {
-    /// Labels in a language and a unit.
+    /// Creates the labels for a language and a unit.
     pub fn new(language: Language, units: Units) -> Self {
         let words = Words::new(WORDS.of(language));
         Labels { words, units }
     }
 
-    /// The unit of lengths.
+    /// Unit of lengths.
     pub fn units(&self) -> Units {
         self.units
     }
 
-    /// A length given in m as a number with a given count of decimals of a millimetre.
+    /// A length in m as a number with a given number of decimals of a millimetre.
     pub fn length(&self, length: f64, decimals: usize) -> String {
         self.decimal(self.units.number(length, decimals))
     }
 
-    /// The heading of a column of lengths: "r, mm".
+    /// Heading of a column of lengths, such as "r, mm".
     pub fn column(&self, symbol: &str) -> String {
         format!("{symbol}, {}", self.units.name())
     }

@@ -1,4 +1,4 @@
-//! The path of a cutter's centre, and the hollows that it cannot reach.
+//! Path of a cutter's centre, and concave parts that the cutter cannot reach.
 
 use gaitcam_cad::cutter;
 

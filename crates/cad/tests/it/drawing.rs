@@ -1,12 +1,12 @@
-//! A reader of DXF groups that knows nothing of the writer: entities, layers, header variables.
+//! Independent reader of DXF groups: entities, layers, header variables.
 
 use std::collections::HashMap;
 
 /// A drawing as read back.
 pub struct Drawing {
-    /// Layer, vertices (x, y, bulge) in mm, whether closed.
+    /// Layer, vertices (x, y, bulge) in mm, and whether the polyline is closed.
     pub polylines: Vec<(String, Vec<[f64; 3]>, bool)>,
-    /// Layer, radius in mm.
+    /// Layer and radius, mm.
     pub circles: Vec<(String, f64)>,
     /// Layers of all entities.
     pub layers: Vec<String>,
@@ -14,7 +14,7 @@ pub struct Drawing {
     pub header: HashMap<String, Vec<(i32, String)>>,
 }
 
-/// The groups of a file: code and value.
+/// Groups of a file: code and value.
 pub fn groups(bytes: &[u8]) -> Vec<(i32, String)> {
     let text = std::str::from_utf8(bytes).unwrap();
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
@@ -93,7 +93,7 @@ impl Drawing {
         self.layers.push(layer);
     }
 
-    /// The one polyline of a layer and whether it is closed.
+    /// The only polyline of a layer, and whether it is closed.
     pub fn outline(&self, layer: &str) -> (Vec<[f64; 3]>, bool) {
         let all: Vec<_> = self.polylines.iter().filter(|p| p.0 == layer).collect();
         assert_eq!(all.len(), 1, "{layer} is drawn {} times", all.len());

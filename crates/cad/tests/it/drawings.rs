@@ -1,4 +1,4 @@
-//! The drawings hold every edge that is cut, and no other line.
+//! The drawings contain all edges to be cut and no other lines on their layers.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ fn drawn(s: &Design) -> Drawing {
     ))
 }
 
-/// The data of an SVG's path.
+/// Data of a path in an SVG.
 fn path(svg: &str, id: &str) -> String {
     let at = svg.split(&format!("id=\"{id}\" d=\"")).nth(1);
     at.unwrap_or_else(|| panic!("no {id}"))
@@ -207,7 +207,7 @@ fn the_arrow_turns_as_the_machine_does() {
     }
 }
 
-/// Every instance of a STEP file by its number.
+/// Instances of a STEP file by their numbers.
 fn instances(text: &str) -> std::collections::HashMap<usize, String> {
     let lines = text.lines().filter_map(|line| line.strip_prefix('#'));
     lines
@@ -273,7 +273,7 @@ fn a_keyway_and_a_dot_add_their_faces_and_a_pair_has_two_solids() {
     assert_eq!(faces(&designed("camdas_07_conjugate_roller")).1, 2);
 }
 
-/// Area within a closed polyline with bulges, in the square of its unit.
+/// Area inside a closed polyline with bulges, in the square of its unit.
 fn area(vertices: &[[f64; 3]]) -> f64 {
     let mut twice = 0.0;
     for (i, &[x, y, bulge]) in vertices.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Electronic cams, read back by other code than the program's own.
+//! Electronic cams, read back by code that is independent of the program.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ fn footbridge() -> Design {
         .unwrap()
 }
 
-/// Every number of a text that stands between `before` and one of `,);`.
+/// Numbers of a text between `before` and one of the characters `,);`.
 fn numbers(text: &str, before: &str) -> Vec<f64> {
     let parts = text.split(before).skip(1);
     parts
@@ -23,7 +23,7 @@ fn numbers(text: &str, before: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The second derivative of the quintic through two ends, from its power form.
+/// Second derivative of the quintic through two ends, from its monomial form.
 fn bend(h: f64, p: [f64; 3], q: [f64; 3], x: f64) -> f64 {
     let (d, v, w) = (
         q[0] - p[0] - p[1] * h - 0.5 * p[2] * h * h,

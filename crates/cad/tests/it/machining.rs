@@ -1,4 +1,4 @@
-//! `cutter.nc`, run by a machine that knows nothing of its writer: what the cutter leaves is the cam.
+//! `cutter.nc`, executed by an independent interpreter: the remaining material is the cam.
 
 use std::f64::consts::TAU;
 
@@ -12,17 +12,17 @@ use gaitcam_test_support::designed;
 
 use gaitcam_test_support::designs::{footbridge, heel_tester, with_bore, with_cam};
 
-/// One cut: a line or an arc, mm, with its feed.
+/// A cut along a line or an arc, mm, with its feed.
 #[derive(Debug, Clone, Copy)]
 struct Cut {
     from: [f64; 2],
     to: [f64; 2],
-    /// Centre, and angle turned through, positive counter-clockwise.
+    /// Centre of the arc, and its angle, positive counter-clockwise.
     arc: Option<([f64; 2], f64)>,
     feed: f64,
 }
 
-/// Runs a program of G0, G1, G2 and G3 in the plane; comments and words it does not know are refused.
+/// Executes a program of G0, G1, G2 and G3 in the plane. Comments and unknown words are rejected.
 fn run(program: &str) -> Vec<Cut> {
     let mut cuts = Vec::new();
     let (mut at, mut feed) = ([0.0, 0.0], 0.0);
@@ -95,7 +95,7 @@ impl Cut {
     }
 }
 
-/// Deepest gouge and highest ridge that the program leaves on the true profile, mm.
+/// Maximum depth of gouges and maximum height of ridges of the program on the exact profile, mm.
 fn swept(design: &Design, cuts: &[Cut], tool: f64) -> [f64; 2] {
     let mut out = [0.0_f64; 2];
     for p in design.cam.profile(5000) {
@@ -109,7 +109,7 @@ fn swept(design: &Design, cuts: &[Cut], tool: f64) -> [f64; 2] {
     out
 }
 
-/// A cycloid-like cam under a roller with hollow flanks.
+/// A cam similar to a cycloid with a roller and concave flanks.
 fn hollow() -> Design {
     let mut design = heel_tester();
     design.cam.law = Law::harmonic(0.02, &[(0.0, 0.0), (0.0, 0.0), (0.012, 0.0)]);
@@ -239,7 +239,7 @@ fn both_cams_of_a_pair_are_left_by_their_programs() {
     }
 }
 
-/// The stations of a program for a rotary axis: X, mm, and A, rad, with the time of each line, min.
+/// Positions of a program for a rotary axis: X, mm, and A, rad, with the time of each line, min.
 fn stations(program: &str) -> Vec<[f64; 3]> {
     let mut at = [0.0; 3];
     let mut out = Vec::new();
@@ -261,9 +261,9 @@ fn stations(program: &str) -> Vec<[f64; 3]> {
     out
 }
 
-/// Least distance, mm, of a point of the barrel from the cutter's axis while the path is run, of lines nearer than `far`.
+/// Minimum distance, mm, between a point of the barrel and the axis of the cutter on the path; only lines nearer than `far` are considered.
 ///
-/// The barrel turns by A; the cutter's axis is its x axis at height X.
+/// The barrel turns by A; the axis of the cutter is the x axis of the barrel at the height X.
 fn distance_from_axis(path: &[[f64; 3]], p: [f64; 3], far: f64) -> f64 {
     let off = |x: f64, a: f64| {
         let (sin, cos) = a.sin_cos();

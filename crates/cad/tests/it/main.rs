@@ -1,4 +1,4 @@
-//! What is written, read back by readers that did not write it.
+//! Files that are written are read back by independent readers.
 
 mod cutter;
 mod drawing;

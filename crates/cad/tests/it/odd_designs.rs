@@ -1,4 +1,4 @@
-//! Equal designs give equal bytes, and odd designs give whole files.
+//! Equal designs give equal bytes, and unusual designs give complete files.
 
 use gaitcam::cam::Bore;
 use gaitcam_cad::Units;

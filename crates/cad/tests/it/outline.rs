@@ -1,4 +1,4 @@
-//! The outline that is cut, in DXF: its vertices and its arcs against the true profile.
+//! The outline to be cut, in DXF: comparison of its vertices and arcs with the exact profile.
 
 use std::collections::HashMap;
 

@@ -18,13 +18,13 @@ const TITLE: Title = Title {
     units: Units::Millimetres,
 };
 
-/// A piece of text on a sheet: where it starts, points, and its bytes.
+/// Piece of text on a sheet: its start, in points, and its bytes.
 pub struct Shown {
     pub at: [f64; 2],
     pub text: String,
 }
 
-/// The texts of each sheet, in the order in which they are drawn.
+/// Texts of each sheet, in the order in which they are drawn.
 pub fn sheets(pdf: &[u8]) -> Vec<Vec<Shown>> {
     // Bytes as characters: the streams are not compressed.
     let text: String = pdf.iter().map(|&b| char::from(b)).collect();
@@ -64,7 +64,7 @@ fn shown(stream: &str) -> Vec<Shown> {
     out
 }
 
-/// The rows of a sheet's table: polar angle, degrees, radius of the profile and of the ball's centre, mm.
+/// Rows of the table on a sheet: polar angle, degrees, radii of the profile and of the ball's centre, mm.
 fn table(sheet: &[Shown]) -> Vec<[f64; 3]> {
     let number = |i: usize| sheet.get(i)?.text.parse::<f64>().ok();
     let decimals = |i: usize| sheet[i].text.split_once('.').map_or(0, |p| p.1.len());

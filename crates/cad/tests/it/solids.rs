@@ -1,4 +1,4 @@
-//! Solids in STL and 3MF: closed, turned outwards, of the right volume.
+//! Solids in STL and 3MF are closed, have outward normals and the correct volume.
 
 use std::collections::HashMap;
 use std::f64::consts::PI;
@@ -11,7 +11,7 @@ use gaitcam_cad::solid::{self, Mesh, Plate};
 use gaitcam_test_support::designs::{footbridge, heel_tester};
 use gaitcam_test_support::readers::{attribute, elements};
 
-/// Every directed edge once, its opposite once; volume by the divergence theorem.
+/// Volume by the divergence theorem, after checking that every directed edge occurs once, and its opposite once.
 fn closed_volume(mesh: &Mesh) -> f64 {
     let mut edges: HashMap<(usize, usize), usize> = HashMap::new();
     let mut volume = 0.0;

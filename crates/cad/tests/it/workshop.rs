@@ -1,4 +1,4 @@
-//! What a workshop takes beside the outline: solids, splines, sheets.
+//! Files for the workshop in addition to the outline: solids, splines, drawings.
 
 use std::collections::HashMap;
 
@@ -16,7 +16,7 @@ use crate::drawing::groups;
 use crate::sheets::sheets;
 use gaitcam_test_support::designs::{footbridge, heel_tester, with_bore, with_cam};
 
-/// A disc of little eccentricity with keyway and mark.
+/// A disc with a small eccentricity, a keyway and a mark.
 fn furnished() -> Design {
     let mut design = with_cam(with_bore(heel_tester(), 0.02, true), |cam| {
         cam.mark = true;
@@ -30,7 +30,7 @@ fn furnished() -> Design {
     design
 }
 
-/// How often each edge of a STEP file is run along and against.
+/// Number of uses of each edge of a STEP file, along its direction and against it.
 fn uses(text: &str) -> HashMap<&str, [usize; 2]> {
     let mut out: HashMap<&str, [usize; 2]> = HashMap::new();
     for line in text.lines().filter(|line| line.contains("=ORIENTED_EDGE(")) {
@@ -92,7 +92,7 @@ fn the_mesh_with_a_keyway_is_closed() {
     );
 }
 
-/// A spline of a DXF: degree 3, knots, control points.
+/// Splines of a DXF file of degree 3: knots and control points.
 fn splines(bytes: &[u8]) -> Vec<(Vec<f64>, Vec<[f64; 2]>)> {
     let all = groups(bytes);
     let starts: Vec<usize> = (0..all.len()).filter(|&i| all[i].0 == 0).collect();
@@ -118,7 +118,7 @@ fn splines(bytes: &[u8]) -> Vec<(Vec<f64>, Vec<[f64; 2]>)> {
         .collect()
 }
 
-/// The point of a spline by de Boor's algorithm.
+/// Point of a spline by de Boor's algorithm.
 fn de_boor(knots: &[f64], control: &[[f64; 2]], t: f64) -> [f64; 2] {
     let last = control.len() - 1;
     let k = (3..=last).rev().find(|&k| knots[k] <= t).unwrap();
