@@ -86,8 +86,8 @@ pub fn columns(outcome: &Outcome) -> Columns {
     csv::columns(csv::named(COLUMNS, outcome.swings), rows)
 }
 
-/// The results as text, in the units of the simulated follower.
-pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
+/// Names and values of a simulation.
+pub fn rows(outcome: &Outcome, measures: Measures, language: Language) -> Vec<(String, String)> {
     let words = &words::words(language);
     let mut lines = vec![
         ("simulation-model", words.name(outcome.model.name())),
@@ -105,10 +105,15 @@ pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> Strin
     for note in &outcome.notes {
         lines.push(("simulation-note", note.sentence(language)));
     }
-    let lines: Vec<(String, String)> = lines
-        .into_iter()
+    let lines = lines.into_iter();
+    lines
         .map(|(label, value)| (words.text(label), value))
-        .collect();
+        .collect()
+}
+
+/// The results as text, in the units of the simulated follower.
+pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
+    let lines = rows(outcome, measures, language);
     let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0);
     lines.iter().fold(String::new(), |mut out, (name, value)| {
         // Writing to a String cannot fail.

@@ -22,6 +22,7 @@ import * as force from "./panels/force.js";
 import * as programme from "./panels/programme.js";
 import * as compare from "./panels/compare.js";
 import * as text from "./panels/text.js";
+import * as paper from "./panels/paper.js";
 
 let anew = true;
 
@@ -34,6 +35,7 @@ function edit(changes, gesture = null, more = {}) {
   else charts.linger();
   lastGesture = gesture;
   versions.edit(changes, gesture, more);
+  tools.welcomed();
   designs.ask(performance.now());
 }
 
@@ -66,7 +68,7 @@ async function show(answer, since, more) {
     anew = false;
     player.begin(answer.motion);
   }
-  charts.show(answer.curves, answer.fields);
+  charts.show(answer.curves, answer.fields, answer.idle);
   stage.show(answer);
   state(more);
   clock.set(clock.angle());
@@ -143,7 +145,7 @@ async function boot() {
   words.begin();
   status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
-  verdict.load((changes) => edit(changes), (fault) => force.remedies(fault));
+  verdict.load((changes) => edit(changes), (fault) => force.remedies(fault), () => state());
   charts.load(edit);
   stage.load(() => designs.ask());
   player.load();
@@ -154,6 +156,7 @@ async function boot() {
   programme.load(edit);
   compare.load({ start, edit, openScene });
   text.load(openScene);
+  paper.load();
   files.load(start);
   document.documentElement.toggleAttribute("data-embed", Boolean(view.embedded));
   tools.load({ start, move, openScene });

@@ -20,7 +20,11 @@ const BODY: &str =
     "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
 const SECOND: &str =
     "style=\"fill:var(--purple);stroke:var(--purple)\" fill-opacity=\".12\" stroke-width=\"1.8\"";
-const PITCH: &str = "style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"";
+const PITCH: &str = "data-part=\"pitch\" style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"";
+const BASE: &str = "style=\"stroke:var(--green)\" stroke-dasharray=\"6 4\" stroke-width=\"1.3\"";
+const PRIME: &str = "style=\"stroke:var(--quiet)\" stroke-dasharray=\"2 3\" stroke-width=\"1.2\"";
+const BORE: &str =
+    "style=\"fill:var(--paper);stroke:var(--ink)\" fill-opacity=\".6\" stroke-width=\"1.2\"";
 const FOLLOWER: &str = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
 
 /// A path of the drawing.
@@ -187,16 +191,27 @@ fn turning_body(
     let outline = path(rows.iter().map(|p| [p.x, p.y]), closed);
     shape(out, &outline, BODY);
     let base = MM * cam.follower.base_radius();
-    let _ = write!(
+    circle(out, "base", base, BASE);
+    let mark = format!("M0 0V{:.4}", 0.8 * base);
+    shape(
         out,
-        "<circle r=\"{base:.4}\" style=\"stroke:var(--green)\" stroke-dasharray=\"6 4\" stroke-width=\"1.3\"/>\
-         <path d=\"M0 0V{:.4}\" style=\"stroke:var(--quiet)\" stroke-width=\"1.2\"/>",
-        0.8 * base
+        &mark,
+        "style=\"stroke:var(--quiet)\" stroke-width=\"1.2\"",
     );
-    if cam.follower.roller_radius() > 0.0 {
+    let roller = MM * cam.follower.roller_radius();
+    if roller > 0.0 {
+        circle(out, "prime", base + roller, PRIME);
         let pitch = path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed);
         shape(out, &pitch, PITCH);
     }
+    if let Some(bore) = synthesis.problem.cam.bore {
+        circle(out, "bore", 0.5 * MM * bore, BORE);
+    }
+}
+
+/// A circle of the cam about its axis, with the name of the part.
+fn circle(out: &mut String, part: &str, r: f64, style: &str) {
+    let _ = write!(out, "<circle data-part=\"{part}\" r=\"{r:.4}\" {style}/>");
 }
 
 /// A translating cam with its foot, or the unrolled groove of a barrel with both walls; a closed law is repeated on either side.

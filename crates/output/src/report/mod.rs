@@ -244,6 +244,9 @@ fn cards_of(synthesis: &Design, words: &Words) -> Vec<Card> {
     all
 }
 
+/// Force errors below this part of the mean force, %, are rounding.
+const EXACT: f64 = 1e-4;
+
 fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
     let force = &synthesis.force;
     let measures = synthesis.cam.follower.measures();
@@ -269,12 +272,18 @@ fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
         ));
     } else if synthesis.target().is_some() {
         let column = "force_rms_error_n";
-        let percent = error_percent(synthesis, words.language());
-        cards.push((
-            capital(&label(synthesis, column, words)),
-            facts::force(synthesis, column, force.rms_error_n, words.language()),
-            words.fill("report-of-mean", &[("percent", &percent)]),
-        ));
+        let name = capital(&label(synthesis, column, words));
+        let (value, more) = if force.rms_error_percent_of_mean < EXACT {
+            (words.text("report-exact"), String::new())
+        } else {
+            let percent = error_percent(synthesis, words.language());
+            let value = facts::force(synthesis, column, force.rms_error_n, words.language());
+            (
+                value,
+                words.fill("report-of-mean", &[("percent", &percent)]),
+            )
+        };
+        cards.push((name, value, more));
     }
     if !synthesis.is_idle() {
         let name = match measures {

@@ -4,10 +4,9 @@ use serde::Serialize;
 
 pub use super::motion::Motion;
 use super::{animation, cards_of, motion, tables};
-use crate::Timing;
 use crate::words;
 use gaitcam::criterion::Criterion;
-use gaitcam::synth::Design;
+use gaitcam::synth::{Design, unit};
 use gaitcam::wording::Language;
 
 /// A main figure of the report.
@@ -28,33 +27,42 @@ pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
     cards.map(figure).collect()
 }
 
-/// Checks, active limits, data and solution as HTML sections.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Tables {
-    /// Every check with its margin.
-    pub checks: String,
-    /// Active limits and the gain from relaxing them.
-    pub active: String,
-    /// Drive, law, cam and loads in numbers.
-    pub data: String,
-    /// Solution method and certificate.
-    pub solution: String,
+/// A check of the design in customary units.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Checked {
+    /// Key of the criterion.
+    pub key: &'static str,
+    /// Name of the criterion.
+    pub name: String,
+    /// `satisfied`, `at-limit` or `violated`.
+    pub state: &'static str,
+    /// Worst value over the cycle.
+    pub value: f64,
+    /// Limit of the value; `None` where only rounding is allowed.
+    pub limit: Option<f64>,
+    /// Unit of value and limit.
+    pub unit: &'static str,
+    /// Position of the worst value, with its unit; empty for a value of the whole cycle.
+    pub place: String,
 }
 
-/// The tables of a design.
-pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
-    let words = words::words(language);
-    let of = |write: &dyn Fn(&mut String)| {
-        let mut out = String::new();
-        write(&mut out);
-        out
+/// The checks of a design.
+pub fn checks(design: &Design, language: Language) -> Vec<Checked> {
+    let measures = design.cam.follower.measures();
+    let of = |check: &gaitcam::cam::Check| {
+        let unit = unit(measures, check.name);
+        let (limit, at) = tables::limit_and_place(check);
+        Checked {
+            key: check.name.name(),
+            name: name(check.name.name(), language),
+            state: tables::state(check),
+            value: unit.factor * check.worst,
+            limit: limit.map(|x| unit.factor * x),
+            unit: unit.name,
+            place: at.map_or(String::new(), |at| measures.place(at, language)),
+        }
     };
-    Tables {
-        checks: of(&|out| tables::checks(out, design, &words)),
-        active: of(&|out| tables::active(out, design, &words)),
-        data: of(&|out| tables::numbers(out, design, &words)),
-        solution: of(&|out| tables::solution(out, design, time, &words)),
-    }
+    design.checks.iter().map(of).collect()
 }
 
 /// The cam with its follower as SVG in mm, y up; its moving parts have the ids `cam-turning`, `cam-follower`,

@@ -15,6 +15,7 @@ report-not-alone = { $limit }, { $from }: not sufficient alone
 # Figures at the top.
 report-force-error-worst = Maximum force error
 report-worst-walker = { $walker }; mean { $mean }
+report-exact = exact
 report-of-mean = { $percent } % of mean
 report-force = Force
 report-moment = Moment

@@ -15,6 +15,7 @@ report-not-alone = { $limit }, { $from }: no basta por sí solo
 # Cifras del encabezado.
 report-force-error-worst = Error de fuerza máximo
 report-worst-walker = { $walker }; media { $mean }
+report-exact = exacto
 report-of-mean = { $percent } % de la media
 report-force = Fuerza
 report-moment = Momento

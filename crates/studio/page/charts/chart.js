@@ -1,35 +1,15 @@
 // One diagram over the cam's angle: axes, curves, limits, cursor.
 
-import { make, say, svg, clear, renew } from "../core/dom.js";
-import { t, number, quantity, language } from "../core/words.js";
+import { make, say, svg, clear, html, render, renew } from "../core/dom.js";
+import { t, number, quantity } from "../core/words.js";
 import * as clock from "../core/clock.js";
 import * as handles from "./handles.js";
+import { tickText, ticks } from "./ticks.js";
 
-const LEFT = 46;
 const RIGHT = 8;
 const TOP = 6;
 
-// Round numbers between two ends, about `count` of them and two at least.
-function ticks(low, high, count) {
-  const raw = (high - low) / Math.max(count, 1);
-  if (!(raw > 0) || !Number.isFinite(raw)) return [];
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const sizes = [0.25, 0.5, 1, 2, 2.5, 5, 10].map((k) => k * power);
-  const inside = (size) => Math.floor(high / size + 1e-9) - Math.ceil(low / size - 1e-9) + 1;
-  const step = sizes.findLast((s, k) => inside(s) >= 2 && (k === 0 || sizes[k - 1] < raw * 0.999)) ?? sizes[0];
-  const out = [];
-  for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + 1e-9 * step; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
-  return out;
-}
-
-function tickText(x, all) {
-  const step = all.length > 1 ? all[1] - all[0] : Math.abs(x) || 1;
-  const decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
-  const fine = Math.abs(step * 10 ** decimals % 1) > 1e-6 ? decimals + 1 : decimals;
-  if (Math.abs(x) >= 1e5) return x.toExponential(0).replace("+", "").replace("-", "−");
-  const text = x.toFixed(fine).replace("-", "−");
-  return language() === "es" ? text.replace(".", ",") : text;
-}
+const pen = document.createElement("canvas").getContext("2d");
 
 export class Chart {
   constructor(id) {
@@ -53,7 +33,11 @@ export class Chart {
     this.behind = svg("svg", { class: "frame", "aria-hidden": "true" }, this.frame);
     this.picture.append(this.lines, this.handles, this.over);
     this.picture.after(this.behind, this.cursor, this.dot);
+    // Names of the pinned designs.
+    this.key = make("div", { class: "names" });
+    this.root.append(this.key);
     this.size = [0, 0];
+    this.left = 40;
     new ResizeObserver(() => this.resize()).observe(this.picture);
     this.drag();
   }
@@ -62,17 +46,34 @@ export class Chart {
     const { width, height } = this.picture.getBoundingClientRect();
     if (Math.abs(width - this.size[0]) < 1 && Math.abs(height - this.size[1]) < 1) return;
     this.size = [width, height];
+    this.font = getComputedStyle(this.behind).font;
+    this.onResize?.();
     this.draw();
     this.follow();
   }
 
   // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
-  show(curves, panel, pinned) {
+  take(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
     say(this.named, this.name());
     say(this.unit, `, ${panel.unit}`);
     this.title.title = t("studio-enlarge");
-    this.draw();
+    const list = pinned.filter((p) => p.colour && this.root.classList.contains("large"));
+    render(list.map(({ colour, name }) => html`<span><i style="border-color:${colour}"></i>${name}</span>`), this.key);
+  }
+
+  // Width that the numbers of the vertical axis need, px.
+  room() {
+    const [width, height] = this.size;
+    if (!this.panel || width < 20) return 0;
+    const [low, high] = this.range();
+    const rows = this.rows(low, high, height - (this.root.classList.contains("labelled") ? 18 : 6));
+    pen.font = this.font;
+    return Math.ceil(rows.reduce((most, y) => Math.max(most, pen.measureText(tickText(y, rows)).width), 0)) + 8;
+  }
+
+  rows(low, high, bottom) {
+    return ticks(low, high, Math.max(3, Math.min(9, (bottom - TOP) / 30)));
   }
 
   name() {
@@ -121,7 +122,7 @@ export class Chart {
     const { from, span } = this.curves;
     const [low, high] = this.range();
     Object.assign(this, { ends: [low, high], endsOf: this.panel.unit });
-    this.x = (theta) => LEFT + (theta - from) / span * (width - LEFT - RIGHT);
+    this.x = (theta) => this.left + (theta - from) / span * (width - this.left - RIGHT);
     this.back = (py) => low + (bottom - py) / (bottom - TOP) * (high - low);
     this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
     this.bottom = bottom;
@@ -135,7 +136,7 @@ export class Chart {
       if (line) list.push(["path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }]);
     }
     renew(this.lines, list);
-    handles.draw(this, this.handles, { left: LEFT, right: RIGHT, top: TOP, bottom, width });
+    handles.draw(this, this.handles, { left: this.left, right: RIGHT, top: TOP, bottom, width });
     clear(this.over);
     if (this.overlay && !this.panel.isDifference) this.over.append(...this.overlay(this));
     this.describe();
@@ -145,12 +146,12 @@ export class Chart {
   grid(width, bottom, low, high, labels) {
     const texts = [];
     const { from: start, span: length, unit } = this.curves;
-    const rows = ticks(low, high, Math.max(3, Math.min(9, (bottom - TOP) / 30)));
+    const rows = this.rows(low, high, bottom);
     const lines = { axis: "", grid: "" };
     for (const y of rows) {
       const at = this.y(y);
-      lines[y === 0 ? "axis" : "grid"] += `M${LEFT} ${at}H${width - RIGHT}`;
-      texts.push(["text", { class: "tick", x: LEFT - 5, y: at + 3.5, "text-anchor": "end" }, tickText(y, rows)]);
+      lines[y === 0 ? "axis" : "grid"] += `M${this.left} ${at}H${width - RIGHT}`;
+      texts.push(["text", { class: "tick up", x: this.left - 5, y: at + 3.5, "text-anchor": "end" }, tickText(y, rows)]);
     }
     const columns = unit === "°" && length > 100 ? [0, 1, 2, 3, 4].map((k) => start + k * length / 4) : ticks(start, start + length, 4);
     for (const x of columns) {
@@ -165,7 +166,7 @@ export class Chart {
 
   other({ curves, panel, colour }) {
     const line = panel.lines.find((l) => l.role === "main");
-    const [a, b] = [LEFT, this.size[0] - LEFT - RIGHT];
+    const [a, b] = [this.left, this.size[0] - this.left - RIGHT];
     const x = (theta) => a + (theta - curves.from) / curves.span * b;
     return ["path", { class: colour ? "line pinned" : "line ghost", ...(colour ? { style: `stroke:${colour}` } : {}), d: this.path(curves.theta, line.y, x) }];
   }
@@ -174,7 +175,7 @@ export class Chart {
     let d = "";
     let pen = "M";
     let [drawn, last] = [null, null];
-    const [left, right] = [LEFT - 0.5, this.size[0] - RIGHT + 0.5];
+    const [left, right] = [this.left - 0.5, this.size[0] - RIGHT + 0.5];
     const to = (p) => {
       d += `${pen}${Math.round(10 * p[0]) / 10} ${Math.round(10 * p[1]) / 10}`;
       pen = "L";
@@ -244,11 +245,12 @@ export class Chart {
 
   // The picture at a size for paper with labelled axes and without what is dragged.
   copy() {
-    const { size } = this;
-    this.size = [340, 170];
+    const { size, font } = this;
+    Object.assign(this, { size: [340, 170], font: `10.5px ${font.slice(font.indexOf("px") + 2)}` });
     this.root.classList.add("labelled");
+    this.left = this.room();
     this.draw();
-    this.size = size;
+    Object.assign(this, { size, font });
     const picture = this.picture.cloneNode(true);
     picture.removeAttribute("tabindex");
     picture.prepend(this.frame.cloneNode(true));
@@ -259,7 +261,7 @@ export class Chart {
   // Angle and value under the pointer.
   under(event) {
     const box = this.picture.getBoundingClientRect();
-    const part = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
+    const part = (event.clientX - box.left - this.left) / (box.width - this.left - RIGHT);
     return [this.curves.from + Math.max(0, Math.min(1, part)) * this.curves.span, this.back(event.clientY - box.top)];
   }
 

@@ -1,6 +1,6 @@
 // All diagrams with one cursor: which are shown, which is large, what is dragged on them.
 
-import { $, make, say } from "../core/dom.js";
+import { $, html, render, say } from "../core/dom.js";
 import { Chart } from "./chart.js";
 import * as clock from "../core/clock.js";
 import { dialog, embedded } from "../core/view.js";
@@ -22,18 +22,26 @@ let part = [0, 1];
 let ghost = null;
 let fading = 0;
 let large = null;
-let hidden = new Set();
+let margin = 0;
+// Diagrams that were ticked or unticked by hand.
+let chosen = {};
+// Nothing presses on the cam: forces, torque and power are those of one kilogram.
+let isIdle = false;
+const PRESSED = ["force", "torque", "power"];
 let edit = () => {};
 
 export function load(onEdit) {
   edit = onEdit;
-  try { hidden = new Set(JSON.parse(localStorage.getItem("gaitcam-hidden") ?? "[]")); } catch { /* private windows keep nothing */ }
+  try { chosen = JSON.parse(localStorage.getItem("gaitcam-diagrams") ?? "{}"); } catch { /* private windows keep nothing */ }
   clock.onAngle(() => { for (const chart of charts.values()) chart.follow(); });
   onLanguage(again);
   units.watch(again);
 }
 
-export function show(raw, next = fields) {
+const isChosen = (id) => chosen[id] ?? !(isIdle && PRESSED.includes(id));
+
+export function show(raw, next = fields, idle = isIdle) {
+  isIdle = idle;
   if (shown && shown.length !== raw.length) part = [0, 1];
   shown = raw;
   fields = next;
@@ -46,10 +54,11 @@ export function show(raw, next = fields) {
     charts.delete(id);
   }
   const first = ids.includes(large) ? large : usual(raw);
-  const seen = curves.panels.filter((p) => (embedded ? embedded.includes(p.id) : p.id === first || !hidden.has(p.id))).sort((a, b) => (b.id === first) - (a.id === first));
+  const isSeen = ({ id }) => (embedded ? embedded.includes(id) : id === first || isChosen(id));
+  const seen = curves.panels.filter(isSeen).sort((a, b) => Number(b.id === first) - Number(a.id === first));
   for (const [id, chart] of charts) if (!seen.some((p) => p.id === id)) chart.root.remove();
   $("charts").style.setProperty("--rows", Math.ceil((seen.length - 1) / 2));
-  seen.forEach((panel, i) => {
+  const drawn = seen.map((panel, i) => {
     const chart = charts.get(panel.id) ?? made(panel.id);
     const at = $("charts").children[i];
     if (at !== chart.root) $("charts").insertBefore(chart.root, at ?? null);
@@ -57,16 +66,33 @@ export function show(raw, next = fields) {
     chart.root.classList.toggle("labelled", i === 0 || i >= seen.length - 2);
     chart.fields = less ? {} : fields;
     chart.isMoving = Boolean(ghost);
-    chart.show(curves, panel, less ? [] : [...under(panel, ghost ? [{ curves: ghost }] : []), ...under(panel, pinned)]);
+    chart.take(curves, panel, less ? [] : [...under(panel, ghost ? [{ curves: ghost }] : []), ...under(panel, pinned)]);
+    return chart;
   });
+  align(drawn);
+  for (const chart of drawn) chart.draw();
+}
+
+// All diagrams begin at one place, behind the widest number; it does not move back under the hand.
+function align(list) {
+  const before = margin;
+  margin = Math.max(ghost ? margin : 0, ...list.map((chart) => chart.room()));
+  for (const chart of list) chart.left = margin;
+  return margin !== before;
+}
+
+// Another size has other numbers on its axis.
+function resized() {
+  const list = [...charts.values()].filter((chart) => chart.root.isConnected);
+  if (align(list)) for (const chart of list) chart.draw();
 }
 
 // Of a programme the lift is large, of a wanted force the force.
 const usual = ({ panels }) => (panels[0].lines.some((l) => l.role === "target") ? "force" : "s");
 
-const under = (panel, list) => list.flatMap(({ curves, colour }) => {
+const under = (panel, list) => list.flatMap(({ curves, colour, name }) => {
   const same = curves.panels.map((p) => (p.id === panel.id ? units.panel(p) : null)).find((p) => p?.unit === panel.unit);
-  return same ? [{ curves: zoomed(curves), panel: same, colour }] : [];
+  return same ? [{ curves: zoomed(curves), panel: same, colour, name }] : [];
 });
 
 const zoomed = (curves) => ({ ...curves, from: curves.start + part[0] * curves.length, span: (part[1] - part[0]) * curves.length });
@@ -108,6 +134,7 @@ function made(id) {
   chart.onEnlarge = enlarge;
   chart.onSay = (text) => say($("spoken"), text);
   chart.onZoom = zoom;
+  chart.onResize = resized;
   if (embedded) return chart;
   chart.onLimit = (key, value, gesture) => edit([{ set: { key, value } }], gesture, { title: label(key) });
   chart.onSegment = (edits, gesture) => edit(edits, gesture, { title: t("studio-programme") });
@@ -161,22 +188,20 @@ function again() {
 
 // Which diagrams are shown.
 export function choose() {
+  const tick = (id) => ({ target }) => {
+    chosen = { ...chosen, [id]: target.checked };
+    try { localStorage.setItem("gaitcam-diagrams", JSON.stringify(chosen)); } catch { /* as above */ }
+    again();
+  };
   dialog("studio-diagrams-choose", (body) => {
     body.className = "choices";
-    for (const { id } of shown.panels) {
-      const tick = make("input", { type: "checkbox", id: `diagram-${id}`, checked: !hidden.has(id), onchange: () => {
-        if (tick.checked) hidden.delete(id);
-        else hidden.add(id);
-        try { localStorage.setItem("gaitcam-hidden", JSON.stringify([...hidden])); } catch { /* as above */ }
-        again();
-      } });
-      body.append(make("p", {}, tick, make("label", { for: tick.id }, charts.get(id)?.name() ?? t(`studio-chart-${id}`))));
-    }
+    render(shown.panels.map(({ id }) => html`<p><input type="checkbox" id="diagram-${id}" ?checked=${isChosen(id)} @change=${tick(id)}>
+      <label for="diagram-${id}">${charts.get(id)?.name() ?? t(`studio-chart-${id}`)}</label></p>`), body);
   });
 }
 
 // Diagrams as pictures with labelled axes, for paper: [class, name, picture].
-export function pictures(ids) {
+export function pictures(ids = [...$("charts").children].map((e) => e.dataset.chart)) {
   const seen = ids.filter((id) => charts.get(id)?.root.isConnected).map((id) => charts.get(id));
   const out = seen.map((chart) => [chart.id, chart.title.textContent, chart.copy()]);
   again();
@@ -188,18 +213,23 @@ export function table() {
   dialog("studio-table", (body) => {
     body.className = "data";
     const chart = charts.get($("charts").firstElementChild.dataset.chart);
-    const { lines, rows } = handles.table(chart, body);
-    const head = make("tr", {}, make("th", { scope: "col" }, `θ, ${chart.curves.unit}`), ...lines.map((l) => make("th", { scope: "col" }, `${t(`studio-line-${l.role}`)}, ${chart.panel.unit}`)));
-    const row = ([theta, ...values]) => make("tr", { "data-theta": theta }, make("th", { scope: "row" }, String(Number(theta.toFixed(2)))), ...values.map((y) => make("td", { class: "n" }, number(y))));
-    const there = make("input", { type: "text", id: "go-to", size: 6, inputmode: "decimal", oninput: () => {
-      const theta = parseFloat(there.value.replace(",", "."));
-      const found = [...body.querySelectorAll("[data-theta]")].find((e) => Number(e.dataset.theta) >= theta - 1e-9);
-      for (const e of body.querySelectorAll(".here")) e.classList.remove("here");
-      found?.classList.add("here");
-      found?.scrollIntoView({ block: "center" });
-      if (found) clock.set(theta);
-    } });
-    body.append(make("p", { class: "go" }, make("strong", {}, chart.name()), " ", make("label", { for: "go-to" }, t("studio-go-to")), there),
-      make("div", { class: "scroll", tabindex: "0" }, make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows.map(row)))));
+    const { lines, rows } = handles.table(chart);
+    const head = [`θ, ${chart.curves.unit}`, ...lines.map((l) => `${t(`studio-line-${l.role}`)}, ${chart.panel.unit}`)];
+    const row = ([theta, ...values]) => html`<tr data-theta=${theta}><th scope="row">${String(Number(theta.toFixed(2)))}</th>
+      ${values.map((y) => html`<td class="n">${number(y)}</td>`)}</tr>`;
+    render(html`<p class="go"><strong>${chart.name()}</strong> <label for="go-to">${t("studio-go-to")}</label>
+        <input type="text" id="go-to" size="6" inputmode="decimal" @input=${({ target }) => goTo(body, target.value)}></p>
+      <div class="scroll" tabindex="0"><table><thead><tr>${head.map((h) => html`<th scope="col">${h}</th>`)}</tr></thead>
+        <tbody>${rows.map(row)}</tbody></table></div>`, body);
   });
+}
+
+// Marks the first row from this angle on.
+function goTo(body, typed) {
+  const theta = parseFloat(typed.replace(",", "."));
+  const found = [...body.querySelectorAll("[data-theta]")].find((e) => Number(e.dataset.theta) >= theta - 1e-9);
+  for (const e of body.querySelectorAll(".here")) e.classList.remove("here");
+  found?.classList.add("here");
+  found?.scrollIntoView({ block: "center" });
+  if (found) clock.set(theta);
 }

@@ -110,10 +110,9 @@ export function moveSegment(chart, number, theta, lift) {
 }
 
 // The curves of a diagram as a table, at whole degrees or at every hundredth of the travel.
-export function table(chart, box) {
+export function table(chart) {
   const { curves, panel } = chart;
   const step = curves.unit === "°" ? 1 : curves.length / 100;
-  clear(box);
   const lines = panel.lines.filter((l) => ["main", "target"].includes(l.role));
   const rows = [];
   for (let theta = curves.start; theta <= curves.start + curves.length + 1e-9; theta += step) {

@@ -2,7 +2,6 @@
 
 import { $, make, clear, say, hide, notice } from "./dom.js";
 import { t, number } from "./words.js";
-import * as designs from "./designs.js";
 import * as versions from "./versions.js";
 import * as view from "./view.js";
 
@@ -21,24 +20,14 @@ export function load(seconds, more) {
 }
 
 export function render(v) {
-  const current = designs.isCurrent();
   const refused = versions.refused(v);
-  $("verdict").dataset.verdict = current ? designs.present().answer.verdict : "pending";
   $("design").classList.toggle("stale", refused);
-  if (refused) pending("studio-pending");
-  else if (designs.present()?.answer.quick) pending("studio-quick");
   $("undo").disabled = !versions.canUndo();
   $("redo").disabled = !versions.canRedo();
   say($("scene-name"), v?.name ?? "");
   const title = `${v?.name} – gaitcam studio`;
   if (v?.name && document.title !== title) document.title = title;
   faults(v);
-}
-
-// The verdict belongs to no design.
-function pending(why) {
-  view.verdict("", "–");
-  say($("verdict-reasons"), t(why));
 }
 
 function faults(v) {

@@ -1,6 +1,6 @@
 // Theme, tabs and dialog.
 
-import { $, above, clear, make, render, say } from "./dom.js";
+import { $, above, html, make, picture as drawn, render } from "./dom.js";
 import { t, onLanguage } from "./words.js";
 
 const TABS = ["values", "force", "programme", "compare", "text"];
@@ -59,21 +59,15 @@ export function tabs() {
   tab("values");
 }
 
-// The name of the verdict and its colour, beside the cam too.
-export function verdict(kind, name) {
-  for (const [box, text, own] of [["verdict", "verdict-name", "verdict"], ["chip", "chip", "chip"]]) {
-    $(box).className = `${own} ${kind}`.trim();
-    say($(text), name);
-  }
-}
-
 let filling = null;
 
 // Opens the dialog with a title and what `fill` puts into it; another language fills it anew.
 export function dialog(title, fill) {
   filling = () => {
     $("dialog-title").textContent = t(title);
-    fill(clear($("dialog-body")));
+    const body = make("div", { id: "dialog-body" });
+    $("dialog-body").replaceWith(body);
+    fill(body);
   };
   filling();
   const box = /** @type {HTMLDialogElement} */ ($("dialog"));
@@ -96,15 +90,13 @@ export function sheet(title, className, template) {
 }
 
 // A picture in a narrow place opens large.
-export function enlarging(picture, title) {
+export function enlarging(text, title) {
+  const large = () => dialog(title, (body) => {
+    render(html`<div class="scroll enlarged" tabindex="0">${drawn(text)}</div>`, body);
+  });
   const box = make("div", { class: "picture" });
-  box.innerHTML = picture;
-  box.append(make("button", { type: "button", title: t("studio-picture-enlarge"), "aria-label": `${t("studio-picture-enlarge")}: ${t(title)}`, onclick: () => dialog(title, (body) => {
-    const large = make("div", { class: "scroll enlarged", tabindex: "0" });
-    large.innerHTML = picture;
-    body.className = "";
-    body.append(large);
-  }) }));
+  render(html`${drawn(text)}<button type="button" title=${t("studio-picture-enlarge")}
+    aria-label="${t("studio-picture-enlarge")}: ${t(title)}" @click=${large}></button>`, box);
   return box;
 }
 

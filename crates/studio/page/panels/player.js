@@ -1,6 +1,6 @@
 // Play, pace and direction of the animation.
 
-import { $, make, clear } from "../core/dom.js";
+import { $, html, render, say } from "../core/dom.js";
 import { t, onLanguage } from "../core/words.js";
 import * as clock from "../core/clock.js";
 
@@ -8,13 +8,14 @@ const PACES = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
 
 export function load() {
   const paint = () => {
-    $("play").textContent = clock.isPlaying() ? "❚❚" : "▶";
+    say($("play"), clock.isPlaying() ? "❚❚" : "▶");
     $("play").setAttribute("aria-label", t(clock.isPlaying() ? "studio-pause" : "studio-play"));
     $("reverse").setAttribute("aria-pressed", String(clock.isBackwards()));
   };
   const paces = () => {
     const before = $("pace").value;
-    clear($("pace")).append(...PACES.map((p) => make("option", { value: p }, p === 1 ? t("studio-true-speed") : t("studio-of-speed", { share: Math.round(1 / p) }))));
+    const name = (p) => (p === 1 ? t("studio-true-speed") : t("studio-of-speed", { share: Math.round(1 / p) }));
+    render(PACES.map((p) => html`<option value=${p}>${name(p)}</option>`), $("pace"));
     if (before) $("pace").value = before;
   };
   clock.onPlay(paint);

@@ -1,57 +1,103 @@
-// The finished cam in motion, what a log of it shows, and a table of designs over one or two values.
+// The finished cam in motion, what a log of it shows, and a map of designs over one or two values.
 
-import { $, make, clear, notice } from "../core/dom.js";
+import { html, nothing, notice } from "../core/dom.js";
 import { t, number, local } from "../core/words.js";
 import { engine } from "../core/net.js";
 import { enlarging } from "../core/view.js";
+import * as designs from "../core/designs.js";
 import * as units from "../core/units.js";
+import { shade, isDark } from "../charts/shade.js";
+import { ask, button, found, isRunning, isStale, place } from "./asked.js";
 import { label } from "./form.js";
 
 // Values of one key, and of each of two.
 const [ALONE, BOTH] = [13, 7];
-const said = (error) => notice([error.place, error.message, error.help].filter(Boolean).join(" – "));
-let ran = null;
-let logged = null;
-let grid = null;
+let across = null;
+let down = "";
+let column = null;
+const pictures = new WeakMap();
 
-// `ask` sends a question about the design on the screen for a box, `fields` are its fields, `figures` the columns with units.
-// `take` opens a scene with the files of the present one.
-export function sections({ ask, fields, figures, edit, take }) {
+// The picture of an answer is made once.
+function picture(answer, title) {
+  if (!pictures.has(answer)) pictures.set(answer, enlarging(answer.picture, title));
+  return pictures.get(answer);
+}
+
+/**
+ * The sections of the panel about the design on the screen; `take` opens a scene with its files.
+ * @param {{answer: any, start: any, edit: (changes: object[]) => void, take: (scene: string) => void}} seen
+ */
+export function sections(seen) {
+  runAtOnce(seen.answer);
+  return html`<h2>${t("studio-simulate")}</h2><p class="lead">${t("studio-simulate-lead")}</p>
+    <div class="buttons">${button("simulate", t("studio-simulate-do"), run)}</div>${place("motion", motion(found("motion")))}
+    <h2>${t("studio-log")}</h2><p class="lead">${t("studio-log-lead")}</p>
+    <label class="pick" for="log">${t("studio-log-pick")}</label><input type="file" id="log" accept=".csv,.txt" @change=${identify}>
+    ${place("logged", machine(found("logged"), seen.take))}
+    <h2>${t("studio-sweep")}</h2><p class="lead">${t("studio-sweep-lead")}</p>${choices(seen)}${place("grid", map(found("grid"), seen))}`;
+}
+
+// --- motion ---------------------------------------------------------------------------------------------
+
+const run = () => ask("simulate", "motion");
+
+// What a scene says of its machine is shown without a button: a run takes less time than a design.
+function runAtOnce({ fields }) {
+  const hasMachine = Object.entries(fields).some(([key, { text }]) => key.startsWith("machine.") && text !== "");
+  if (!hasMachine || !designs.isCurrent() || isRunning("motion") || (found("motion") && !isStale("motion"))) return;
+  queueMicrotask(run);
+}
+
+function motion(ran) {
+  if (!ran) return nothing;
+  if (ran.why) return html`<p>${ran.why}</p>`;
+  return html`<table class="ran"><tbody>${ran.rows.map(([name, value]) => html`<tr><th scope="row">${name}</th><td>${units.text(value)}</td></tr>`)}
+    </tbody></table>${picture(ran, "studio-simulate")}`;
+}
+
+// --- log ------------------------------------------------------------------------------------------------
+
+async function identify({ target }) {
+  const file = target.files[0];
+  if (!file) return;
+  try {
+    await ask("identify", "logged", { log: file.name, hash: await engine.keep(file) });
+  } catch (error) {
+    notice(error.message);
+  }
+}
+
+// What the log shows, and the button that opens the scene of the next cam.
+function machine(logged, take) {
+  if (!logged) return nothing;
+  if (logged.why) return html`<p>${logged.why}</p>`;
+  const { lines, next } = logged;
+  return html`<ul>${lines.map((line) => html`<li>${line.replace(/ +/g, " ")}</li>`)}</ul>${picture(logged, "studio-log")}
+    ${next.why ? html`<p>${next.why}</p>` : html`<p>${t("studio-log-next", { before: next.before, after: next.after })}</p>
+      <div class="buttons"><button type="button" id="take-next" @click=${() => take(next.scene)}>${t("studio-log-take")}</button></div>`}`;
+}
+
+// --- map of designs ---------------------------------------------------------------------------------------
+
+function choices({ answer: { fields }, start: { figures } }) {
   const keys = Object.keys(fields).filter((key) => fields[key].slider && fields[key].text);
-  const choice = (id, first) => make("select", { id, "aria-label": t(`studio-${id}`) }, ...first, ...keys.map((key) => make("option", { value: key }, label(key))));
-  const across = choice("sweep-across", []);
-  const down = choice("sweep-down", [make("option", { value: "" }, "–")]);
-  const figure = make("select", { id: "sweep-figure", "aria-label": t("studio-sweep-figure") }, ...figures.map(([name]) => make("option", { value: name }, t(`figure-${name}`))));
-  const button = (id, action) => make("button", { type: "button", id, onclick: async ({ target }) => {
-    target.disabled = true;
-    await action().catch(said);
-    target.disabled = false;
-  } }, t("studio-compute"));
-  const run = async () => {
-    ran = await ask("simulate", "motion");
-    motion();
-  };
-  const sweep = async () => {
-    const size = down.value && down.value !== across.value ? BOTH : ALONE;
-    const axes = [across.value, size === BOTH ? down.value : ""].filter(Boolean).map((key) => ({ key, values: values(fields[key].slider, size) }));
-    const vary = axes.map(({ key, values: [first, ...rest] }) => `${key}=${first}:${rest.at(-1)}:${size}`);
-    const answer = await ask("sweep", "grid", { vary, column: figure.value });
-    grid = { ...answer, axes, figure: figures.find(([name]) => name === figure.value) };
-    designs(edit);
-  };
-  const log = make("input", { type: "file", id: "log", accept: ".csv,.txt", onchange: () => identify().catch(said) });
-  const identify = async () => {
-    const file = log.files[0];
-    if (!file) return;
-    const hash = await engine.keep(file);
-    logged = await ask("identify", "logged", { log: file.name, hash });
-    machine(take);
-  };
-  const out = [make("h2", {}, t("studio-simulate")), make("p", { class: "lead" }, t("studio-simulate-lead")), make("div", { class: "buttons" }, button("simulate", run)), make("div", { id: "motion" }),
-    make("h2", {}, t("studio-log")), make("p", { class: "lead" }, t("studio-log-lead")), make("label", { class: "pick", for: "log" }, t("studio-log-pick")), log, make("div", { id: "logged" }),
-    make("h2", {}, t("studio-sweep")), make("p", { class: "lead" }, t("studio-sweep-lead")), make("div", { class: "buttons" }, across, down, figure, button("sweep", sweep)), make("div", { id: "grid" })];
-  queueMicrotask(() => { motion(); machine(take); designs(edit); });
-  return out;
+  if (!keys.includes(across)) across = keys.find((key) => key === "limits.stroke") ?? keys[0];
+  if (!keys.includes(down)) down = "";
+  column ??= figures[0][0];
+  const option = (value, text, chosen) => html`<option value=${value} ?selected=${value === chosen}>${text}</option>`;
+  const of = (chosen) => keys.map((key) => option(key, label(key), chosen));
+  const select = (id, content, set) => html`<select id=${id} aria-label=${t(`studio-${id}`)} @change=${(e) => set(e.target.value)}>${content}</select>`;
+  return html`<div class="buttons">${select("sweep-across", of(across), (v) => { across = v; })}
+    ${select("sweep-down", [option("", "–", down), ...of(down)], (v) => { down = v; })}
+    ${select("sweep-figure", figures.map(([name]) => option(name, t(`figure-${name}`), column)), (v) => { column = v; })}
+    ${button("sweep", t("studio-sweep-do"), () => sweep(fields, figures))}</div>`;
+}
+
+function sweep(fields, figures) {
+  const size = down && down !== across ? BOTH : ALONE;
+  const axes = [across, size === BOTH ? down : ""].filter(Boolean).map((key) => ({ key, values: values(fields[key].slider, size) }));
+  const vary = axes.map(({ key, values: list }) => `${key}=${list[0]}:${list.at(-1)}:${size}`);
+  ask("sweep", "grid", { vary, column }, { axes, figure: figures.find(([name]) => name === column) });
 }
 
 // From 50 % to 150 %, within the slider's ends.
@@ -60,50 +106,47 @@ function values({ from, to, at, unit }, count) {
   return Array.from({ length: count }, (_, i) => `${Number((low + (high - low) * i / (count - 1)).toPrecision(4))}${unit}`);
 }
 
-function motion() {
-  const box = $("motion");
-  if (!box || !ran) return;
-  if (ran.why) clear(box).append(make("p", {}, ran.why));
-  else {
-    const rows = ran.table.trimEnd().split("\n").map((line) => line.trim().split(/ {2,}/)).map(([name, ...rest]) => make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, units.text(rest.join(" ")))));
-    clear(box).append(make("table", { class: "ran" }, make("tbody", {}, ...rows)), enlarging(ran.picture, "studio-simulate"));
-  }
+/**
+ * The value of an axis that the present design has, or nearly has; −1 where it is elsewhere.
+ * @param {string[]} list @param {number} at
+ */
+export function nearest(list, at) {
+  const numbers = list.map(parseFloat);
+  const half = 0.5 * Math.abs(numbers[1] - numbers[0]);
+  return numbers.findIndex((x) => Math.abs(x - at) <= half);
 }
 
-// What the log shows, and the button that opens the scene of the next cam.
-function machine(take) {
-  const box = $("logged");
-  if (!box || !logged) return;
-  if (logged.why) {
-    clear(box).append(make("p", {}, logged.why));
-    return;
-  }
-  const { lines, picture, next } = logged;
-  const offer = next.why ? [make("p", {}, next.why)] : [make("p", {}, t("studio-log-next", { before: next.before, after: next.after })),
-    make("div", { class: "buttons" }, make("button", { type: "button", id: "take-next", onclick: () => take(next.scene) }, t("studio-log-take")))];
-  clear(box).append(make("ul", {}, ...lines.map((line) => make("li", {}, line.replace(/ +/g, " ")))), enlarging(picture, "studio-log"), ...offer);
-}
-
-// A table coloured by the figure: rows over the first key, columns over the second; a click takes the values.
-function designs(edit) {
-  const box = $("grid");
-  if (!box || !grid) return;
-  if (!grid.values) {
-    clear(box).append(make("p", {}, t("studio-sweep-none")));
-    return;
-  }
+// A map coloured by the figure: rows over the first key, columns over the second; a click takes the values.
+function map(grid, { answer: { fields }, edit }) {
+  if (!grid) return nothing;
+  if (!grid.values) return html`<p>${t("studio-sweep-none")}</p>`;
   const { axes: [rows, columns], figure: [name, [of, plain]] } = grid;
   const [unit, factor] = units.unit(of);
   const width = columns?.values.length ?? 1;
-  const found = grid.values.filter((x) => x !== null);
-  const [low, high] = [Math.min(...found), Math.max(...found)];
+  const known = grid.values.filter((x) => x !== null);
+  const [low, high] = [Math.min(...known), Math.max(...known)];
+  const here = [rows, columns].map((axis) => (axis && fields[axis.key]?.slider ? nearest(axis.values, fields[axis.key].slider.at) : -1));
+  const shown = (x) => number(x * plain * factor, 3);
   const cell = (i, j) => {
-    const [x, verdict] = [grid.values[i * width + j], grid.verdicts[i * width + j]];
+    const at = i * width + j;
+    const [x, verdict, why] = [grid.values[at], grid.verdicts[at], grid.why[at]];
+    const part = x === null ? null : high > low ? (x - low) / (high - low) : 0;
     const take = () => edit([rows, columns].filter(Boolean).map((axis, k) => ({ set: { key: axis.key, value: axis.values[k === 0 ? i : j] } })));
-    return make("td", { class: `n ${verdict ?? ""}`, style: x === null ? null : `--part:${high > low ? Math.round(100 * (x - low) / (high - low)) : 0}%` },
-      make("button", { type: "button", class: "plain", onclick: take, title: verdict ? t(`studio-verdict-${verdict}`) : "" }, x === null ? "–" : number(x * plain * factor)));
+    const said = [verdict ? t(`studio-verdict-${verdict}`) : "", why].filter(Boolean).join(" ");
+    const isHere = i === here[0] && (!columns || j === here[1]);
+    return html`<td class="n ${verdict ?? ""} ${isHere ? "here" : ""} ${part !== null && isDark(part) ? "dark" : ""}"
+      style=${part === null ? "" : `background-color:${shade(part)}`}><button type="button" class="plain" title=${said}
+      aria-label="${x === null ? "–" : shown(x)}. ${said}${isHere ? ` ${t("studio-sweep-here")}` : ""}" @click=${take}>${x === null ? "–" : shown(x)}</button></td>`;
   };
-  const head = columns ? [make("tr", {}, make("td", {}, `${label(rows.key)} / ${label(columns.key)}`), ...columns.values.map((v) => make("th", { scope: "col" }, units.text(local(v)))))] : [];
-  const body = rows.values.map((v, i) => make("tr", {}, make("th", { scope: "row" }, units.text(local(v))), ...Array.from({ length: width }, (_, j) => cell(i, j))));
-  clear(box).append(make("p", {}, `${t(`figure-${name}`)}, ${unit}`), make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "grid" }, make("thead", {}, ...head), make("tbody", {}, ...body))));
+  const values = (axis) => axis.values.map((v) => units.text(local(v)));
+  const bare = (text) => text.replace(/\s.*/, "");
+  const head = columns ? html`<thead><tr><td></td>${values(columns).map((v) => html`<th scope="col" title=${v}>${bare(v)}</th>`)}</tr></thead>` : nothing;
+  const unitOf = (axis) => values(axis)[0].replace(/^\S+\s?/, "");
+  const title = (axis) => [label(axis.key), unitOf(axis)].filter(Boolean).join(", ");
+  return html`<p><b>${t(`figure-${name}`)}, ${unit}</b></p>
+    <p class="quiet">↓ ${title(rows)}${columns ? html` &nbsp; → ${title(columns)}` : nothing}</p>
+    <table class="grid ${columns ? "" : "alone"}">${head}<tbody>${values(rows).map((v, i) => html`<tr><th scope="row" title=${v}>${bare(v)}</th>
+      ${Array.from({ length: width }, (_, j) => cell(i, j))}</tr>`)}</tbody></table>
+    <p class="legend">${shown(low)}<span class="ramp" style="background:linear-gradient(to right,${[0, 0.25, 0.5, 0.75, 1].map(shade).join(",")})"></span>${shown(high)} ${unit}</p>
+    <p class="key"><span class="here"></span> ${t("studio-sweep-here")} <span class="crossed"></span> ${t("studio-sweep-crossed")}</p>`;
 }

@@ -1,9 +1,10 @@
 // The cam with its follower: turning, dragged by hand, with circles, normal, osculating circle and coloured contour.
 
-import { $, svg, make, hide, clear } from "../core/dom.js";
+import { $, svg, hide, html, clear, nothing, picture as pictureOf, render as draw } from "../core/dom.js";
 import { t, quantity, onLanguage } from "../core/words.js";
 import * as clock from "../core/clock.js";
 import { move, partsOf, value } from "../core/motion.js";
+import { shade } from "../charts/shade.js";
 
 const COLOURS = ["none", "pressure_angle", "curvature", "curvature_use", "force", "hertz"];
 const UNITS = { pressure_angle: "°", curvature: "1/m", curvature_use: "%", force: "N", hertz: "MPa" };
@@ -13,6 +14,7 @@ let parts = {};
 let frame = null;
 let renewed = true;
 let pinned = [];
+// Lines of the drawing with their widths in pixels.
 let strokes = [];
 let size = [0, 0];
 
@@ -20,7 +22,7 @@ let size = [0, 0];
 export function load(ask) {
   new ResizeObserver(([{ contentRect }]) => {
     size = [contentRect.width, contentRect.height];
-    draw($("stage").querySelector("svg"));
+    scale($("stage").querySelector("svg"));
   }).observe($("stage"));
   for (const id of ["circles", "pitch", "normal", "osculating", "places"]) {
     $(`show-${id}`).addEventListener("change", () => { decorate(); follow(); });
@@ -33,17 +35,16 @@ export function load(ask) {
 }
 
 function choices() {
-  const select = $("colour");
-  const before = select.value || "none";
-  clear(select).append(...COLOURS.map((c) => make("option", { value: c }, t(`studio-colour-${c}`))));
-  select.value = before;
+  const before = $("colour").value || "none";
+  draw(COLOURS.map((c) => html`<option value=${c}>${t(`studio-colour-${c}`)}</option>`), $("colour"));
+  $("colour").value = before;
 }
 
 export function show(next) {
   answer = next;
   const stage = $("stage");
-  stage.innerHTML = next.drawing;
-  const picture = stage.querySelector("svg");
+  const picture = pictureOf(next.drawing.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" '));
+  stage.replaceChildren(picture);
   picture.setAttribute("aria-hidden", "true");
   picture.removeAttribute("role");
   strokes = [...picture.querySelectorAll("[stroke-width], [stroke-dasharray]")].map((e) => ({
@@ -52,8 +53,8 @@ export function show(next) {
   keepFrame(picture);
   parts = partsOf(picture);
   const body = parts["cam-turning"];
-  parts.circles = [...body.querySelectorAll("circle[stroke-dasharray]")];
-  parts.pitch = [...body.querySelectorAll("path[stroke-dasharray]")];
+  parts.circles = [...body.querySelectorAll("[data-part=base], [data-part=prime], [data-part=bore]")];
+  parts.pitch = [...body.querySelectorAll("[data-part=pitch]")];
   parts.colours = svg("g");
   parts.places = svg("g");
   parts.osculating = svg("circle", { class: "osculating" });
@@ -73,16 +74,17 @@ function keepFrame(picture) {
     && next[0] + next[2] <= frame[0] + frame[2] && next[1] + next[3] <= frame[1] + frame[3];
   const large = frame && next[2] * next[3] > 0.55 * frame[2] * frame[3];
   if (renewed || !inside || !large) {
-    const room = renewed ? 0.02 : 0.06;
+    // The engine leaves 4 % about the parts; a line needs less.
+    const room = renewed ? -0.03 : 0.02;
     renewed = false;
     frame = [next[0] - room * next[2], next[1] - room * next[3], next[2] * (1 + 2 * room), next[3] * (1 + 2 * room)];
   }
   picture.setAttribute("viewBox", frame.join(" "));
-  draw(picture);
+  scale(picture);
 }
 
 // Lines keep their width in pixels at any scale. (With vector-effect each frame would measure every line again.)
-function draw(picture) {
+function scale(picture) {
   if (!picture || !frame || size[0] * size[1] === 0) return;
   const pixel = Math.max(frame[2] / size[0], frame[3] / size[1]);
   picture.style.setProperty("--pixel", pixel);
@@ -132,6 +134,7 @@ function outline({ x, y }, from, to) {
 function decorate() {
   if (!answer) return;
   const shows = (id) => $(`show-${id}`).checked;
+  draw(named(shows), $("parts"));
   for (const e of parts.circles) e.style.display = shows("circles") ? "" : "none";
   for (const e of parts.pitch) e.style.display = shows("pitch") ? "" : "none";
   for (const id of ["normal", "osculating", "places"]) parts[id].style.display = shows(id) ? "" : "none";
@@ -149,40 +152,54 @@ function decorate() {
   colour();
 }
 
-// From dark blue over green to yellow: readable for colour-blind eyes on light and dark ground.
-function shade(u) {
-  const stops = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
-  const x = Math.max(0, Math.min(0.9999, u)) * (stops.length - 1);
-  const [a, b, f] = [stops[Math.floor(x)], stops[Math.floor(x) + 1], x % 1];
-  return `rgb(${a.map((c, k) => Math.round(c + f * (b[k] - c))).join(" ")})`;
+// The legend of the picture as it stands.
+export const legend = () => named((id) => $(`show-${id}`).checked && id !== "places");
+
+// What the lines and dots on the cam are.
+function named(shows) {
+  const { places } = answer.curves;
+  const drawn = (part) => parts["cam-turning"].querySelector(`[data-part=${part}]`);
+  const list = [
+    ...["base", "prime", "bore"].filter((part) => shows("circles") && drawn(part)),
+    ...["pitch"].filter((part) => shows("pitch") && drawn(part)),
+    ...(shows("places") && places.some((p) => !p.broken) ? ["reached"] : []),
+    ...(shows("places") && places.some((p) => p.broken) ? ["broken"] : []),
+  ];
+  return [...list.map((part) => html`<li class=${part}><i></i>${t(`studio-part-${part}`)}</li>`),
+    ...pinned.map(({ name, colour }) => html`<li class="pinned"><i style="border-color:${colour}"></i><span>${name}</span></li>`)];
 }
 
 function colour() {
   clear(parts.colours);
-  const legend = clear($("legend"));
   const name = $("colour").value;
-  hide(legend, name === "none");
-  if (name === "none") return;
-  const contour = answer.curves.contour;
+  const { contour } = answer.curves;
+  hide($("legend"), name === "none");
   // The values of a colour chosen just now are on their way.
-  if (contour.colour !== name) return;
-  const { values } = contour;
-  const known = values.filter((v) => v !== null);
-  if (known.length === 0) {
-    legend.append(t("studio-colour-undefined"));
+  if (name === "none" || contour.colour !== name) {
+    draw(nothing, $("legend"));
     return;
   }
-  const low = known.reduce((m, v) => Math.min(m, v));
-  const high = known.reduce((m, v) => Math.max(m, v));
+  const known = contour.values.filter((v) => v !== null);
+  if (known.length === 0) {
+    draw(t("studio-colour-undefined"), $("legend"));
+    return;
+  }
+  const [low, high] = [known.reduce((m, v) => Math.min(m, v)), known.reduce((m, v) => Math.max(m, v))];
+  paint(contour, low, high);
+  const ramp = [0, 0.25, 0.5, 0.75, 1].map(shade).join(",");
+  draw(html`${quantity(low, UNITS[name], 3)}<span class="ramp" style="background:linear-gradient(to right,${ramp})"></span>${quantity(high, UNITS[name], 3)}`,
+    $("legend"));
+}
+
+function paint(contour, low, high) {
+  const { values } = contour;
   const step = Math.max(1, Math.floor(values.length / PIECES));
   for (let i = 0; i + 1 < values.length; i += step) {
-    const value = values[i];
-    if (value === null) continue;
+    if (values[i] === null) continue;
     const d = outline(contour, i, Math.min(i + step, values.length - 1));
-    parts.colours.append(svg("path", { class: "coloured", d, style: `stroke:${shade(high > low ? (value - low) / (high - low) : 0.5)}` }));
+    const stroke = shade(high > low ? (values[i] - low) / (high - low) : 0.5);
+    parts.colours.append(svg("path", { class: "coloured", d, style: `stroke:${stroke}` }));
   }
-  const bar = make("span", { class: "ramp", style: `background:linear-gradient(to right,${[0, 0.25, 0.5, 0.75, 1].map(shade).join(",")})` });
-  legend.append(quantity(low, UNITS[name], 3), bar, quantity(high, UNITS[name], 3));
 }
 
 function follow() {

@@ -6,6 +6,7 @@ import * as versions from "../core/versions.js";
 import * as designs from "../core/designs.js";
 import * as autosave from "../core/autosave.js";
 import * as units from "../core/units.js";
+import { embedded } from "../core/view.js";
 import * as gallery from "../dialogs/gallery.js";
 import * as exports from "../dialogs/exports.js";
 import * as files from "../dialogs/files.js";
@@ -26,7 +27,7 @@ export function load({ start, move, openScene }) {
   $("open-export").addEventListener("click", exports.open);
   $("link").addEventListener("click", copy);
   $("language").addEventListener("click", () => choose(language() === "en" ? "es" : "en"));
-  const name = () => { 
+  const name = () => {
     const other = language() === "en" ? "ES" : "EN";
     $("language").textContent = other;
     // The label begins with what is seen.
@@ -48,6 +49,8 @@ export function load({ start, move, openScene }) {
     if (units.names().split(" ").includes(other)) select.value = other;
     select.addEventListener("change", () => units.choose(select.value, select.value === plain ? other : plain));
   }
+  phone();
+  if (embedded) frame();
   $("notice-close").addEventListener("click", () => notice(""));
   welcome();
 }
@@ -90,12 +93,38 @@ async function copy() {
   }
 }
 
+// On a phone the header has one row; a button shows the rest.
+function phone() {
+  const show = (on) => {
+    $("tools").toggleAttribute("data-open", on);
+    $("more").setAttribute("aria-expanded", String(on));
+  };
+  $("more").addEventListener("click", () => show(!$("tools").hasAttribute("data-open")));
+  for (const button of $("tools").querySelectorAll(".rest")) button.addEventListener("click", () => show(false));
+}
+
+// A frame links to the whole page with the scene as it is.
+function frame() {
+  const whole = /** @type {HTMLAnchorElement} */ ($("whole"));
+  const aim = () => {
+    const address = new URL(location.href);
+    address.searchParams.delete("embed");
+    whole.href = address.href;
+  };
+  aim();
+  for (const event of ["pointerdown", "focus"]) whole.addEventListener(event, aim);
+}
+
 function welcome() {
   let seen = false;
   try { seen = localStorage.getItem("gaitcam-seen") === "1"; } catch { /* private windows keep nothing */ }
   $("welcome").hidden = seen;
-  $("welcome-close").addEventListener("click", () => {
-    $("welcome").hidden = true;
-    try { localStorage.setItem("gaitcam-seen", "1"); } catch { /* as above */ }
-  });
+  $("welcome-close").addEventListener("click", welcomed);
+}
+
+// Who has changed a value knows what the strip says.
+export function welcomed() {
+  if ($("welcome").hidden) return;
+  $("welcome").hidden = true;
+  try { localStorage.setItem("gaitcam-seen", "1"); } catch { /* as above */ }
 }

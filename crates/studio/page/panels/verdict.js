@@ -1,76 +1,95 @@
-// Verdict with reasons, conflict with its relaxations, figures, active limits, tables.
+// Verdict with its reason, the changes that help, the figures, and the checks.
 
-import { $, make, say, hide, clear } from "../core/dom.js";
-import { t, language, local } from "../core/words.js";
+import { $, hide, html, live, nothing, render as draw } from "../core/dom.js";
+import { t, local, number } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as units from "../core/units.js";
-import * as view from "../core/view.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
+import * as versions from "../core/versions.js";
 import { label } from "./form.js";
 
+const STATES = ["violated", "at-limit", "satisfied"];
 let apply = () => {};
 let remedies = () => [];
-let shown = null;
+let redraw = () => {};
+// On a small screen reason and changes are folded below the name of the verdict.
+let isOpen = false;
+// What the changes do to the whole design, by the answer that they were tried on.
+const tried = new WeakMap();
+let asking = 0;
+let relaxing = null;
 
-// `more` gives buttons for what is said about a recording: [text, action].
-export function load(onApply, more) {
-  apply = onApply;
-  remedies = more;
+/**
+ * @param {(changes: object[]) => void} onApply Changes values of the scene.
+ * @param {(fault: object) => [string, () => void][]} more Buttons for what is said about a recording.
+ * @param {() => void} again Draws the page again.
+ */
+export function load(onApply, more, again) {
+  [apply, remedies, redraw] = [onApply, more, again];
 }
 
 export function render(version, { answer }) {
-  if (!answer || answer === shown) return;
-  shown = answer;
-  const state = answer.infeasible ? "infeasible" : answer.verdict;
-  view.verdict(answer.infeasible ? "unacceptable" : answer.verdict, t(`studio-verdict-${state}`));
-  say($("verdict-reasons"), units.text(answer.reasons));
-  hide($("cam-das"), !answer.cam_das || !Object.keys(answer.fields).some((key) => key.startsWith("law.segment.")));
-  if (answer.cam_das) say($("cam-das"), `CAM-DAS: ${t(`studio-verdict-${answer.cam_das}`)}`);
-  figures(answer);
-  conflict(answer, answer.relaxations, []);
-  renewed($("limits"), [answer.easing, answer.active, answer.notes], () => limits(answer));
-  tables(answer);
-  if (answer.needs_relaxing && !answer.quick) relax(answer);
+  const pending = pendingOf(version, answer);
+  standing(pending, answer);
+  if (!answer) return;
+  draw(answer.figures.map(figure), $("figures"));
+  changes(answer, pending);
+  draw(checks(answer), $("limits"));
+  if (answer.needs_relaxing && !answer.quick && !pending && !tried.has(answer)) relax(answer);
 }
 
-// Fills a box anew where what it shows has changed.
-const filled = new Map();
-function renewed(box, content, fill) {
-  const seen = JSON.stringify([language(), units.names(), content]);
-  if (filled.get(box.id) === seen) return;
-  filled.set(box.id, seen);
-  fill();
+// Why the verdict does not belong to the version shown; "" where it does.
+function pendingOf(version, answer) {
+  if (versions.refused(version)) return "studio-pending";
+  return answer?.quick ? "studio-quick" : "";
 }
 
-function figures({ figures: list }) {
-  const form = list.map(({ name, more }) => [name, Boolean(more)]);
-  renewed($("figures"), form, () => clear($("figures")).append(...list.map(({ name, more }) =>
-    make("div", {}, make("dt", {}, name), make("dd", {}, make("span", {}), more ? make("small", {}) : null)))));
-  list.forEach(({ value, more }, i) => {
-    const [text, small] = $("figures").children[i].lastChild.children;
-    say(text, units.text(value));
-    // A speed is given in both units; in one it is said once.
-    const isTwice = [value, units.text(more)].every((shown) => shown.endsWith("rpm"));
-    if (small) say(small, isTwice ? "" : units.text(more));
-  });
+function standing(pending, answer) {
+  const box = $("verdict");
+  const kind = pending || !answer ? "" : answer.infeasible ? "unacceptable" : answer.verdict;
+  const name = kind ? t(`studio-verdict-${answer.infeasible ? "infeasible" : kind}`) : "–";
+  const reasons = kind ? units.text(tried.get(answer)?.reasons ?? answer.reasons) : pending ? t(pending) : "";
+  if (box.className !== `verdict ${kind}`) box.className = `verdict ${kind}`;
+  box.dataset.verdict = designs.isCurrent() ? answer.verdict : "pending";
+  $("standing").toggleAttribute("data-open", isOpen);
+  draw(html`
+    <button type="button" id="chip" class="chip" aria-expanded=${isOpen} aria-controls="standing" @click=${unfold}>
+      <span class="light" aria-hidden="true"></span><strong id="verdict-name">${name}</strong></button>
+    <p id="verdict-reasons">${reasons}</p>
+    ${accepted(answer)}`, box);
 }
 
-// The whole design is tried with every relaxation, which takes longer than the design itself.
-let asking = 0;
-let relaxing = null;
+function accepted(answer) {
+  const list = answer?.accepted ?? [];
+  return list.length > 0 ? html`<p id="accepted" class="quiet">${t("studio-accepted", { list: list.join(", ") })}</p>` : nothing;
+}
+
+function unfold() {
+  isOpen = !isOpen;
+  redraw();
+  if (isOpen) $("standing").scrollIntoView({ block: "nearest" });
+}
+
+function figure({ name, value, more }) {
+  const shown = units.text(value);
+  const small = units.text(more);
+  // A speed is given in both units; in one it is said once.
+  const isTwice = shown.endsWith("rpm") && small.endsWith("rpm");
+  return html`<div><dt>${name}</dt><dd><span>${shown}</span>${small && !isTwice ? html`<small>${small}</small>` : nothing}</dd></div>`;
+}
+
+// The whole design is tried with every change, which takes longer than the design itself.
 function relax(answer) {
   clearTimeout(asking);
   asking = setTimeout(async () => {
+    relaxing?.abort();
+    relaxing = new AbortController();
+    const question = { scene: answer.scene, files: blobs.listed(designs.present().files) };
     try {
-      relaxing?.abort();
-      relaxing = new AbortController();
-      const question = { scene: answer.scene, files: blobs.listed(designs.present().files) };
-      const tried = await engine.ask("relax", question, { signal: relaxing.signal });
-      if (shown !== answer) return;
-      if (designs.isCurrent()) $("verdict-reasons").textContent = units.text(tried.reasons);
-      conflict(answer, tried.relaxations, tried.together);
-    } catch { /* the conflict alone stays */ }
+      tried.set(answer, await engine.ask("relax", question, { signal: relaxing.signal }));
+      redraw();
+    } catch { /* the changes of the conflict alone stay */ }
   }, 120);
 }
 
@@ -80,62 +99,83 @@ export function stop() {
   relaxing?.abort();
 }
 
-function conflict(answer, relaxations, together) {
-  const box = clear($("conflict"));
+// A change of the goal is not a change of a limit: it makes the result worse.
+const isGoal = ({ kind, key }) => kind === "goal" || (!kind && key.startsWith("accuracy."));
+
+function changes(answer, pending) {
+  const { relaxations, together = [] } = tried.get(answer) ?? answer;
   const useful = relaxations.filter((r) => r.value);
+  const all = together.filter((r) => r.value);
   const asked = remedies({ message: answer.reasons });
-  hide(box, answer.quick || !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0 && asked.length === 0));
-  if (box.hidden) return;
-  if (answer.conflict.length > 0) {
-    box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", units.text(answer.conflict.join(" · "))));
-  }
-  if (asked.length > 0) box.append(choices(asked));
-  if (useful.length > 0) {
-    box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
-  } else if (together.length > 0 && together.every((r) => r.value)) {
-    const all = together.map((r) => ({ set: { key: r.key, value: r.value } }));
-    const text = together.map((r) => units.text(local(`${label(r.key)} ${r.from} → ${r.to}`))).join(", ");
-    box.append(make("p", {}, t("studio-relax-together")),
-      make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
-  }
+  const isShown = answer.needs_relaxing && !answer.quick && !pending && useful.length + all.length + asked.length > 0;
+  hide($("conflict"), !isShown);
+  if (!isShown) return;
+  const limits = useful.filter((r) => !isGoal(r));
+  const buttons = [
+    ...asked.map(([text, action]) => html`<button type="button" class="choice" @click=${action}>${text}</button>`),
+    ...limits.map((r) => change([r])),
+    ...(all.length > 0 ? [change(all)] : []),
+    ...useful.filter(isGoal).map(goal),
+  ];
+  draw(html`${useful.length + all.length > 0 ? html`<p>${t("studio-relax")}</p>` : nothing}<div class="buttons">${buttons}</div>`, $("conflict"));
 }
 
-// What the reader of a recording asks for is chosen here.
-function choices(asked) {
-  return make("div", { class: "buttons" }, ...asked.map(([text, action]) => make("button", { type: "button", class: "choice", onclick: action }, text)));
+// The changes in words, for paper.
+export function offered(answer) {
+  const { relaxations, together = [] } = tried.get(answer) ?? answer;
+  const one = ({ key, from, to }) => units.text(local(`${label(key)}: ${from} → ${to}`));
+  const useful = relaxations.filter((r) => r.value).map(one);
+  const all = together.filter((r) => r.value).map(one);
+  return all.length > 0 ? [...useful, all.join(" + ")] : useful;
 }
 
-function button({ key, from, to, value }) {
-  return make("button", { type: "button", class: "relax", "data-relax": key, "data-value": value,
-    onclick: () => apply([{ set: { key, value } }]) }, units.text(local(`${label(key)}: ${from} → `)), make("b", {}, units.text(local(to))));
+const settings = (list) => list.map(({ key, value }) => ({ set: { key, value } }));
+
+// A button for one change, or for several that are made together.
+function change(list) {
+  const one = ({ key, from, to, cost }, i) => html`${i > 0 ? " + " : ""}${label(key)}: ${units.text(local(from))} →
+    <b>${units.text(local(to))}</b>${cost ? html` <small>${cost}</small>` : nothing}`;
+  const [{ key, value }] = list;
+  return html`<button type="button" class="relax" data-relax=${list.length > 1 ? "together" : key} data-value=${value}
+    @click=${() => apply(settings(list))}>${list.map(one)}</button>`;
 }
 
-function limits(answer) {
-  const box = clear($("limits"));
-  box.append(make("h2", {}, t("studio-active")));
-  if (answer.easing.length > 0) {
-    box.append(make("table", {}, make("thead", {}, make("tr", {},
-      ...["limit", "eased", "objective"].map((k) => make("th", { scope: "col" }, t(`studio-active-${k}`))))),
-    make("tbody", {}, ...answer.easing.slice(0, 6).map((e) => make("tr", {}, make("th", { scope: "row" }, e.name),
-      make("td", {}, units.text(`${e.from} → ${e.to}`)), make("td", {}, units.text(`${e.objective}: ${e.before} → ${e.after}`)))))));
-  } else {
-    box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
-  }
-  if (answer.notes.length > 0) box.append(make("details", { class: "notes" }, make("summary", {}, t("studio-notes", { count: answer.notes.length })),
-    make("ul", {}, ...answer.notes.map((n) => make("li", {}, units.text(n))))));
+function goal(r) {
+  return html`<button type="button" class="relax goal" data-relax=${r.key} data-value=${r.value} @click=${() => apply(settings([r]))}>${t(
+    "studio-relax-goal", { to: local(r.to), from: local(r.from) })}</button>`;
 }
 
-// The report's own tables; the server escapes what stands in them. They lie below the picture and follow when the
-// hand rests, or at once on paper.
-let resting = 0;
-let due = null;
-function tables(answer) {
-  clearTimeout(resting);
-  due = () => {
-    const { checks, active, data, solution } = answer.tables;
-    $("tables").innerHTML = units.text(`<div>${checks}${active}</div><div>${data}${solution}</div>`);
-    due = null;
-  };
-  resting = setTimeout(() => due?.(), 150);
+function checks(answer) {
+  const eased = new Map(answer.easing.map((e) => [e.name, e]));
+  const list = answer.checks.toSorted((a, b) => STATES.indexOf(a.state) - STATES.indexOf(b.state));
+  return html`<h2>${t("studio-checks")}</h2>
+    ${list.length > 0 ? html`<ul class="checks">${list.map((c) => check(c, eased.get(c.name)))}</ul>` : html`<p>${t("studio-checks-none")}</p>`}
+    ${camDas(answer)}
+    ${answer.notes.length > 0 ? html`<details class="notes" ?open=${live(notesOpen)} @toggle=${fold}>
+      <summary>${t("studio-notes", { count: answer.notes.length })}</summary>
+      <ul>${answer.notes.map((n) => html`<li>${units.text(n)}</li>`)}</ul></details>` : nothing}`;
 }
-addEventListener("beforeprint", () => due?.());
+
+let notesOpen = false;
+
+function fold({ currentTarget }) {
+  notesOpen = currentTarget.open;
+}
+
+// Name, value and limit, place; below it the gain from a limit that is 1 % wider.
+function check({ name, state, value, limit, unit, place }, eased) {
+  const [to, factor] = units.unit(unit);
+  const shown = (x) => number(Math.abs(x) < 1e-9 ? 0 : factor * x);
+  const close = to === "°" || to === "" ? to : `\u00a0${to}`;
+  return html`<li class=${state}><span class="dot" role="img" aria-label=${t(`studio-check-${state}`)} title=${t(`studio-check-${state}`)}></span>
+    <span>${name}</span>
+    <span class="n">${limit === null ? `${shown(value)}${close}` : `${shown(value)} / ${shown(limit)}${close}`}</span>
+    <span class="quiet">${place}</span>
+    ${eased ? html`<small>${t("studio-check-eased", { objective: eased.objective, before: units.text(eased.before), after: units.text(eased.after) })}</small>` : nothing}</li>`;
+}
+
+// The class of the law after CAM-DAS, which judges less than the verdict.
+function camDas({ cam_das: found, fields }) {
+  if (!found || !Object.keys(fields).some((key) => key.startsWith("law.segment."))) return nothing;
+  return html`<p id="cam-das" class="quiet">CAM-DAS: ${t(`studio-verdict-${found}`)} ${t("studio-cam-das")}</p>`;
+}

@@ -68,10 +68,10 @@ class Class(Pages):
         page.page.click(".menu summary")
         page.does(lambda: page.page.select_option("#speeds", "rpm"))
         page.page.wait_for_timeout(300)
-        for selector in ("#figures", "#tables", "#charts"):
+        for selector in ("#figures", "#limits", "#charts"):
             self.assertNotRegex(page.page.inner_text(selector), r"\d\s*rad/s(?![²³])")
         self.assertRegex(page.page.inner_text(".chart.speed h2"), "rpm")
-        shown = float(re.search(r"speed\s+([\d.]+)\srpm", page.page.inner_text("#tables")).group(1))
+        shown = float(re.search(r"Speed\s+([\d.]+)\srpm", page.page.inner_text("#figures")).group(1))
         self.assertAlmostEqual(shown, mean * 30 / math.pi, delta=0.1)
         # Once in the figures, and lengths are switched apart from it.
         self.assertEqual(page.page.inner_text("#figures").count("rpm"), 1)

@@ -145,7 +145,7 @@ class Direct(Pages):
         page = self.page()
         page.page.emulate_media(media="print")
         self.assertFalse(page.page.is_visible("#panel"))
-        for selector in ("#verdict", "#figures", "#stage", ".chart.force", "#tables"):
+        for selector in ("#verdict", "#figures", "#stage", ".chart.force", "#limits"):
             self.assertTrue(page.page.is_visible(selector), selector)
         self.assertLess(page.page.locator("#verdict").bounding_box()["y"], 60)
 
@@ -225,7 +225,7 @@ class Direct(Pages):
         self.assertRegex(page.page.inner_text(".chart.s h2"), "in$")
         self.assertRegex(page.page.inner_text(".chart.a h2"), "in/s²$")
         page.page.wait_for_timeout(300)
-        for selector in ("#figures", "#tables", "#charts"):
+        for selector in ("#figures", "#limits", "#charts"):
             self.assertNotRegex(page.page.inner_text(selector), r"\d\s*(mm|m/s)")
         self.assertEqual(page.value("limits.stroke"), "60 mm")
         page.does(lambda: page.page.select_option("#units", "mm"))

@@ -21,10 +21,10 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{Minimise, Scene, keys};
-use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search, in_units};
+use gaitcam::synth::{self, Design, FIGURES, Reason, Relaxation, Search, in_units};
 use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
-use gaitcam_output::report::parts::{self, Figure, Motion, Tables};
+use gaitcam_output::report::parts::{self, Checked, Figure, Motion};
 
 /// A scene with changes.
 #[derive(Debug, Deserialize)]
@@ -64,9 +64,8 @@ pub struct Answer {
     conflict: Vec<String>,
     relaxations: Vec<Remedy>,
     easing: Vec<Eased>,
-    active: Vec<String>,
     figures: Vec<Figure>,
-    tables: Tables,
+    checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
     /// Class of the law after CAM-DAS.
@@ -288,13 +287,6 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     let (design, scene) = (&kept.design, &kept.scene);
     let name = |typed: &str| parts::name(typed, language);
     let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
-    let mut active: Vec<String> = Vec::new();
-    for binding in &design.binding {
-        let name = name(binding.limit.name());
-        if !active.contains(&name) {
-            active.push(name);
-        }
-    }
     let curves = curves(design, colour);
     let limits = curves.places.iter().map(|p| p.limit.clone());
     let names = limits.map(|l| (l.clone(), name(&l))).collect();
@@ -305,7 +297,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         scene: toml::to_string(&kept.table).unwrap_or_default(),
         fields: fields(&kept.table, scene, Some(design)),
         verdict: design.verdict.name(),
-        reasons: design.reason(language),
+        reasons: reasons(design, language),
         notes: design.notes.iter().map(|n| n.sentence(language)).collect(),
         infeasible: design.infeasible.is_some(),
         conflict: conflict
@@ -314,9 +306,8 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
             .collect(),
         relaxations: first_remedies(design, scene),
         easing: easing(design, language),
-        active,
         figures: parts::figures(design, language),
-        tables: parts::tables(design, kept.time, language),
+        checks: parts::checks(design, language),
         numbers: numbers(kept),
         continuity: Continuity::of(&design.cam),
         cam_das: design.cam.cam_das_class().name(),
@@ -331,6 +322,22 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         quick: false,
         server_ms: 0.0,
     }
+}
+
+/// The reasons of the verdict without the suggested changes: the page offers those as buttons.
+fn reasons(design: &Design, language: Language) -> String {
+    let facts = design.reasons.iter().filter(|reason| {
+        !matches!(
+            reason,
+            Reason::Relaxation { .. }
+                | Reason::Relaxations { .. }
+                | Reason::FarRelaxations { .. }
+                | Reason::AllTogether { .. }
+                | Reason::FarTogether { .. }
+        )
+    });
+    let facts: Vec<String> = facts.map(|reason| reason.sentence(language)).collect();
+    facts.join(" ")
 }
 
 /// The files of a design by group, its scene among the tables.
@@ -427,7 +434,7 @@ pub fn relax(files: &Files, which: &Which) -> Result<Value> {
     let tried = made.design.clone().relaxed_with(&search);
     let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list);
     Ok(json!({
-        "reasons": tried.reason(language),
+        "reasons": reasons(&tried, language),
         "relaxations": list(&tried.relaxations),
         "together": list(&tried.together),
     }))

@@ -17,9 +17,10 @@ use gaitcam::dynamics::{self, Model};
 use gaitcam::error::Result;
 use gaitcam::identify::{self, Log, LogOptions};
 use gaitcam::scene::set_value;
-use gaitcam::sweep::NamedScene;
+use gaitcam::sweep::{NamedScene, Records};
 use gaitcam::synth::Search;
-use gaitcam::wording::number;
+use gaitcam::wording::{Language, number};
+use gaitcam_output::report::parts;
 use gaitcam_output::{identification, identified, plots, simulation};
 
 /// Maximum number of designs in a sweep.
@@ -40,7 +41,7 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     let measures = design.cam.follower.measures();
     Ok(json!({
         "simulation": simulation::json(&outcome),
-        "table": simulation::table(&outcome, measures, language),
+        "rows": simulation::rows(&outcome, measures, language),
         "picture": plots::run(design, &outcome, language).svg(),
     }))
 }
@@ -134,11 +135,36 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     let records = sweep.run(0..rows, jobs, &|| halt.clone(), &|| halt.is_asked())?;
     let records = records.unwrap_or_default();
     let numbers = |column: &String| json!(records.numbers(column));
-    let verdicts = records.words("verdict");
-    let verdicts = verdicts.map(|v| (0..records.len()).map(|i| v.at(i)).collect::<Vec<_>>());
+    let texts = |column: &str| {
+        let all = records.words(column);
+        all.map(|words| (0..records.len()).map(|i| words.at(i)).collect::<Vec<_>>())
+    };
     Ok(json!({
         "keys": keys.iter().map(|key| numbers(&key.column())).collect::<Vec<_>>(),
         "values": numbers(&asked.column),
-        "verdicts": verdicts,
+        "verdicts": texts("verdict"),
+        "why": why(&records, words::current()),
     }))
+}
+
+/// Why a design of a grid is not acceptable, row by row: the fault of its scene, or its violated or conflicting limits.
+fn why(records: &Records, language: Language) -> Vec<String> {
+    let at = |column: &str, i: usize| {
+        let words = records.words(column);
+        words.and_then(|w| w.at(i)).unwrap_or_default().to_string()
+    };
+    let limits = |i: usize| {
+        let list = match at("failed", i) {
+            failed if failed.is_empty() && at("verdict", i).is_empty() => at("binding", i),
+            failed => failed,
+        };
+        let names = list.split('+').filter(|name| !name.is_empty());
+        let names: Vec<String> = names.map(|name| parts::name(name, language)).collect();
+        names.join(", ")
+    };
+    let of = |i: usize| match at("error", i) {
+        error if error.is_empty() => limits(i),
+        error => error,
+    };
+    (0..records.len()).map(of).collect()
 }

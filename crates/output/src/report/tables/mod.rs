@@ -38,6 +38,30 @@ fn margin(check: &Check) -> f64 {
     if check.pass { share } else { -share }
 }
 
+/// State of a check: `violated`, `at-limit` or `satisfied`.
+pub fn state(check: &Check) -> &'static str {
+    if !check.pass {
+        "violated"
+    } else if margin(check) <= ON_THE_LIMIT {
+        "at-limit"
+    } else {
+        "satisfied"
+    }
+}
+
+/// Limit and position of the worst value, SI; `None` where the limit is rounding and where the value is of the whole cycle.
+pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
+    let is_rounding = matches!(
+        check.name,
+        Criterion::Interference | Criterion::SecondInterference
+    );
+    let is_of_cycle = check.name == Criterion::RmsError;
+    (
+        (!is_rounding).then_some(check.limit),
+        (!is_of_cycle).then_some(check.at),
+    )
+}
+
 /// Opens a table; columns from `numbers` on are aligned right.
 pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
@@ -83,12 +107,11 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     open(out, &columns.map(|key| words.text(key)), 2);
     for check in &synthesis.checks {
         let margin = margin(check);
-        let (light, state) = if !check.pass {
-            ("bad", "report-violated")
-        } else if margin <= ON_THE_LIMIT {
-            ("fair", "report-at-limit")
-        } else {
-            ("good", "report-satisfied")
+        let state = state(check);
+        let light = match state {
+            "violated" => "bad",
+            "at-limit" => "fair",
+            _ => "good",
         };
         let margin = if margin.is_finite() {
             let sign = if margin < 0.0 { "−" } else { "+" };
@@ -100,20 +123,13 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
         let _ = write!(
             out,
             "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
-            escaped(&words.text(state))
+            escaped(&words.text(&format!("report-{state}")))
         );
         let worst = shown(measures, check.name, check.worst, words);
         let none = || "—".to_string();
-        let limit = match check.name {
-            // No more than rounding.
-            Criterion::Interference | Criterion::SecondInterference => none(),
-            _ => shown(measures, check.name, check.limit, words),
-        };
-        let place = match check.name {
-            // Of the whole turn.
-            Criterion::RmsError => none(),
-            _ => measures.place(check.at, words.language()),
-        };
+        let (limit, at) = limit_and_place(check);
+        let limit = limit.map_or_else(none, |x| shown(measures, check.name, x, words));
+        let place = at.map_or_else(none, |at| measures.place(at, words.language()));
         cells(out, &[worst, limit, margin, place]);
     }
     close(out);
