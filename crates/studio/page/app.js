@@ -86,7 +86,9 @@ async function show(answer, since, more) {
 function state(moving = false) {
   const version = versions.now();
   const seen = { answer: designs.present()?.answer ?? null, fields: designs.known(), moving };
-  for (const panel of [verdict, status, form, force, programme, compare, text]) panel.render(version, seen);
+  /** @type {{render: Function}[]} */
+  const panels = [verdict, status, form, force, programme, compare, text];
+  for (const panel of panels) panel.render(version, seen);
 }
 
 // Resolves when the next picture is on the screen; a hidden page has none.
@@ -103,16 +105,17 @@ function painted() {
 
 function keyboard() {
   document.addEventListener("keydown", (event) => {
-    const typing = event.target.closest("input[type=text], input[type=search], textarea, select, dialog");
+    const target = /** @type {Element} */ (event.target);
+    const typing = target.closest("input[type=text], input[type=search], textarea, select, dialog");
     const held = event.ctrlKey || event.metaKey;
     const key = event.key.toLowerCase();
-    if (held && key === "z" && !event.target.closest("textarea")) {
+    if (held && key === "z" && !target.closest("textarea")) {
       event.preventDefault();
       move(event.shiftKey ? versions.redo : versions.undo);
     } else if (held && key === "y") {
       event.preventDefault();
       move(versions.redo);
-    } else if (event.key === " " && !typing && !event.target.closest("button, summary, [role=slider], input, label")) {
+    } else if (event.key === " " && !typing && !target.closest("button, summary, [role=slider], input, label")) {
       event.preventDefault();
       clock.play(!clock.isPlaying());
     }
@@ -145,7 +148,7 @@ async function boot() {
   words.begin();
   status.load(start.longest_s, (fault) => force.remedies(fault));
   form.load(start.keys, edit);
-  verdict.load((changes) => edit(changes), (fault) => force.remedies(fault), () => state());
+  verdict.load((changes) => edit(changes), /** @type {any} */ ((fault) => force.remedies(fault)), () => state());
   charts.load(edit);
   stage.load(() => designs.ask());
   player.load();

@@ -12,6 +12,25 @@ const TOP = 6;
 const pen = document.createElement("canvas").getContext("2d");
 
 export class Chart {
+  // What is drawn, and the designs under it.
+  /** @type {any} */ panel;
+  /** @type {any} */ curves;
+  /** @type {any[]} */ pinned;
+  // Ends of the vertical axis, and their unit.
+  /** @type {[number, number]} */ ends;
+  /** @type {string} */ endsOf;
+  isMoving = false;
+  // What charts.js does with what is done to the diagram.
+  /** @type {Function} */ onEnlarge;
+  /** @type {Function} */ onResize;
+  /** @type {Function} */ onZoom;
+  /** @type {Function} */ onSay;
+  /** @type {Function} */ onLimit;
+  /** @type {Function} */ onSegment;
+  /** @type {Function} */ onKnot;
+  /** @type {(key: string) => string} */ labelOf;
+  /** @type {(chart: Chart) => Element[]} */ overlay;
+
   constructor(id) {
     this.id = id;
     this.value = make("output", { class: "value" });
@@ -29,7 +48,10 @@ export class Chart {
     this.cursor = make("div", { class: "cursor" });
     this.dot = make("div", { class: "dot" });
     // Axes and numbers lie behind in a picture of their own: they are not laid out again with every curve.
-    [this.frame, this.lines, this.handles, this.over] = [0, 1, 2, 3].map(() => svg("g"));
+    this.frame = svg("g");
+    this.lines = svg("g");
+    this.handles = svg("g");
+    this.over = svg("g");
     this.behind = svg("svg", { class: "frame", "aria-hidden": "true" }, this.frame);
     this.picture.append(this.lines, this.handles, this.over);
     this.picture.after(this.behind, this.cursor, this.dot);
@@ -96,7 +118,9 @@ export class Chart {
       if (y < low) low = y;
       if (y > high) high = y;
     };
-    const seen = ({ theta, from, span }, { y }) => y.forEach((v, i) => { if (theta[i] >= from - 1e-9 && theta[i] <= from + span + 1e-9) take(v); });
+    const seen = ({ theta, from, span }, { y }) => y.forEach((v, i) => {
+      if (theta[i] >= from - 1e-9 && theta[i] <= from + span + 1e-9) take(v);
+    });
     for (const line of this.panel.lines) seen(this.curves, line);
     for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => seen(other.curves, l));
     if (low > high) [low, high] = [0, 1];

@@ -28,6 +28,7 @@ let chosen = {};
 // Nothing presses on the cam: forces, torque and power are those of one kilogram.
 let isIdle = false;
 const PRESSED = ["force", "torque", "power"];
+/** @type {Function} */
 let edit = () => {};
 
 export function load(onEdit) {

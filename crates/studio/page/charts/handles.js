@@ -13,7 +13,8 @@ export const rounded = (x) => Number(x.toPrecision(3));
 export function draw(chart, group, place) {
   const lines = chart.panel.levels;
   const knots = knotsOf(chart);
-  const seen = JSON.stringify([lines, knots, place, chart.ends, chart.curves.from, chart.curves.span, chart.panel.unit, language(), Boolean(chart.onLimit)]);
+  const { ends, curves: { from, span }, panel: { unit } } = chart;
+  const seen = JSON.stringify([lines, knots, place, ends, from, span, unit, language(), Boolean(chart.onLimit)]);
   if (seen === chart.handled) return;
   chart.handled = seen;
   clear(group);

@@ -2,8 +2,10 @@
 
 export { html, svg as svgTemplate, render, nothing, repeat, live } from "./vendor.js";
 
+/** The element with an id; what kind it is its user knows. @type {(id: string) => any} */
 export const $ = (id) => document.getElementById(id);
 
+/** @param {string} name @param {Record<string, any>} attributes @param {...any} children @returns {any} */
 export function make(name, attributes = {}, ...children) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
@@ -16,6 +18,7 @@ export function make(name, attributes = {}, ...children) {
   return element;
 }
 
+/** @param {string} name @param {Record<string, any>} attributes @param {...any} children @returns {any} */
 export function svg(name, attributes = {}, ...children) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes)) {

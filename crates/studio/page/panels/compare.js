@@ -7,9 +7,10 @@ import { onTab, openTab } from "../core/view.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
-import { label } from "./form.js";
+import { choice, label } from "./names.js";
 import * as units from "../core/units.js";
 import * as asked from "./asked.js";
+import { differing, inputsOf, nameOf } from "./fields.js";
 import * as variation from "./variation.js";
 import * as runs from "./runs.js";
 import * as stage from "./stage.js";
@@ -17,7 +18,9 @@ import * as charts from "../charts/charts.js";
 
 const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
 let start = { figures: [], trades: [] };
+/** @type {(changes: object[]) => void} */
 let edit = () => {};
+/** @type {(scene: string, more?: object) => void} */
 let openScene = () => {};
 // Colour of the pinned design whose difference to the present one is shown.
 let against = null;
@@ -43,7 +46,7 @@ function show() {
     <button type="button" class="main" @click=${pin}>${t("studio-pin")}</button>
     <div id="slate" class="slate">${pins().length > 0 ? slate(answer) : nothing}</div>
     ${variation.sensitivity(start)}
-    ${start.trades.length > 0 && "force_rms_error_n" in answer.numbers && answer.numbers.force_rms_error_n !== null ? variation.front(start, seen) : nothing}
+    ${answer.numbers.force_rms_error_n === null ? nothing : variation.front(start, seen)}
     ${runs.sections(seen)}`, $("compare"));
 }
 
@@ -65,30 +68,8 @@ export function pin() {
   overlay();
 }
 
-const pictured = ({ name, scene, curves, numbers, verdict, fields }) => ({ name, scene, curves, numbers, verdict, inputs: inputsOf(fields) });
-
-// The values that a scene has, by their keys.
-const inputsOf = (fields) => Object.fromEntries(Object.entries(fields).filter(([, f]) => f.text !== "").map(([key, f]) => [key, f.text]));
-
-/**
- * The scene's name, and the values that differ from those of the designs pinned before.
- * @param {{name: string, inputs: Record<string, string>}} made
- * @param {{name: string, inputs?: Record<string, string>}[]} others
- */
-export function nameOf(made, others) {
-  const last = others.at(-1);
-  const changed = last ? differing([last, made]).slice(0, 2).map(([key, [, value]]) => `${label(key)} ${local(value || "–")}`) : [];
-  const name = [made.name, ...changed].join(", ");
-  const taken = others.filter((p) => p.name === name || p.name.startsWith(`${name} (`)).length;
-  return taken > 0 ? `${name} (${taken + 1})` : name;
-}
-
-// The values of the scenes that are not the same in all of them.
-function differing(all) {
-  const keys = new Set(all.flatMap((p) => Object.keys(p.inputs ?? {})));
-  const rows = [...keys].map((key) => [key, all.map((p) => p.inputs?.[key] ?? "")]);
-  return rows.filter(([key, values]) => key !== "name" && new Set(values).size > 1);
-}
+const pictured = ({ name, scene, curves, numbers, verdict, fields }) =>
+  ({ name, scene, curves, numbers, verdict, inputs: inputsOf(fields) });
 
 // After a reload the pinned scenes are designed again.
 export async function restore() {
@@ -96,8 +77,9 @@ export async function restore() {
     if (pin.curves) continue;
     try {
       await blobs.ensure(pin.files);
-      const design = await engine.ask("design", { scene: pin.scene, changes: [], files: blobs.listed(pin.files), colour: "none" });
-      versions.setPins(versions.history().pins.map((p) => (p === pin ? { ...pin, ...pictured(design), name: pin.name } : p)));
+      const question = { scene: pin.scene, changes: [], files: blobs.listed(pin.files), colour: "none" };
+      const whole = { ...pin, ...pictured(await engine.ask("design", question)), name: pin.name };
+      versions.setPins(versions.history().pins.map((p) => (p === pin ? whole : p)));
     } catch { /* its file is gone: the pin stays without a picture */ }
   }
   overlay();
@@ -136,14 +118,16 @@ function slate(answer) {
   const cells = (values) => values.map((v) => html`<td class="n">${v}</td>`);
   return html`<ul class="pins">${repeat(pins(), (p) => p.colour, (p, i) => variant(p, i + 1, swatch))}</ul>
     <div class="scroll" tabindex="0"><table><thead><tr><td></td>${all.map(head)}</tr></thead><tbody>
-    ${differing(all).map(([key, values]) => row(label(key), cells(values.map((v) => units.text(local(v)))), "input"))}
-    ${row(t("studio-verdict"), all.map((p) => html`<td class="n ${p.verdict}">${t(`studio-verdict-${p.verdict}`)}</td>`))}
+    ${differing(all).map(([key, values]) => row(label(key), cells(values.map(shownValue)), "input"))}
+    ${row(t("studio-verdict"), all.map((p) => html`<td class="n ${p.verdict}">${t(`studio-verdict-${p.verdict}`).replace(/\.$/, "")}</td>`), "judged")}
     ${start.figures.filter(([name]) => all.some((p) => p.numbers[name] !== null)).map(([name, [of, plain]]) => {
       const [unit, factor] = units.unit(of);
       const shown = (x) => number(x === null || x === undefined ? null : plain * factor * x);
       return row(html`${t(`figure-${name}`)}<small> ${unit}</small>`, cells(all.map((p) => shown(p.numbers[name]))));
     })}</tbody></table></div>`;
 }
+
+const shownValue = (v) => units.text(local(choice(v)));
 
 // Name, return, difference and removal of a pinned design.
 function variant(p, i, swatch) {

@@ -6,7 +6,8 @@ import { qrCode } from "../core/vendor.js";
 import * as charts from "../charts/charts.js";
 import * as designs from "../core/designs.js";
 import * as units from "../core/units.js";
-import { label } from "./form.js";
+import { given } from "./fields.js";
+import { choice, label } from "./names.js";
 import * as stage from "./stage.js";
 import { offered } from "./verdict.js";
 
@@ -57,32 +58,12 @@ function link() {
     <figcaption>${address.length <= LONGEST_ADDRESS ? address : t(isOwn ? "studio-paper-part" : "studio-paper-link")}</figcaption></figure>`;
 }
 
-/**
- * The values of a scene: single ones, and the entries of lists by their numbers.
- * @param {Record<string, {text: string}>} fields
- */
-export function given(fields) {
-  const set = Object.entries(fields).filter(([key, { text }]) => text !== "" && key !== "name");
-  const entries = new Map();
-  const single = [];
-  for (const [key, { text }] of set) {
-    const [, list, at, column] = /^(.*)\.(\d+)\.([^.]+)$/.exec(key) ?? [];
-    if (!list) single.push([key, text]);
-    else {
-      const name = `${list}.${at}`;
-      if (!entries.has(name)) entries.set(name, []);
-      entries.get(name).push([column, text]);
-    }
-  }
-  return { single, entries: [...entries] };
-}
-
 function values(fields) {
   const { single, entries } = given(fields);
   const column = (name) => t(`studio-column-${name}`);
-  return html`<dl class="columns">${single.map(([key, text]) => html`<div><dt>${label(key)}</dt><dd>${local(text)}</dd></div>`)}</dl>
+  return html`<dl class="columns">${single.map(([key, text]) => html`<div><dt>${label(key)}</dt><dd>${local(choice(text))}</dd></div>`)}</dl>
     ${entries.length > 0 ? html`<ol class="columns">${entries.map(([, list]) =>
-      html`<li>${list.map(([name, text]) => `${column(name)} ${local(text)}`).join(", ")}</li>`)}</ol>` : nothing}`;
+      html`<li>${list.map(([name, text]) => `${column(name)} ${local(choice(text))}`).join(", ")}</li>`)}</ol>` : nothing}`;
 }
 
 function check({ name, state, value, limit, unit, place }) {

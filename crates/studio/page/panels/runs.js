@@ -7,8 +7,9 @@ import { enlarging } from "../core/view.js";
 import * as designs from "../core/designs.js";
 import * as units from "../core/units.js";
 import { shade, isDark } from "../charts/shade.js";
+import { nearest, valuesAbout } from "./fields.js";
 import { ask, button, found, isRunning, isStale, place } from "./asked.js";
-import { label } from "./form.js";
+import { label } from "./names.js";
 
 // Values of one key, and of each of two.
 const [ALONE, BOTH] = [13, 7];
@@ -95,25 +96,9 @@ function choices({ answer: { fields }, start: { figures } }) {
 
 function sweep(fields, figures) {
   const size = down && down !== across ? BOTH : ALONE;
-  const axes = [across, size === BOTH ? down : ""].filter(Boolean).map((key) => ({ key, values: values(fields[key].slider, size) }));
+  const axes = [across, size === BOTH ? down : ""].filter(Boolean).map((key) => ({ key, values: valuesAbout(fields[key].slider, size) }));
   const vary = axes.map(({ key, values: list }) => `${key}=${list[0]}:${list.at(-1)}:${size}`);
   ask("sweep", "grid", { vary, column }, { axes, figure: figures.find(([name]) => name === column) });
-}
-
-// From 50 % to 150 %, within the slider's ends.
-function values({ from, to, at, unit }, count) {
-  const [low, high] = [Math.max(from, at - 0.5 * Math.abs(at)), Math.min(to, at + 0.5 * Math.abs(at))];
-  return Array.from({ length: count }, (_, i) => `${Number((low + (high - low) * i / (count - 1)).toPrecision(4))}${unit}`);
-}
-
-/**
- * The value of an axis that the present design has, or nearly has; −1 where it is elsewhere.
- * @param {string[]} list @param {number} at
- */
-export function nearest(list, at) {
-  const numbers = list.map(parseFloat);
-  const half = 0.5 * Math.abs(numbers[1] - numbers[0]);
-  return numbers.findIndex((x) => Math.abs(x - at) <= half);
 }
 
 // A map coloured by the figure: rows over the first key, columns over the second; a click takes the values.
@@ -125,13 +110,15 @@ function map(grid, { answer: { fields }, edit }) {
   const width = columns?.values.length ?? 1;
   const known = grid.values.filter((x) => x !== null);
   const [low, high] = [Math.min(...known), Math.max(...known)];
-  const here = [rows, columns].map((axis) => (axis && fields[axis.key]?.slider ? nearest(axis.values, fields[axis.key].slider.at) : -1));
+  const hereOf = (axis) => (axis && fields[axis.key]?.slider ? nearest(axis.values, fields[axis.key].slider.at) : -1);
+  const here = [hereOf(rows), hereOf(columns)];
   const shown = (x) => number(x * plain * factor, 3);
   const cell = (i, j) => {
     const at = i * width + j;
     const [x, verdict, why] = [grid.values[at], grid.verdicts[at], grid.why[at]];
     const part = x === null ? null : high > low ? (x - low) / (high - low) : 0;
-    const take = () => edit([rows, columns].filter(Boolean).map((axis, k) => ({ set: { key: axis.key, value: axis.values[k === 0 ? i : j] } })));
+    const valueOf = (axis, k) => ({ set: { key: axis.key, value: axis.values[k === 0 ? i : j] } });
+    const take = () => edit([rows, columns].filter(Boolean).map(valueOf));
     const said = [verdict ? t(`studio-verdict-${verdict}`) : "", why].filter(Boolean).join(" ");
     const isHere = i === here[0] && (!columns || j === here[1]);
     return html`<td class="n ${verdict ?? ""} ${isHere ? "here" : ""} ${part !== null && isDark(part) ? "dark" : ""}"

@@ -47,7 +47,7 @@ export function show(next) {
   stage.replaceChildren(picture);
   picture.setAttribute("aria-hidden", "true");
   picture.removeAttribute("role");
-  strokes = [...picture.querySelectorAll("[stroke-width], [stroke-dasharray]")].map((e) => ({
+  strokes = [...picture.querySelectorAll("[stroke-width], [stroke-dasharray]")].map((/** @type {SVGElement} */ e) => ({
     style: e.style, width: Number(e.getAttribute("stroke-width") ?? 1), dashes: e.getAttribute("stroke-dasharray")?.split(/[ ,]+/).map(Number),
   }));
   keepFrame(picture);

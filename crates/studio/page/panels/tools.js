@@ -67,7 +67,7 @@ function presenting() {
   $("present").addEventListener("click", () => set(!isOn()));
   document.addEventListener("fullscreenchange", () => { if (!document.fullscreenElement && isOn()) set(false); });
   document.addEventListener("keydown", (event) => {
-    if (!isOn() || event.target.closest("input, select, textarea, dialog, .stage, .chart svg")) return;
+    if (!isOn() || /** @type {Element} */ (event.target).closest("input, select, textarea, dialog, .stage, .chart svg")) return;
     const by = { PageDown: 1, ArrowRight: 1, PageUp: -1, ArrowLeft: -1 }[event.key];
     if (by) charts.step(by);
     else if (event.key === "Escape") set(false);

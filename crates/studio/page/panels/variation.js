@@ -4,7 +4,7 @@ import { html, nothing, svgTemplate } from "../core/dom.js";
 import { t } from "../core/words.js";
 import * as units from "../core/units.js";
 import { tickText, ticks } from "../charts/ticks.js";
-import { label } from "./form.js";
+import { label } from "./names.js";
 import { ask, button, found, place } from "./asked.js";
 
 const SHARE = 0.05;

@@ -7,10 +7,12 @@ import * as units from "../core/units.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
-import { label } from "./form.js";
+import { label } from "./names.js";
 
 const STATES = ["violated", "at-limit", "satisfied"];
+/** @type {(changes: object[]) => void} */
 let apply = () => {};
+/** @type {(fault: object) => [string, () => void][]} */
 let remedies = () => [];
 let redraw = () => {};
 // On a small screen reason and changes are folded below the name of the verdict.
