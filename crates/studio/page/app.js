@@ -44,20 +44,22 @@ function openScene(toml, more = {}) {
   const [, name = ""] = /^name\s*=\s*"([^"]*)"/m.exec(toml) ?? [];
   versions.open(toml, { name, ...more });
   form.anew();
-  elsewhere();
+  elsewhere(true);
   anew = true;
   stage.anew();
 }
 
 // Undo, redo, a version of the list.
 function move(there) {
-  if (there()) elsewhere();
+  const { name } = versions.now();
+  if (there()) elsewhere(versions.now().name !== name);
 }
 
-function elsewhere() {
+// Of another scene no fields are known; those of another version stay until its own are there, so that the form does not flicker.
+function elsewhere(isOther) {
   charts.forget();
   form.reset();
-  designs.forget();
+  if (isOther) designs.forget();
   designs.askAnew();
 }
 

@@ -89,7 +89,7 @@ async function run(since) {
     const outcome = await settle(v, control.signal, quick);
     if (running !== control) return;
     versions.settle(v.id, outcome);
-    fields = outcome.answer?.fields ?? outcome.fields ?? fields;
+    fields = outcome.answer?.fields ?? outcome.fields ?? (outcome.same ? shown.answer.fields : fields);
     const more = waiting !== null;
     if (outcome.answer) {
       const { quick: held, numbers } = outcome.answer;

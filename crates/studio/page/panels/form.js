@@ -16,7 +16,7 @@ const SECTIONS = ["", "gait", "drive", "law", "cam", "limits", "accuracy", "mach
 // Values that most scenes turn on first.
 const MAIN = ["gait.model", "gait.file", "gait.step_frequency", "gait.body_weight", "drive.speed", "cam.follower",
   "limits.stroke", "limits.pressure_angle", "limits.curvature", "accuracy.rms"];
-const FIRST = ["name", ...MAIN];
+const FIRST = ["name", ...MAIN.filter((key) => key !== "gait.file" && key !== "gait.model")];
 // Values that belong together are set at once, where the first of them acts and is not set.
 const TOGETHER = {
   drive: [["spring", { "drive.spring_rate": "1000 N/m", "drive.preload": "50 N" }]],
@@ -84,7 +84,7 @@ export function render(version, { fields }) {
       <button type="button" id="all-values" aria-pressed=${everything ? "true" : "false"} @click=${all}>${t("studio-all-values")}</button>
     </div>
     ${SECTIONS.map((name) => section(name, rows.filter((r) => (r.key.section ?? "") === name), fields))}
-    ${isFound ? nothing : html`<p class="lead" role="status">${t("studio-find-none", { text: typed.trim() })}</p>`}`, $("values"));
+    ${isFound || sought() === "" ? nothing : html`<p class="lead" role="status">${t("studio-find-none", { text: typed.trim() })}</p>`}`, $("values"));
 }
 
 function row(key, version, fields) {

@@ -256,6 +256,8 @@ class Values(Pages):
         self.assertEqual(page.value("limits.stroke"), "61")
         page.does(lambda: page.page.keyboard.press("Control+z"))
         self.assertEqual(page.value("limits.stroke"), "60 mm")
+        # The form does not go away in between.
+        self.assertEqual(page.page.evaluate("document.activeElement.name"), "limits.stroke")
 
     def test_folded_sections_stay_folded_and_no_heading_stands_over_nothing(self):
         page = self.page()

@@ -399,6 +399,39 @@ fn a_scene_without_its_recording_is_read_with_its_form() {
 }
 
 #[test]
+fn verdicts_over_a_value_are_those_of_its_designs() {
+    let studio = Running::new();
+    let question = json!({
+        "scene": DEFAULT, "key": "limits.stroke", "unit": " mm", "from": 20, "to": 80, "count": 4,
+    });
+    let mut verdicts = Vec::new();
+    while verdicts.len() < 4 {
+        let mut rest = question.clone();
+        rest["from"] = json!(20 + 20 * verdicts.len());
+        rest["count"] = json!(4 - verdicts.len());
+        let answer = studio.post("range", rest.to_string().as_bytes()).json();
+        verdicts.extend(answer["values"].as_array().unwrap().clone());
+    }
+    for (i, verdict) in verdicts.iter().enumerate() {
+        let value = format!("{} mm", 20 + 20 * i);
+        let changes = json!([{"set": {"key": "limits.stroke", "value": value}}]);
+        let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
+        let is_infeasible = answer["infeasible"] == true;
+        let name = match is_infeasible {
+            true => "infeasible",
+            false => answer["verdict"].as_str().unwrap(),
+        };
+        assert_eq!(verdict[1], name, "{value}");
+    }
+    // A value of the wrong dimension is a fault of its design, not of the question.
+    let wrong = json!({
+        "scene": DEFAULT, "key": "limits.stroke", "unit": " kg", "from": 20, "to": 20, "count": 1,
+    });
+    let answer = studio.post("range", wrong.to_string().as_bytes()).json();
+    assert_eq!(answer["values"], json!([[20.0, "fault"]]));
+}
+
+#[test]
 fn a_restart_on_the_same_folder_keeps_the_address() {
     let folder = tempfile::tempdir().unwrap();
     let options = || Options {
