@@ -181,16 +181,16 @@ synth-no-sequence = not needed
 synth-sequence = { $count } convex programs
 synth-step-head = step   prime radius          objective   relative clearance   step length
 synth-ended = stopped: { $why }
-synth-no-solid = no solid: { $fault }
-synth-no-step = no STEP file: { $fault }
-synth-no-program = no program for the machine: { $fault }
+synth-no-solid = the solid was not written: { $fault }
+synth-no-step = the STEP file was not written: { $fault }
+synth-no-program = the machine program was not written: { $fault }
 synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }; the maximum is { $radius } mm
 synth-gouge-elsewhere = while the cutter cuts the profile at { $at }, it gouges the profile at { $damaged } by { $depth } mm
 synth-gouge-undercut = the profile is undercut at { $at } and cannot be cut
 
 # synth --front.
 trade-stopped = The time limit ended the search, and points of the front are missing. Set a longer --time-limit.
-trade-none = no point of the front can be built
+trade-none = no point of the front has a feasible cam
 trade-title = { $name }: minimum force error for each { $quantity }
 
 # gait.
@@ -255,7 +255,7 @@ scatter-tolerance = tolerance
 
 # front.
 front-none-built = { $file }: no design was built
-front-none-feasible = { $file }: no design is acceptable (--all includes the others)
+front-none-feasible = { $file }: no design is acceptable (--all includes unacceptable designs)
 front-counts = { $file }: { $candidates } of { $seen } designs are admissible; { $front } of them are non-dominated
 front-missing = { $count ->
         [one] row { $list } is not in the folder
@@ -404,7 +404,7 @@ inspect-acceleration = peak acceleration: as designed { $before }, as manufactur
 inspect-liftoff = lift-off speed: as designed { $before }, as manufactured { $after } { $unit }
 inspect-lifts-off = this cam loses contact at the speed of the scene
 # Electronic cams.
-synth-no-ecam = no electronic cam: { $fault }
+synth-no-ecam = the electronic cam was not written: { $fault }
 ecam-no-cam = there is no cam to simulate: { $why }
 ecam-file = File { $file }.
 ecam-quintic = quintic

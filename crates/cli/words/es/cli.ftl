@@ -181,16 +181,16 @@ synth-no-sequence = no fue necesaria
 synth-sequence = { $count } programas convexos
 synth-step-head = paso radio primario           objetivo    holgura relativa      longitud
 synth-ended = detenida: { $why }
-synth-no-solid = sin sólido: { $fault }
-synth-no-step = sin archivo STEP: { $fault }
-synth-no-program = sin programa para la máquina: { $fault }
+synth-no-solid = no se escribió el sólido: { $fault }
+synth-no-step = no se escribió el archivo STEP: { $fault }
+synth-no-program = no se escribió el programa para la máquina: { $fault }
 synth-gouge-hollow = el radio de la fresa es demasiado grande para el perfil cóncavo en { $at }; el máximo es { $radius } mm
 synth-gouge-elsewhere = mientras la fresa corta el perfil en { $at }, penetra { $depth } mm en el perfil en { $damaged }
 synth-gouge-undercut = el perfil tiene rebaje en { $at } y no se puede mecanizar
 
 # synth --front.
 trade-stopped = El límite de tiempo terminó la búsqueda y faltan puntos del frente. Fije un --time-limit mayor.
-trade-none = no se puede construir ningún punto del frente
+trade-none = ningún punto del frente tiene una leva factible
 trade-title = { $name }: error de fuerza mínimo para cada { $quantity }
 
 # gait.
@@ -255,7 +255,7 @@ scatter-tolerance = tolerancia
 
 # front.
 front-none-built = { $file }: no se construyó ningún diseño
-front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los demás)
+front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los inaceptables)
 front-counts = { $file }: { $candidates } de { $seen } diseños son admisibles; { $front } de ellos son no dominados
 front-missing = { $count ->
         [one] la fila { $list } no está en la carpeta
@@ -404,7 +404,7 @@ inspect-acceleration = aceleración máxima: según diseño { $before }, fabrica
 inspect-liftoff = velocidad de pérdida de contacto: según diseño { $before }, fabricada { $after } { $unit }
 inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena
 # Levas electrónicas.
-synth-no-ecam = sin leva electrónica: { $fault }
+synth-no-ecam = no se escribió la leva electrónica: { $fault }
 ecam-no-cam = no hay ninguna leva que simular: { $why }
 ecam-file = Archivo { $file }.
 ecam-quintic = quíntica

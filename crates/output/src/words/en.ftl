@@ -41,7 +41,7 @@ report-alt-animation = The cam turning under its follower
 report-alt-force = Target and achieved force over the cam angle: { $low } to { $high }, force error { $rms } RMS
 report-alt-force-alone = Force over the cam angle: { $low } to { $high }
 report-alt-law = Lift, velocity, acceleration and jerk over the cam angle: stroke { $stroke }, acceleration { $acceleration }
-report-alt-cam = The cam at θ = 0 with its follower: { $base }, minimum radius of curvature { $radius }
+report-alt-cam = The cam at θ = 0 with its follower, { $base } and minimum radius of curvature { $radius }
 report-alt-curvature = Radius of curvature and contact over the cam angle: minimum radius { $radius } at { $place }
 
 # Checks and active limits.
@@ -56,7 +56,7 @@ report-satisfied = satisfied
 report-at-limit = at the limit
 report-violated = violated
 report-active-limits = Active limits
-report-no-active-limits = No active limits.
+report-no-active-limits = No limit is active.
 report-times = Points
 report-multiplier = Maximum multiplier (SI)
 report-multiplier-note = Lagrange multiplier of the objective; the most restrictive limit has the maximum multiplier.
@@ -120,9 +120,9 @@ report-certified = No law of the family reduces the objective by more than one p
 report-uncertified = The law is not certified as the optimum: { $why }.
 report-certificate = Relative duality gap { $gap }; KKT residual { $stationarity }; constraint violation { $violation }.
 report-remarks = Remarks
-report-footer = Lengths in millimetres, angles in degrees, θ counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.
-report-footer-straight = Lengths in millimetres, angles in degrees, travel from the start of the pass. Extrema are computed on the continuous law.
-report-footer-sweep = SI units unless stated. Extrema are computed on the continuous law.
+report-footer = Lengths are in millimetres and angles in degrees. θ is measured counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.
+report-footer-straight = Lengths are in millimetres and angles in degrees. Travel is measured from the start of the pass. Extrema are computed on the continuous law.
+report-footer-sweep = Values are in SI units unless stated. Extrema are computed on the continuous law.
 
 # Animation.
 report-play = Play

@@ -56,7 +56,7 @@ report-satisfied = cumplido
 report-at-limit = en el límite
 report-violated = incumplido
 report-active-limits = Límites activos
-report-no-active-limits = Ningún límite activo.
+report-no-active-limits = Ningún límite está activo.
 report-times = Puntos
 report-multiplier = Multiplicador máximo (SI)
 report-multiplier-note = Multiplicador de Lagrange del objetivo; el límite más restrictivo tiene el multiplicador máximo.
@@ -120,9 +120,9 @@ report-certified = Ninguna ley de la familia reduce el objetivo en más de una p
 report-uncertified = La ley no se certifica como óptima: { $why }.
 report-certificate = Brecha dual relativa { $gap }; residuo KKT { $stationarity }; violación de restricciones { $violation }.
 report-remarks = Observaciones
-report-footer = Longitudes en milímetros, ángulos en grados, θ en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
-report-footer-straight = Longitudes en milímetros, ángulos en grados, recorrido desde el inicio de la pasada. Los extremos se calculan en la ley continua.
-report-footer-sweep = Unidades del SI salvo indicación. Los extremos se calculan en la ley continua.
+report-footer = Las longitudes están en milímetros y los ángulos en grados. θ se mide en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
+report-footer-straight = Las longitudes están en milímetros y los ángulos en grados. El recorrido se mide desde el inicio de la pasada. Los extremos se calculan en la ley continua.
+report-footer-sweep = Los valores están en unidades SI salvo indicación. Los extremos se calculan en la ley continua.
 
 # Animación.
 report-play = Reproducir

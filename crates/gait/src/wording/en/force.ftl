@@ -97,7 +97,7 @@ note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix 
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated; give the walker's mass
 note-clipped = { $column } is clipped: its readings do not exceed about { $level }, which is below the peaks of the force
-note-missing-is-unloaded = samples of { $column } are missing between its contacts; the plate is assumed to be unloaded there
+note-missing-is-unloaded = samples of { $column } are missing between its contacts, where the plate is assumed to be unloaded
 note-spikes-removed = { $count ->
         [one] a single sample of { $column } at { $first } differs strongly from both neighbours and was
        *[other] { $count } single samples of { $column } differ strongly from both neighbours (the first at { $first }) and were
@@ -127,7 +127,7 @@ note-peak-implausible = the peak force of a stance is { $ratio } body weights, o
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
-    } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
+    } weight of { $mass }, but the expected ratio is 1: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
 note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass would be { $mass }, which is implausible for an adult: give the unit or the mass (options unit and mass)
 note-clock-differs = according to its time column the file lasts { $clock }, but the given period is { $period }: the time is scaled to the given period

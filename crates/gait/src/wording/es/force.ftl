@@ -127,7 +127,7 @@ note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corpor
 note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
         [half] la mitad del
        *[whole] el
-    } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
+    } peso de { $mass }, pero la razón esperada es 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-unit-unconfirmed = no se da la unidad de fuerza; en { $unit } la masa sería { $mass }, que no es verosímil en un adulto: indique la unidad o la masa (opciones unit y mass)
 note-clock-differs = según su columna de tiempo el archivo dura { $clock }, pero el período dado es { $period }: el tiempo se escala al período dado
