@@ -56,12 +56,13 @@ export function extent(key, slider) {
 // An end as typed; it stays beyond the value.
 export function setEnd(key, slider, end, text) {
   const range = extent(key, slider);
-  const x = typed.number(typed.value(text, ""));
+  const isCount = slider.step === 1 && slider.unit === "";
+  const sent = typed.number(typed.value(text, ""));
+  const x = isCount ? Math.round(sent) : sent;
   if (!Number.isFinite(x)) return;
   const next = { ...range, [end]: end === "to" ? Math.max(x, slider.at) : Math.min(x, slider.at) };
   if (next.to <= next.from) return;
-  next.step = 10 ** Math.floor(Math.log10((next.to - next.from) / 300));
-  if (slider.step === 1) next.step = 1;
+  next.step = isCount ? 1 : 10 ** Math.floor(Math.log10((next.to - next.from) / 300));
   ends.set(key, next);
 }
 
