@@ -1,9 +1,9 @@
-//! The outlines of the letters that pictures may show, from the typeface: a seventh of its size, and nothing to parse.
+//! Extracts the outlines of the letters that figures may contain from the typeface. The result has a seventh of the size and needs no parsing.
 //!
-//! `letters.bin`, little-endian: number of letters and units per em (u16 each); per letter, in order, its code and
-//! advance (u16 each) and where its outline begins among the bytes after the table (u32); then the outlines. A contour is
-//! the number of its corners (u8) and of each whether it is on the curve (u8), x and y (i16), y upwards; a corner off the
-//! curve is the control point between its neighbours. The first letter, of code 0, replaces missing ones.
+//! Format of `letters.bin`, little-endian: number of letters and units per em (u16 each). Per letter, in ascending order: code and advance (u16
+//! each), and start of its outline among the bytes after the table (u32). Then the outlines. A contour consists of the number of its corners (u8)
+//! and, for each corner, whether it is on the curve (u8), x and y (i16), with y upwards. A corner off the curve is the control point between its
+//! neighbours. The first letter, of code 0, replaces missing ones.
 
 use std::path::Path;
 use std::{env, fs};
@@ -29,7 +29,7 @@ const LETTERS: [[u16; 2]; 12] = [
 #[derive(Default)]
 struct Contours {
     bytes: Vec<u8>,
-    /// Corners of the contour that is open.
+    /// Corners of the contour that is being read.
     corners: Vec<(bool, [i16; 2])>,
 }
 

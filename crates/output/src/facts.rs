@@ -1,4 +1,4 @@
-//! The facts of a design for console, report and page, each with its name and formatted value.
+//! Facts of a design for console, report and page, each with its name and formatted value.
 
 use crate::words::{self, Words};
 use gaitcam::cam::{Measures, Unit};
@@ -6,14 +6,14 @@ use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, Figure, Figures};
 use gaitcam::wording::{Language, rounded};
 
-/// Place of a fact besides the report.
+/// How the console shows a fact. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
-    /// Not on the console.
+    /// The console does not show the fact.
     Not,
-    /// In a line of the console, with its name.
+    /// A line of the console shows the fact with its name.
     Whole,
-    /// In a line of the console, without its name.
+    /// A line of the console shows the fact without its name.
     Value,
 }
 
@@ -32,13 +32,13 @@ pub struct Fact {
 /// Subject of a group of facts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// The law of motion.
+    /// Facts on the law of motion.
     Law,
-    /// The drive with its moved mass and speed.
+    /// Facts on the drive, with moved mass and speed.
     Drive,
-    /// The cam and follower.
+    /// Facts on cam and follower.
     Cam,
-    /// Torque, power, lift-off and pressure.
+    /// Facts on torque, power, lift-off and pressure.
     Machine,
 }
 
@@ -57,7 +57,7 @@ impl Group {
     }
 }
 
-/// The facts of a group; empty if the design has none.
+/// Facts of a group; empty if the design has no such facts.
 ///
 /// ```
 /// use gaitcam_output::facts::{Group, facts};
@@ -85,7 +85,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// The main facts of a group in one line; `None` without facts.
+/// Main facts of a group in one line; `None` without facts.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -103,7 +103,7 @@ pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     Figure::of_column(column).map_or(String::new(), label)
 }
 
-/// A force of a design, or a moment on its arm, formatted as a figure.
+/// Formats a force of a design, or a moment on its arm, as a figure.
 pub fn force(design: &Design, column: &str, value: f64, language: Language) -> String {
     let unit = design.cam.follower.measures().force();
     let digits = |f: &Figure| f.digits;
@@ -111,7 +111,7 @@ pub fn force(design: &Design, column: &str, value: f64, language: Language) -> S
     unit.after(&rounded(language, unit.factor * value, digits))
 }
 
-/// The force error as a percentage of the mean.
+/// Force error in percent of the mean.
 pub fn error_percent(design: &Design, language: Language) -> String {
     let figure = Figure::of_column("force_rms_error_percent");
     let digits = figure.map_or(gaitcam::wording::DIGITS, |f| f.digits);
@@ -136,13 +136,13 @@ impl List<'_> {
         });
     }
 
-    /// A fact that is not a figure.
+    /// Adds a fact that is not a figure.
     fn quantity(&mut self, key: &'static str, unit: Unit, value: f64) {
         let value = unit.shown(value, self.words.language());
         self.put(key, value, Brief::Not);
     }
 
-    /// A figure as a fact, if the design has it.
+    /// Adds a figure as a fact, if the design has a value for it.
     fn figure(&mut self, column: &'static str, brief: Brief) {
         let Some(figure) = Figure::of_column(column) else {
             return;
@@ -278,7 +278,7 @@ impl List<'_> {
         }
     }
 
-    /// Torque, power, lift-off and pressure, if defined.
+    /// Adds torque, power, lift-off speed and pressure, if they are defined.
     fn machine(&mut self) {
         self.figure("torque_max_n_m", Brief::Whole);
         self.figure("torque_rms_n_m", Brief::Whole);

@@ -1,4 +1,4 @@
-//! The machine parameters identified from a log, in words.
+//! Text of the machine parameters that were identified from a log.
 
 use gaitcam::identify::{Identified, Parameter};
 use gaitcam::scene::{Scene, keys};
@@ -20,12 +20,12 @@ fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -
     quantity(language, value, unit).trim_end().to_string()
 }
 
-/// The note that the log has no angle, if so.
+/// Note that the log has no angle; `None` if it has one.
 pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
     (!found.has_angle).then(|| words::words(language).text("identify-no-angle"))
 }
 
-/// Noise and residual, each parameter with its interval, parameters that this log cannot identify, and a run that would identify them.
+/// Lines on noise and residual, each parameter with its interval, the parameters that this log does not identify, and a run that would identify them.
 pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
     let words = words::words(language);
     let number = |x: f64| number(language, x);

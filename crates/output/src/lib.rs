@@ -1,7 +1,7 @@
-//! Output formats of a design: tables, pictures, report; drawings and solids are made by `gaitcam_cad`.
+//! Output formats of a design: tables, figures, report. `gaitcam_cad` makes drawings and solids.
 //!
-//! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or bytes; the command writes the files. Drawings
-//! are at true scale in millimetres, tables in SI units with the unit in the column's name, pictures in millimetres and degrees.
+//! Every function is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or bytes. The command writes the files. Drawings
+//! are at true scale in millimetres. Tables are in SI units, with the unit in the name of the column. Figures are in millimetres and degrees.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -36,7 +36,7 @@ pub mod curve {
     pub use super::pose::{largest_radius, motion, target_at};
 }
 
-/// All pictures of a design.
+/// All figures of a design.
 pub mod plots {
     pub use super::Picture;
     pub use super::figures::cam::cam;
@@ -48,7 +48,7 @@ pub mod plots {
     pub use super::figures::walkers::walkers;
 }
 
-/// Computing times, s; measured by the caller, since emitters read no clock.
+/// Computing times, s. The caller measures them, because output functions do not read a clock.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Timing {
     /// Time of the synthesis alone.

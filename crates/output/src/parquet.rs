@@ -22,7 +22,7 @@ use gaitcam::sweep::{self, FieldValues, NUMBERS, Records, TIME, Words};
 
 pub use arrow_array::RecordBatch;
 
-/// Number of rows of a row group.
+/// Number of rows in a row group.
 pub const GROUP_ROWS: usize = 131_072;
 
 fn field(column: &sweep::Field) -> Field {
@@ -74,7 +74,8 @@ fn parquet_fault(e: parquet::errors::ParquetError) -> Error {
 /// Rows as a record batch.
 ///
 /// # Errors
-/// Columns that do not fit the schema.
+///
+/// The columns do not fit the schema.
 pub fn record_batch(schema: &SchemaRef, records: &Records) -> Result<RecordBatch> {
     let columns = records.fields.iter().map(|field| match &field.values {
         FieldValues::Rows(x) => Arc::new(UInt64Array::from_iter_values(x.iter().copied())),
@@ -84,10 +85,11 @@ pub fn record_batch(schema: &SchemaRef, records: &Records) -> Result<RecordBatch
     RecordBatch::try_new(schema.clone(), columns.collect()).map_err(arrow_fault)
 }
 
-/// A whole file of rows.
+/// Complete file with the given rows.
 ///
 /// # Errors
-/// Columns that do not fit together.
+///
+/// The columns do not fit together.
 pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>> {
     let schema = schema(records, metadata);
     let mut writer = Writer::new(Vec::new(), &schema)?;
@@ -95,15 +97,16 @@ pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>>
     writer.close()
 }
 
-/// Writes rows incrementally; holds one row group in memory.
+/// Writes rows incrementally, with one row group in memory.
 pub struct Writer<W: Write + Send> {
     inner: ArrowWriter<W>,
 }
 
 impl<W: Write + Send> Writer<W> {
-    /// Begins a file for the columns of `schema`.
+    /// Starts a file for the columns of `schema`.
     ///
     /// # Errors
+    ///
     /// The sink cannot write the header.
     pub fn new(sink: W, schema: &SchemaRef) -> Result<Self> {
         let mut properties = WriterProperties::builder()
@@ -136,10 +139,11 @@ impl<W: Write + Send> Writer<W> {
     }
 }
 
-/// Writes the rows of several files of equal columns as one file.
+/// Writes the rows of several files with equal columns as one file.
 ///
 /// # Errors
-/// A file that cannot be read, and a sink that cannot write the rows.
+///
+/// A file cannot be read, or the sink cannot write the rows.
 pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     let mut sink = Some(sink);
     let mut writer = None;
@@ -159,8 +163,11 @@ pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     writer.ok_or_else(empty)?.close()
 }
 
-/// Reads a table's columns by their names, batch by batch, everything as text or numbers: `each` receives the columns in the requested order. #
-/// Errors A file that is not a Parquet file, or lacks a column.
+/// Reads columns of a table by their names, batch by batch, as text or numbers. `each` receives the columns in the requested order.
+///
+/// # Errors
+///
+/// The file is not a Parquet file, or lacks a column.
 pub fn read<R: ChunkReader + 'static>(
     file: R,
     mut each: impl FnMut(&RecordBatch) -> Result<()>,
@@ -174,7 +181,7 @@ pub fn read<R: ChunkReader + 'static>(
     Ok(())
 }
 
-/// A number of a record batch; NaN if missing.
+/// Number in a record batch; NaN if missing.
 pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
     if column.is_null(row) {
         return f64::NAN;
@@ -187,7 +194,7 @@ pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
         .map_or(f64::NAN, |x| x.value(row) as f64)
 }
 
-/// A word of a record batch; empty if missing.
+/// Word in a record batch; empty if missing.
 pub fn word_at(column: &ArrayRef, row: usize) -> &str {
     if let Some(words) = column.as_dictionary_opt::<Int32Type>() {
         return words.key(row).map_or("", |k| word_at(words.values(), k));

@@ -1,19 +1,19 @@
-//! Common parts of all drawings of a cam: directions, poses, samples of the motion.
+//! Functions that all drawings of a cam share: directions, poses, samples of the motion.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Law, Svaj};
 
-/// Number of points per turn of a drawn curve: one per two pixels of a wide picture.
+/// Number of points per turn of a drawn curve: one per two pixels of a wide figure.
 const PER_LAW: f64 = 540.0;
 
-/// Turns `p` by `theta` rad, counter-clockwise: from the cam's frame into the fixed one.
+/// Rotates `p` by `theta` rad counter-clockwise, from the frame of the cam to the fixed frame.
 pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }
 
-/// Angles of `n` rows at equal steps: a closed law does not repeat its first, an open one ends on its last.
+/// Angles of `n` rows at equal steps. A closed law does not repeat its first angle; an open law ends at its last one.
 pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     let (start, length) = law.extent();
     let steps = if law.is_closed() {
@@ -24,7 +24,7 @@ pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     (0..n).map(move |i| start + length * i as f64 / steps as f64)
 }
 
-/// Target force at `theta`, N: the target's cycle spread over the law's extent.
+/// Target force at `theta`, N, with the cycle of the target spread over the extent of the law.
 pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     let (start, length) = law.extent();
     target.at(std::f64::consts::TAU * ((theta - start) / length))
@@ -47,12 +47,12 @@ impl Bounds {
     }
 }
 
-/// The part of the follower that touches the cam, in the fixed frame, m.
+/// Part of the follower that touches the cam, in the fixed frame, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pose {
-    /// A face through `at`, along the direction `angle` (rad) from +x.
+    /// A face through `at` in the direction `angle` (rad) from +x.
     Face {
-        /// The foot of the stem.
+        /// Foot of the stem.
         at: [f64; 2],
         /// Direction of the face.
         angle: f64,
@@ -66,9 +66,9 @@ pub enum Pose {
     },
 }
 
-/// Pose of the follower at cam angle `theta`.
+/// Pose of the follower at the cam angle `theta`.
 ///
-/// The face of an oscillating follower starts at the foot of its pivot along the arm.
+/// The face of an oscillating follower starts at the foot of the perpendicular from its pivot, along the arm.
 pub fn pose(cam: &Cam, theta: f64) -> Pose {
     let point = cam.point(theta);
     let [nx, ny] = cam.motion(theta);
@@ -97,8 +97,8 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
     }
 }
 
-/// The required face of a flat follower: range of the contact, m, to −x and to +x of the cam's centre, or along the arm from the foot of the pivot;
-/// `None` for others.
+/// Required face of a flat follower: range of the contact, m, towards −x and +x from the cam centre, or along the arm from the foot of the
+/// perpendicular from the pivot; `None` for other followers.
 pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
     if !cam.follower.is_flat() {
         return None;
@@ -107,7 +107,7 @@ pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
         .map(|(low, high)| (low.value, high.value))
 }
 
-/// Angles (rad) with the motion there. Both sides of every break are sampled, so jumps show as jumps.
+/// Angles (rad) with the motion at each. Both sides of every break are sampled, so jumps are visible.
 pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     let breaks = law.breaks();
     let (_, length) = law.extent();
@@ -122,7 +122,8 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     out
 }
 
-/// Maximum radius of curvature drawn: `size` of a disc, beyond which curves look straight; for an unrolled cam, three quarters of its `radii`.
+/// Maximum radius of curvature that is drawn. For a disc it is `size`, above which curves look straight; for an unrolled cam it is three quarters of
+/// its `radii`.
 pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
     let size = size * cam.follower.prime_radius().max(cam.law.stroke());
     if !cam.follower.is_unrolled() {

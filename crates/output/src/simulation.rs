@@ -1,4 +1,4 @@
-//! The outcome of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
+//! Result of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
 
 use crate::csv::{self, Columns};
 use crate::words::{self, Words};
@@ -80,7 +80,7 @@ pub fn json(outcome: &Outcome) -> Value {
     out
 }
 
-/// The columns of `dynamics.csv`, [`crate::csv::text`], and of `dynamics.xlsx`, [`crate::xlsx::table`].
+/// Columns of `dynamics.csv` (see [`crate::csv::text`]) and of `dynamics.xlsx` (see [`crate::xlsx::table`]).
 pub fn columns(outcome: &Outcome) -> Columns {
     let rows = outcome.rows.iter().map(|row| values(outcome, row));
     csv::columns(csv::named(COLUMNS, outcome.swings), rows)
@@ -130,7 +130,7 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     words.fill("simulation-contact-lost", &[("percent", &percent)])
 }
 
-/// Acceleration of the floor and its comfort.
+/// Text on the acceleration of the floor and its comfort class.
 pub fn floor(floor: &FloorMotion, language: Language) -> String {
     let words = words::words(language);
     let [peak, rms] = [
@@ -147,7 +147,7 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
     words.fill("simulation-floor-values", &values)
 }
 
-/// Speed, motor, start and minimum inertia of the shaft.
+/// Rows on the speed, motor, start and minimum inertia of the shaft.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
     let speed = [
         ("least", &*words.number(shaft.min)),
@@ -188,7 +188,7 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
     ]
 }
 
-/// Force, force error, bearing loads, torque and pressure.
+/// Rows on force, force error, bearing loads, torque and pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let force = measures.force().name;
     let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
@@ -232,7 +232,7 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
     lines
 }
 
-/// Lift-off, settling and impacts.
+/// Rows on lift-off, initial turns and impacts.
 fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let liftoff = match outcome.liftoff_speed {
         Some(w) => Some(measures.speed_words(w, words.language())),
@@ -276,7 +276,7 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
     lines
 }
 
-/// Changes of a force, N, or of the contact loss below this are rounding errors.
+/// Changes of a force, N, or of the contact loss, below which they are rounding errors.
 const LEAST_CHANGE: f64 = 5e-5;
 
 fn impact_json(hit: &Impact) -> Value {
@@ -312,7 +312,7 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
     })
 }
 
-/// Changes from the next finer model. Forces in N: those of an arm at its lever, m.
+/// Text on the changes from the next finer model. Forces are in N; for an arm at its lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());
     if let Some(fault) = &next.failed {

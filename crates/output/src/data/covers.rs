@@ -1,10 +1,10 @@
-//! Tables of a cover: the errors by the number of cams, the assignment of walkers, and the errors of other walkers.
+//! Tables of a cover: errors by number of cams, assignment of walkers, and errors of new walkers.
 
 use gaitcam::cover::{Assigned, Cover, Fold};
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::sweep::{Field, Records};
 
-/// What an error consists of.
+/// Components of an error.
 pub const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
 /// A column of errors, with the unit in its name.
@@ -17,7 +17,7 @@ fn counts(name: &str, values: impl Iterator<Item = usize>) -> Field {
     Field::numbers(name, values.map(|count| count as f64).collect())
 }
 
-/// `cover.csv`: mean and worst error by the number of cams, with the lower bound of the objective.
+/// `cover.csv`: mean and maximum error by number of cams, with the lower bound of the objective.
 pub fn cover(covers: &[Cover], error: ErrorMeasure) -> Records {
     let all = || covers.iter();
     let fields = vec![
@@ -29,7 +29,7 @@ pub fn cover(covers: &[Cover], error: ErrorMeasure) -> Records {
     Records { fields }
 }
 
-/// `assignment.csv`: the cam of each cycle, its error, and what the error consists of.
+/// `assignment.csv`: cam of each cycle, its error, and the components of the error.
 pub fn assignment(covers: &[Cover], error: ErrorMeasure) -> Records {
     let all = || {
         covers
@@ -56,7 +56,7 @@ pub fn assignment(covers: &[Cover], error: ErrorMeasure) -> Records {
     Records { fields }
 }
 
-/// `folds.csv`: the errors of walkers under cams that were designed without them.
+/// `folds.csv`: errors of walkers with cams that were designed without them.
 pub fn folds(folds: &[Fold], error: ErrorMeasure) -> Records {
     let all = || folds.iter();
     let fields = vec![

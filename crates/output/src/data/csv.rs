@@ -1,4 +1,4 @@
-//! Tables: the law and the profile, one row per cam angle, full precision.
+//! Tables of the law and the profile, with one row per cam angle and full precision.
 
 use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
@@ -49,7 +49,7 @@ pub type Columns = Vec<(&'static str, Vec<f64>)>;
 /// Length reserved for one number and its comma.
 const WIDTH: usize = 24;
 
-/// `floor.csv`: the motion of the floor over the step frequency, under the required force and under that of the cam as manufactured.
+/// `floor.csv`: motion of the floor over the step frequency, with the required force and with the force of the finished cam.
 pub fn floor(design: &Design) -> Option<String> {
     design.floor.as_ref()?;
     let rows = design.resonance().into_iter().map(|p| {
@@ -69,7 +69,7 @@ pub fn floor(design: &Design) -> Option<String> {
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 
-/// `walkers.csv`: the force error of each cycle of a population.
+/// `walkers.csv`: force error of each cycle of a population.
 pub fn walkers(design: &Design) -> Option<Records> {
     let each = &design.population.as_ref()?.each;
     let numbers = columns(
@@ -87,15 +87,15 @@ pub fn walkers(design: &Design) -> Option<Records> {
     Some(Records { fields })
 }
 
-/// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
+/// `law.csv`: lift, its derivatives with respect to the cam angle, force and target at `points` equal steps.
 ///
-/// The force is the one at the output: for a polydyne cam, that of the follower's end. Numbers have the fewest digits that read back exactly.
-/// `target_n` stays empty for a classical programme, which has no target.
+/// The force is the output force; for a polydyne cam the force of the follower's end. Numbers have the minimum number of digits for which they are
+/// read back exactly. `target_n` is empty for a classical programme, which has no target.
 pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// The columns of `law.csv`, with the force of an arm at its lever; NaN without a target.
+/// Columns of `law.csv`, for an arm with the force at its lever; NaN without a target.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
@@ -114,13 +114,13 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
 
 /// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
 ///
-/// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the profile has `rho_m` = `inf`. For a barrel the
-/// table gives the lower wall with the centre of its roller; with two rollers this centre is below that of the stud.
+/// Row i is the contact at its angle. The curve of a closed law closes at row 0. At a flat point of the profile `rho_m` is `inf`. For a barrel, the
+/// table contains the lower wall with the centre of its roller. With two rollers, this centre is below the centre of the stud.
 pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
 
-/// The columns of `profile.csv`.
+/// Columns of `profile.csv`.
 pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {
@@ -133,7 +133,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Any profile in the columns of `profile.csv`, such as the second one of a conjugate pair.
+/// Any profile in the columns of `profile.csv`, such as that of the second cam of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }
@@ -153,7 +153,7 @@ fn points_columns(rows: &[ProfilePoint]) -> Columns {
     columns(PROFILE, rows)
 }
 
-/// Names of columns, with those of [angles](ANGLES) for an oscillating follower.
+/// Names of columns; for an oscillating follower with the [names of angles](ANGLES).
 pub(crate) fn named<const N: usize>(names: [&'static str; N], swings: bool) -> [&'static str; N] {
     names.map(|name| {
         let angle = ANGLES.iter().find(|a| a.0 == name && swings);
@@ -174,7 +174,7 @@ pub(crate) fn columns<const N: usize>(
     out
 }
 
-/// A table: a header, then a line for each row; numbers in the shortest form that reads back exactly, nothing for NaN.
+/// Table with a header and one line per row. Numbers have their shortest exact form; NaN is an empty cell.
 pub fn text(columns: &Columns) -> String {
     let rows = columns.first().map_or(0, |c| c.1.len());
     let mut out = String::with_capacity((rows + 1) * columns.len() * WIDTH);

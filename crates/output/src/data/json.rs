@@ -9,10 +9,10 @@ use gaitcam::error::Error;
 use gaitcam::synth::{Design, Doubt, End, FIGURES, Figures, OnShaft, Reason};
 use gaitcam::wording::Language;
 
-/// The summary of a design.
+/// Summary of a design.
 ///
-/// Extremes are those of the continuous law. An infeasible outcome also lists the conflicting limits and the smallest sufficient change of each (`to`
-/// is null if none suffices).
+/// Extremes are those of the continuous law. For an infeasible design, the summary also lists the conflicting limits and the minimum sufficient
+/// change of each (`to` is null if no change is sufficient).
 pub fn summary(design: &Design, time: Timing) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
@@ -80,7 +80,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     Value::Object(out)
 }
 
-/// Agreement of the law and the speed of the shaft, and the effect of a different machine.
+/// Consistency of the law with the speed of the shaft, and effect of a different machine.
 fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,
@@ -91,7 +91,7 @@ fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     })
 }
 
-/// The summary of a scene without a cam: the reason, and the key at fault.
+/// Summary of a scene without a cam: the reason, and the key that causes it.
 pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
     let place = error.place.to_string();
     let key = place.trim_end_matches(": ");
@@ -122,7 +122,7 @@ fn coded(reason: &Reason) -> Value {
     Value::Object(out)
 }
 
-/// A number that may be infinite: JSON has no such number, so it is the string `inf` or `-inf`. NaN is null.
+/// A number that may be infinite. JSON has no such number, so it becomes the string `inf` or `-inf`. NaN becomes null.
 fn real(x: f64) -> Value {
     match x {
         f64::INFINITY => json!("inf"),
@@ -131,7 +131,7 @@ fn real(x: f64) -> Value {
     }
 }
 
-/// Null without contact; without a target its values and the errors are null.
+/// Contact force; null without contact. Without a target, target and errors are null.
 fn force(design: &Design) -> Value {
     if design.problem.drive.is_idle() && design.target().is_none() {
         return Value::Null;
@@ -181,8 +181,8 @@ fn law(design: &Design) -> Value {
     out
 }
 
-/// The output end of a flexible follower, for which the cam is designed. The force is that of the end; stroke, velocity, acceleration and jerk of the
-/// law are those of the cam. Misses are deviations in the flexible simulation: of this cam, and of a cam with the law of the end.
+/// End of a flexible follower for which the cam is designed. The force is that of the end; stroke, velocity, acceleration and jerk of the law are
+/// those of the cam. Misses are deviations in the flexible simulation: for this cam, and for a cam with the law of the end.
 fn polydyne(end: &End, drive: &Drive) -> Value {
     let newtons = |force: f64| drive.newtons(force);
     json!({
@@ -217,7 +217,7 @@ fn cam(design: &Design) -> Value {
     out
 }
 
-/// The second cam of a pair.
+/// Second cam of a pair.
 fn second(cam: &Cam) -> Value {
     let convex = cam.curvature().convex;
     json!({

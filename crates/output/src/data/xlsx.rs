@@ -1,4 +1,4 @@
-//! The workbook: CAM-DAS's own table (Serrano Muñoz 2010, "Exportar-Excel"), cell for cell, and the summary.
+//! Workbook with the table of CAM-DAS (Serrano Muñoz 2010, "Exportar-Excel"), cell for cell, and with the summary.
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;
@@ -13,22 +13,23 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
-/// Row of the headings (row 10 of the sheet) and of the first angle.
+/// Row of the headings (row 10 of the sheet).
 const HEADINGS: u32 = 9;
 const FIRST: u32 = 10;
 
-/// Workbook of two sheets: `cam`, with a row per degree in the columns CAM-DAS exports, and `summary`.
+/// Workbook with two sheets: `cam`, with one row per degree in the columns of CAM-DAS, and `summary`.
 ///
-/// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
-/// be put together.
+/// Lengths are in mm, angles in degrees; v, a and j are time derivatives at the speed of the cam. The function fails only if the workbook cannot be
+/// assembled.
 pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<Vec<u8>> {
     build(synthesis, time, &words::words(language)).map_err(not_built)
 }
 
-/// Workbook of one sheet, `name`: the columns of a CSV table with its header.
+/// Workbook with one sheet, `name`: the columns of a CSV table with its header.
 ///
 /// # Errors
-/// A workbook that cannot be assembled.
+///
+/// The workbook cannot be assembled.
 pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
     let built = || {
         let mut book = book(name)?;
@@ -52,7 +53,7 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
     WriteError::NotPutTogether { fault }.into()
 }
 
-/// An empty workbook; its date is fixed, so that equal results give equal bytes.
+/// Empty workbook with a fixed date, so that equal results give equal bytes.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
     // The library assembles each sheet on a thread of its own and panics where the system admits none.
     #[cfg(not(target_family = "wasm"))]
@@ -170,7 +171,7 @@ struct Row {
     lift: f64,
 }
 
-/// A column besides the angle: its letter in CAM-DAS, the key of its heading, its value.
+/// A column in addition to the angle: its letter in CAM-DAS, the key of its heading, and its value.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
 /// Columns of every cam.
@@ -221,7 +222,7 @@ const ROLLER: [Column; 5] = [
     (b'S', "sheet-pitch-y", |_, r| MM * r.point.pitch_y),
 ];
 
-/// The columns of the kind of cam.
+/// Columns for the kind of cam.
 fn columns(synthesis: &Design) -> impl Iterator<Item = Column> + Clone {
     let own: &[Column] = match synthesis.cam.face_width() {
         None => &ROLLER,
@@ -231,7 +232,7 @@ fn columns(synthesis: &Design) -> impl Iterator<Item = Column> + Clone {
     EVERY.iter().chain(own).copied()
 }
 
-/// Column index of a letter.
+/// Index of a column given by its letter.
 fn at(letter: u8) -> u16 {
     u16::from(letter - b'A')
 }
@@ -242,7 +243,7 @@ fn polar(x: f64, y: f64) -> f64 {
     if angle < 0.0 { angle + 360.0 } else { angle }
 }
 
-/// The summary as rows `key, value`, nested keys joined by dots and counted from 1 in lists.
+/// The summary as rows `key, value`. Nested keys are joined by dots; entries of lists are counted from 1.
 fn list(
     sheet: &mut Worksheet,
     row: &mut u32,

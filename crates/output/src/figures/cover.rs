@@ -1,4 +1,4 @@
-//! The picture of a cover: error against the number of cams.
+//! Figure of a cover: error by number of cams.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -8,7 +8,7 @@ use crate::plot::palette::{BLUE, GREEN, ORANGE};
 use crate::plot::picture::Picture;
 use gaitcam::wording::Language;
 
-/// Radius of a point: half the width of the bound.
+/// Radius of a point, half the width of the line of the bound.
 const DOT: f64 = 4.5;
 
 /// A curve of errors by number of cams; it may be empty.
@@ -20,12 +20,12 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Texts of the picture.
+/// Texts of the figure.
 #[derive(Debug, Clone)]
 pub struct CoverWords<'a> {
     /// Name of the population.
     pub name: &'a str,
-    /// Title of the picture.
+    /// Title of the figure.
     pub what: &'a str,
     /// Name of the vertical axis.
     pub error: &'a str,
@@ -33,7 +33,7 @@ pub struct CoverWords<'a> {
     pub number: &'a str,
 }
 
-/// Lower bound, error that it bounds, errors of cross-validation, and mean and maximum error.
+/// Figure with lower bound, the bounded error, errors of cross-validation, and mean and maximum error.
 pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Picture {
     let layout = Layout {
         size: (1200, 560),
@@ -68,7 +68,7 @@ pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Pic
     })
 }
 
-/// Colour and width of each curve. The bound is broad and light, since the errors may coincide with it.
+/// Colour and width of each curve. The line of the bound is wide and light, because the errors may coincide with it.
 fn styles() -> [(RGBAColor, f64); 6] {
     [
         (GREEN.mix(0.35), 9.0),

@@ -1,4 +1,4 @@
-//! The picture of curvature and contact.
+//! Figure of curvature and contact.
 
 use plotters_backend::text_anchor::VPos;
 
@@ -16,10 +16,10 @@ use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
 
-/// Maximum radius of curvature in the picture, in prime radii; larger ones look straight.
+/// Maximum radius of curvature in the figure, in prime radii. Larger radii look straight.
 const CAP: f64 = 2.2;
 
-/// Radius of curvature and pressure angle (for a flat face: contact position) over the cam angle.
+/// Figure of the radius of curvature and the pressure angle (for a flat face: contact position) over the cam angle.
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
@@ -47,7 +47,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
     })
 }
 
-/// A quantity at the law's own angles over the displayed cam angle.
+/// Quantity at the angles of the law, over the displayed cam angle.
 fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)> {
     let across = cam.follower.measures().angle().factor;
     let motion = motion(&cam.law);
@@ -84,7 +84,7 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     panel.quantity(&words.text("figure-rho"))
 }
 
-/// Position of the contact on a flat face, mm.
+/// Diagram of the position of the contact on a flat face, mm.
 fn contact<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,
@@ -99,7 +99,7 @@ fn contact<'a, 'c>(
     Ok(panel)
 }
 
-/// The pressure angle with its limits, degrees.
+/// Diagram of the pressure angle with its limits, degrees.
 fn pressure<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,

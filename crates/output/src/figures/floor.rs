@@ -1,4 +1,4 @@
-//! The picture of a moving floor: its peak acceleration over the step frequency.
+//! Figure of a moving floor: peak acceleration over the step frequency.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::VPos;
@@ -13,12 +13,12 @@ use gaitcam::dynamics::FloorMotion;
 use gaitcam::synth::{AtFrequency, Design};
 use gaitcam::wording::Language;
 
-/// The peak acceleration of the floor over the step frequency.
+/// Figure of the peak acceleration of the floor over the step frequency.
 pub fn floor(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// The resonance curves with the limits of the comfort classes; only the frame without a floor.
+/// Resonance curves with the limits of the comfort classes; without a floor only the frame.
 fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let points = design.resonance();
     let curve = |of: fn(&AtFrequency) -> FloorMotion| -> Vec<(f64, f64)> {

@@ -1,4 +1,4 @@
-//! The force diagram: achieved on target, with the error below.
+//! Force diagram: achieved force and target, with the error below.
 
 use plotters::style::Color;
 
@@ -20,7 +20,7 @@ use gaitcam::wording::Language;
 /// Number of points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
-/// Achieved force on the target with the error below; the step-to-step spread as a band.
+/// Figure of the achieved force and the target with the error below; the step-to-step spread is a band.
 pub fn force(synthesis: &Design, language: Language) -> Picture {
     force_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -89,7 +89,7 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
     })
 }
 
-/// The force of the cam over its angle, with its extremes.
+/// Force of the cam over the cam angle, with its extremes.
 struct Achieved {
     curve: Vec<(f64, f64)>,
     low: (f64, f64),
@@ -129,7 +129,7 @@ impl Achieved {
         }
     }
 
-    /// Axes that contain the force and `others`; a force without negative values is drawn from zero.
+    /// Diagram whose axes contain the force and `others`. A force without negative values is drawn from zero.
     fn panel<'a, 'c>(
         &self,
         f: &Figure<'a, 'c>,
@@ -155,7 +155,7 @@ impl Achieved {
     }
 }
 
-/// The target over the angle.
+/// Target over the cam angle.
 fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     let law = synthesis.pressing();
     let factor = synthesis.cam.follower.measures().angle().factor;
@@ -168,7 +168,7 @@ fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     curve
 }
 
-/// The error below the force, between the edges of the `held` band about the target, or ± its RMS.
+/// Diagram of the error below the force, with the edges of the `held` band about the target, or with ± its RMS.
 fn difference(
     f: &Figure,
     synthesis: &Design,
@@ -236,7 +236,7 @@ impl Names {
     }
 }
 
-/// The diagrams' frame below the line that names the curves.
+/// Frame of the diagrams below the line that names the curves.
 pub(crate) fn force_frame(layout: Layout) -> Frame {
     let frame = layout.frame();
     Frame {

@@ -1,4 +1,4 @@
-//! Pictures of a measured cam: its deviations over the cam angle, and around the profile.
+//! Figures of a measured cam: its deviations over the cam angle, and along the profile.
 
 use gaitcam::cam::Inspection;
 use gaitcam::sweep::MadeCam;
@@ -11,10 +11,10 @@ use crate::words;
 
 /// Number of points of the curves.
 const POINTS: usize = 1440;
-/// Maximum deviation in the polar picture, as a fraction of the cam's size.
+/// Maximum deviation in the polar figure, as a fraction of the size of the cam.
 const SHOWN: f64 = 0.08;
 
-/// Deviations along the normal and, if the cam's law is known, the force as designed and as manufactured.
+/// Deviations along the normal and, if the law of the cam is known, the forces as designed and as manufactured.
 pub fn diagram(
     design: &Design,
     inspected: &Inspection,
@@ -69,7 +69,7 @@ pub fn diagram(
     )
 }
 
-/// The profile with the deviations drawn along its normals, exaggerated by a round factor.
+/// Profile with the deviations drawn along its normals, magnified by a round factor.
 pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Picture {
     let words = words::words(language);
     let cam = &design.cam;
@@ -107,7 +107,7 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
     )
 }
 
-/// The largest of 1, 2, 5, 10, 20 … not above `x`, at least 1.
+/// Maximum of 1, 2, 5, 10, 20 … that is not above `x`, and at least 1.
 fn round_down(x: f64) -> f64 {
     let ten = 10f64.powf(x.max(1.0).log10().floor());
     let part = x.max(1.0) / ten;

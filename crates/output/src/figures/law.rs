@@ -1,4 +1,4 @@
-//! The diagrams of the law of motion.
+//! Diagrams of the law of motion.
 
 use crate::plot::axes::padded;
 use crate::plot::layout::{Layout, strips};
@@ -11,7 +11,7 @@ use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
+/// Figure of lift, velocity, acceleration and jerk over the cam angle, with marked extremes.
 pub fn svaj(synthesis: &Design, language: Language) -> Picture {
     svaj_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -57,7 +57,8 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
     })
 }
 
-/// Positions where a derivative is infinite, with the sign: a jump of the derivative below gives one sign, a jump further below gives both.
+/// Positions at which a derivative is infinite, with the sign. A jump of the derivative of the next lower order gives one sign, a jump of an even
+/// lower one gives both.
 fn infinities(cam: &Cam, order: usize) -> Vec<(f64, bool)> {
     let mut out = Vec::new();
     for below in 0..order {

@@ -1,4 +1,4 @@
-//! Pictures of a design, a recording, a run and a sweep.
+//! Figures of a design, a recording, a simulation and a sweep.
 
 pub mod cam;
 pub mod cover;

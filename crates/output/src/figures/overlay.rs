@@ -1,4 +1,4 @@
-//! Several designs in one picture: diagrams over the angle, profiles on one centre.
+//! Several designs in one figure: diagrams over the angle, profiles about a common centre.
 
 use plotters::style::RGBAColor;
 
@@ -26,16 +26,16 @@ const COLOURS: [RGBAColor; 12] = [
     RGBAColor(140, 146, 155, 1.0),
 ];
 
-/// One diagram: the quantity, and one curve of (degrees, value) per name; empty ones are omitted.
+/// A diagram: its quantity, and one curve of (degrees, value) per name. A diagram without curves is omitted.
 #[derive(Debug, Clone)]
 pub struct Strip {
-    /// Quantity with its unit.
+    /// Name of the quantity with its unit.
     pub quantity: String,
     /// One curve for each name.
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
-/// Strips over the cam angle one above the other, one colour per name (colours repeat after twelve).
+/// Diagrams over the cam angle, one above the other, with one colour per name (colours repeat after twelve).
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
     let across = Measures::Translating.angle_words();
     diagrams_over(across, head, what, names, rows, Language::En)
@@ -104,7 +104,7 @@ pub fn diagrams_over(
     })
 }
 
-/// Names in rows, at most three to a line of `room` ems.
+/// Draws names in rows, at most three per line of `room` em.
 fn lines<'a>(
     entries: &'a [(RGBAColor, f64, &'a str)],
     room: f64,
@@ -134,7 +134,7 @@ fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Profiles at one scale about one centre; points in m.
+/// Profiles with the same scale about a common centre; points in m.
 pub fn profiles(
     head: &str,
     what: &str,

@@ -1,4 +1,4 @@
-//! The picture of a simulation: force, torque and gap over the cam angle; over time if the shaft speed varies.
+//! Figure of a simulation: force, torque and gap over the cam angle, or over time if the shaft speed varies.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -21,7 +21,7 @@ use gaitcam::wording::Language;
 /// A curve in the key: colour, width, name.
 type Entry = (RGBAColor, f64, String);
 
-/// Quantities of a run over the displayed cam angle or time.
+/// Quantities of a simulation over the displayed cam angle or time.
 struct Shown<'a> {
     synthesis: &'a Design,
     outcome: &'a Outcome,
@@ -29,7 +29,7 @@ struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Cam angles of the samples.
+    /// Cam angle of sample `i`, rad (m of travel for a translating cam).
     fn angle(&self, i: usize) -> f64 {
         let (start, length) = self.synthesis.cam.law.extent();
         let span = length * self.outcome.period_turns as f64;
@@ -41,7 +41,7 @@ impl Shown<'_> {
         TAU / self.synthesis.problem.drive.speed.abs()
     }
 
-    /// Positions of the samples on the axis.
+    /// Position of sample `i` on the horizontal axis: angle or time.
     fn across(&self, i: usize) -> f64 {
         if self.outcome.shaft.is_none() {
             return self.measures.angle().factor * self.angle(i);
@@ -50,7 +50,7 @@ impl Shown<'_> {
         self.outcome.rows[i % a_turn].time + (i / a_turn) as f64 * self.period()
     }
 
-    /// A quantity of the samples, with the first repeated at the end.
+    /// Quantity of the samples, with the first value repeated at the end.
     fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let total = self.outcome.rows.len();
         let point = |i: usize| (self.across(i), value(i % total));
@@ -66,7 +66,7 @@ impl Shown<'_> {
         f.panel(frame, x, columns, y)
     }
 
-    /// Draws the force with target and rigid force behind it; returns their key.
+    /// Draws the force in front of target and rigid force. Returns the entries of the key.
     fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();
@@ -116,7 +116,7 @@ impl Shown<'_> {
     }
 }
 
-/// Force with target and rigid force behind it, torque, and the gap if there is one.
+/// Figure of the force with target and rigid force, the torque, and the gap if there is one.
 pub fn run(synthesis: &Design, outcome: &Outcome, language: Language) -> Picture {
     run_in(synthesis, outcome, Layout::ALONE, &words::words(language))
 }

@@ -1,4 +1,4 @@
-//! The picture of one cam at several speeds: force error, load factors, torque, and the ripple of a shaft with a motor.
+//! Figure of a cam at several speeds: force error, load factors, torque, and the ripple of a motor-driven shaft.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ use gaitcam::wording::Language;
 /// Points, colour and width of a drawn curve.
 type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
 
-/// A cam at one speed.
+/// Results for a cam at one speed.
 ///
 /// ```
 /// use gaitcam_output::plots::{AtSpeed, speeds};
@@ -32,15 +32,15 @@ type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
 pub struct AtSpeed {
     /// Speed of the cam, rad/s or m/s.
     pub speed: f64,
-    /// RMS difference of the force from the target of this speed, N; `None` without one.
+    /// RMS difference between the force and the target for this speed, N; `None` without a target.
     pub rms_error: Option<f64>,
-    /// Amplitudes of harmonics 1 to 4 of the step frequency, as fractions of the walker's weight.
+    /// Amplitudes of the harmonics 1 to 4 of the step frequency, as fractions of the walker's weight.
     pub load_factors: Option<[f64; 4]>,
-    /// Amplitudes of the target of this speed.
+    /// Amplitudes of the target for this speed, as fractions of the walker's weight.
     pub target_factors: Option<[f64; 4]>,
-    /// Largest absolute torque of the cam on the shaft, N·m; not finite if the shaft does not turn.
+    /// Maximum absolute torque of the cam on the shaft, N·m; not finite if the shaft does not turn.
     pub torque: f64,
-    /// Highest less lowest speed of the shaft, as a fraction of the mean.
+    /// Difference of maximum and minimum speed of the shaft, as a fraction of the mean.
     pub ripple: f64,
     /// Whether the follower loses contact.
     pub contact_lost: bool,
@@ -48,7 +48,7 @@ pub struct AtSpeed {
 
 const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
-/// Quantity of a strip.
+/// Quantity of a diagram.
 #[derive(Clone, Copy, PartialEq)]
 enum Strip {
     Error,
@@ -57,7 +57,7 @@ enum Strip {
     Ripple,
 }
 
-/// The picture of a cam at these speeds, ascending.
+/// Figure of a cam at the given speeds in ascending order.
 pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Language) -> Picture {
     let (layout, words) = (Layout::ALONE, &words::words(language));
     let factor = match measures {
@@ -126,7 +126,7 @@ impl Shown<'_> {
         self.rows.iter().map(point).collect()
     }
 
-    /// The curves of a strip, target first.
+    /// Curves of a diagram, the target first.
     fn curves(&self, strip: Strip) -> Vec<Curve> {
         let one = |of: &dyn Fn(&AtSpeed) -> Option<f64>| vec![(self.curve(of), BLUE, 2.2)];
         match strip {
@@ -169,7 +169,7 @@ impl Shown<'_> {
         Ok(panel)
     }
 
-    /// Ranges of speed with loss of contact, up to the middle between the speeds of the runs.
+    /// Ranges of speed with loss of contact. Their limits are the middles between the simulated speeds.
     fn lost(&self) -> Vec<[f64; 2]> {
         let at = |i: usize| self.factor * self.rows[i].speed;
         let last = self.rows.len().saturating_sub(1);

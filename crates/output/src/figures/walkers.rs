@@ -1,4 +1,4 @@
-//! The picture of a population: the band of all required forces, and the walker with the largest error.
+//! Figure of a population: band of all required forces, and the walker with the maximum error.
 
 use std::f64::consts::TAU;
 
@@ -15,10 +15,10 @@ use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
 use gaitcam::wording::{Language, walker};
 
-/// Number of steps of a turn.
+/// Number of steps per turn.
 const STEPS: usize = 360;
 
-/// Required forces of all walkers as a band, relative to each mean force, with the cam's force for the worst walker.
+/// Figure with the required forces of all walkers as a band, relative to each mean force, and the force of the cam for the worst walker.
 pub fn walkers(design: &Design, language: Language) -> Picture {
     walkers_in(design, Layout::ALONE, &words::words(language))
 }

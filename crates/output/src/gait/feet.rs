@@ -14,8 +14,8 @@ fn spread(values: &[f64]) -> Option<(f64, f64)> {
 }
 
 impl Lines {
-    /// Peaks, valley and stance of each foot as mean ± standard deviation; of two named feet double support, cadence and
-    /// the symmetry index of their impulses, 200 (right − left)/(right + left).
+    /// Writes peaks, valley and stance of each foot as mean ± standard deviation. For two named feet it adds double support, cadence and the symmetry
+    /// index of the impulses, 200 (right − left)/(right + left).
     pub(super) fn feet(&mut self, stances: &Stances, cycle: &Cycle) {
         let words = self.words;
         let (weight, period) = (cycle.mass_kg * G, cycle.curve.period_s);

@@ -10,8 +10,7 @@ use gaitcam::units::G;
 
 /// A recording as JSON; `cycle` is null without a mean cycle.
 ///
-/// `warnings` holds a code and its data for every note; `notes` the same as sentences. Times of contacts are on
-/// the clock of the file.
+/// `warnings` contains a code and data for every note; `notes` contains the notes as sentences. Times of contacts are as in the file.
 pub fn json(
     understood: &Interpretation,
     recording: &Recording,
@@ -81,7 +80,7 @@ fn stride(s: &RecordedStride) -> Value {
     Value::Object(row)
 }
 
-/// Forces and places of loading peak, valley and push-off peak.
+/// Forces and positions of loading peak, valley and push-off peak.
 fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
     let names = ["p1", "valley", "p2"].into_iter().zip(points);
     let two = |(name, point): (&str, Option<Point>)| {
@@ -93,7 +92,7 @@ fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
     names.flat_map(two).collect()
 }
 
-/// A file that is one cycle as JSON, with the keys of [`json()`].
+/// A file that contains one cycle as JSON, with the keys of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
     let notes: Vec<String> = curve.notes.iter().map(Note::to_string).collect();
     json!({

@@ -18,7 +18,7 @@ const LABELS: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// The labels with the notes and names that the tables quote.
+/// Labels together with the notes and names that the tables quote.
 static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::SENTENCES,
     gaitcam::force::wording::SENTENCES,

@@ -12,8 +12,8 @@ use gaitcam::force::{
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Table of a recording. Without a mean cycle, `cycle` is the text of an error or empty. Stances and rejected contacts are listed one by one if `all`
-/// is set, or if the feet have no means.
+/// Table of a recording. Without a mean cycle, `cycle` is the text of an error, or empty. Stances and rejected contacts are listed individually if
+/// `all` is set, or if there are no means of the feet.
 pub fn table(
     understood: &Interpretation,
     recording: &Recording,
@@ -41,7 +41,7 @@ pub fn table(
     out.text
 }
 
-/// Table of a file that is one cycle.
+/// Table of a file that contains one cycle.
 pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     let mut out = Lines::new(language);
     let words = out.words;
@@ -65,7 +65,7 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     out.text
 }
 
-/// A table being written, line by line.
+/// A table while it is written, line by line.
 pub(super) struct Lines {
     pub text: String,
     pub words: &'static Messages,
@@ -85,7 +85,7 @@ impl Lines {
         let _ = writeln!(self.text, "{text}");
     }
 
-    /// Writes a line under its label, padded to the width of all labels.
+    /// Writes a line with its label, padded to the width of all labels.
     pub fn row(&mut self, key: &str, text: impl Display) {
         let label = self.words.text(key);
         self.line(format_args!("{label:<9} {text}"));
@@ -173,7 +173,7 @@ impl Lines {
         }
     }
 
-    /// Number of rejected contacts for each reason.
+    /// Writes the number of rejected contacts for each reason.
     fn reasons(&mut self, understood: &Interpretation) {
         let mut counts: Vec<(String, usize)> = Vec::new();
         for (_, reason) in self.rejections(understood) {
@@ -225,7 +225,7 @@ impl Lines {
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
     }
 
-    /// Open questions: those that cannot be accepted, and the keys that answer the others.
+    /// Writes the open questions: those that cannot be accepted, and the keys that answer the others.
     fn open_questions(&mut self, understood: &Interpretation) {
         let questions = understood.doubts();
         let (others, refused): (Vec<_>, Vec<_>) =
@@ -260,7 +260,7 @@ impl Lines {
         foot.map_or("-".to_string(), |f| self.words.name(f.name()))
     }
 
-    /// Duration of a cycle, with its standard deviation over several cycles.
+    /// Writes the duration of a cycle, with its standard deviation over several cycles.
     pub fn period(&mut self, period_s: f64, spread_s: Option<f64>) {
         let period = self.words.fixed(period_s, 4);
         let spread =
@@ -268,7 +268,7 @@ impl Lines {
         self.row("gait-period", format_args!("{period} s{spread}"));
     }
 
-    /// Mean force, in newtons and body weights.
+    /// Writes the mean force in newtons and in body weights.
     pub fn mean(&mut self, curve: &ForceCurve, mass_kg: f64) {
         let mean = curve.mean_n();
         let (newtons, share) = (
@@ -278,7 +278,7 @@ impl Lines {
         self.row("gait-mean", format_args!("{newtons} N ({share} BW)"));
     }
 
-    /// Step-to-step standard deviation and repeatability of several cycles.
+    /// Writes the step-to-step standard deviation and the repeatability of several cycles.
     pub fn spread(&mut self, curve: &ForceCurve, repeatability_n: Option<f64>, mass_kg: f64) {
         let (Some(spread), Some(repeat)) = (curve.spread_rms_n(), repeatability_n) else {
             return;
@@ -290,7 +290,8 @@ impl Lines {
     }
 }
 
-/// Columns that can be named alone to exclude the clipped ones. None in a C3D file, where a plate may be the sum of several channels.
+/// Number of columns that can be selected to exclude the clipped ones. It is zero for a C3D file, in which a plate may be the sum of several
+/// channels.
 fn unclipped(understood: &Interpretation) -> usize {
     if matches!(understood.format, Format::C3d { .. }) {
         return 0;

@@ -1,4 +1,4 @@
-//! Several recordings: one line each, and their joint mean.
+//! Several recordings, one line each, and their joint mean.
 
 use serde_json::{Value, json};
 
@@ -10,7 +10,7 @@ use gaitcam::wording::{Language, Messages};
 /// Maximum width of a file name in the table.
 const NAME: usize = 40;
 
-/// One of several recordings.
+/// One of several recordings in a table.
 ///
 /// ```
 /// use gaitcam::force::{Feet, model};
@@ -24,19 +24,19 @@ const NAME: usize = 40;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct TrialRow<'a> {
-    /// Path of its file, as given.
+    /// Path of the file, as given.
     pub name: &'a str,
-    /// Interpretation of the recording; `None` if it could not be read or is one cycle as given.
+    /// Interpretation of the recording; `None` if it cannot be read or contains a single cycle.
     pub understood: Option<&'a Interpretation>,
-    /// Mean cycle of the trial row, if it has one.
+    /// Mean cycle of the recording, if it has one.
     pub curve: Option<&'a ForceCurve>,
-    /// Reason why it has no cycle.
+    /// Error for which there is no cycle.
     pub fault: Option<&'a Error>,
-    /// Why it is excluded from the joint mean; `None` if it is included.
+    /// Reason for the exclusion from the joint mean; `None` if the recording is included.
     pub left_out: Option<&'a LeftOut>,
 }
 
-/// A table of several recordings, with their joint mean below it.
+/// Table of several recordings, with their joint mean below.
 pub fn trials_table(rows: &[TrialRow], joint: Option<&JointMean>, language: Language) -> String {
     let mut out = Lines::new(language);
     write_rows(&mut out, rows);
@@ -66,7 +66,7 @@ fn write_rows(out: &mut Lines, rows: &[TrialRow]) {
     }
 }
 
-/// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, inclusion in the joint mean.
+/// Cells of a row: file, kind, contacts used and rejected, stride time, mass, mean force, number of notes, inclusion in the joint mean.
 fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     let kind = row.understood.and_then(|u| u.kind);
     let kind = match (kind, row.curve, row.understood) {
@@ -80,7 +80,7 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     cells
 }
 
-/// The end of a long name, which distinguishes the files of a folder.
+/// End of a long name, which distinguishes the files of a folder.
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= NAME {
@@ -110,7 +110,7 @@ fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     ]
 }
 
-/// Whether a recording is part of the joint mean, otherwise the reason.
+/// Text for the inclusion in the joint mean, or the reason for the exclusion.
 fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
         (Some(fault), _) => fault.what(words.language()),
@@ -139,7 +139,7 @@ fn write_joint(out: &mut Lines, joint: Option<&JointMean>) {
     out.spread(&joint.curve, joint.repeatability_n, joint.mass_kg);
 }
 
-/// Several recordings as JSON: each of `objects` with `in_mean` and `left_out`, and the joint mean.
+/// Several recordings as JSON: each element of `objects` with `in_mean` and `left_out`, and the joint mean.
 pub fn trials_json(rows: &[TrialRow], objects: Vec<Value>, joint: Option<&JointMean>) -> Value {
     let recordings: Vec<Value> = rows
         .iter()

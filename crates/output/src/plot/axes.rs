@@ -1,4 +1,4 @@
-//! A diagram over the cam angle: frame, grid, curves, marked extremes.
+//! Diagram over the cam angle: frame, grid, curves, marked extremes.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,7 +11,7 @@ use crate::plot::sheet::{
 use crate::plot::text::text_width;
 use gaitcam::wording::{Language, fixed, number};
 
-/// A diagram: the cam angle in degrees, or another quantity, to the right; a quantity upwards.
+/// A diagram with the cam angle in degrees, or another quantity, to the right and a quantity upwards.
 pub struct Panel<'a, 'c> {
     canvas: &'c Canvas<'a>,
     plane: Plane<'a>,
@@ -27,12 +27,12 @@ pub struct Panel<'a, 'c> {
     language: Language,
 }
 
-/// Distance of the axis label from the frame, in letter sizes.
+/// Distance between axis label and frame, in letter heights.
 pub const QUANTITY: f64 = 5.7;
-/// Widest tick label that leaves room for the axis label, in letter sizes.
+/// Maximum width of a tick label that leaves space for the axis label, in letter heights.
 const WIDEST_TICK: f64 = 4.3;
 
-/// Round numbers within [low, high], about `count` of them.
+/// About `count` round numbers within [low, high].
 pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
     let raw = (high - low) / count;
     if !(raw > 0.0 && raw.is_finite()) {
@@ -56,7 +56,7 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Eighths of a turn, or coarser for several turns.
+/// Ticks at eighths of a turn, or coarser for several turns.
 pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
@@ -66,7 +66,7 @@ pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     multiples(x[0], x[1], step)
 }
 
-/// Decimals needed to distinguish the ticks.
+/// Text of a tick with the decimals that distinguish the ticks.
 pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     let decimals = (0..9)
         .find(|&d| {
@@ -77,7 +77,7 @@ pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     fixed(language, value, decimals).replace('-', "−")
 }
 
-/// The power of ten, a multiple of 3, that shortens ticks too wide for their space; 0 for most.
+/// Power of ten, a multiple of 3, that shortens ticks that are too wide; usually 0.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
@@ -90,7 +90,7 @@ fn power(values: &[f64], step: f64) -> i32 {
     3 * (largest.log10() / 3.0).floor() as i32
 }
 
-/// A power written above the line.
+/// A power as superscript.
 fn raised(power: i32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let text = power.to_string();
@@ -99,7 +99,7 @@ fn raised(power: i32) -> String {
         .collect()
 }
 
-/// The range of `values` with `share` of its span added at both ends; never empty.
+/// Range of `values`, extended by the fraction `share` at both ends; never empty.
 pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -117,7 +117,7 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     [low - share * span, high + share * span]
 }
 
-/// The dashed line of a level between two positions on the sheet.
+/// Draws the dashed line of a level between two positions on the sheet.
 pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
     dashed(canvas, ends, [7.0, 5.0], stroke(colour, 1.4))
 }
@@ -184,7 +184,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, lettering)
     }
 
-    /// Writes the grid's values below the frame and their quantity below them.
+    /// Writes the values of the grid below the frame, and their quantity below them.
     pub fn across(&self, quantity: &str) -> Drawn {
         let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
         let step = match self.columns[..] {
@@ -239,13 +239,13 @@ impl<'a, 'c> Panel<'a, 'c> {
         each.try_for_each(|at| circle(self.canvas, at, radius, colour.filled()))
     }
 
-    /// Fills the area between two curves given at the same angles.
+    /// Fills the area between two curves with the same angles.
     pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
         fill(&self.plane, &around, colour)
     }
 
-    /// Draws a dashed level, with its name, if any, at the given end, on the side without `curve`.
+    /// Draws a dashed level. Its name, if any, is at the given end, on the side without `curve`.
     pub fn level(
         &self,
         value: f64,
@@ -286,7 +286,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, name, [x, right[1] + shift], lettering)
     }
 
-    /// Draws an arrow to the edge of the frame, labelled ∞ or −∞, where the quantity is infinite.
+    /// Draws an arrow to the edge of the frame, labelled ∞ or −∞, at an angle at which the quantity is infinite.
     pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
         let level = 0.0_f64.clamp(self.y[0], self.y[1]);
         let [x, from] = self.place(degrees, level);
@@ -314,8 +314,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    /// Draws a dot with its value above (a maximum) or below (a minimum), kept inside the frame. `ground` places the value on a light rectangle, for
-    /// diagrams with dashed levels across the number.
+    /// Draws a dot with its value above (maximum) or below (minimum), inside the frame. `ground` draws the value on a light rectangle, for diagrams
+    /// in which dashed levels cross the number.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

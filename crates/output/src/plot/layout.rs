@@ -1,4 +1,4 @@
-//! Layout of a picture, alone or as a figure of the report: title, strips, key of the curves.
+//! Layout of a figure, as a separate file or in the report: title, strips, key of the curves.
 
 use plotters::prelude::*;
 
@@ -11,19 +11,19 @@ use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
 use gaitcam::wording::{Language, number};
 
-/// Size of the pictures that are files, pixels.
+/// Size of figures that are separate files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
-/// Size of the lettering in these pictures.
+/// Size of the lettering in separate figures, points.
 pub const LETTERS: f64 = 17.0;
 
-/// Layout of a picture: alone, or as a figure of the report under a caption.
+/// Layout of a figure: as a separate file, or in the report with a caption.
 #[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// Width and height, points.
     pub size: (u32, u32),
     /// Size of the lettering, points.
     pub letters: f64,
-    /// Whether the picture carries its own title.
+    /// Whether the figure contains its title.
     pub title: bool,
 }
 
@@ -35,7 +35,7 @@ impl Layout {
         title: true,
     };
 
-    /// A figure of the report.
+    /// Layout of a figure in the report.
     pub const fn figure(height: u32) -> Self {
         Layout {
             size: (FIGURE_WIDTH, height),
@@ -44,7 +44,7 @@ impl Layout {
         }
     }
 
-    /// A picture of this layout, with numbers in a language.
+    /// A picture with this layout, with numbers in a language.
     pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
         let (layout, e) = (self, self.letters);
         let (width, height) = self.size;
@@ -58,7 +58,7 @@ impl Layout {
         })
     }
 
-    /// The outer frame of the diagrams.
+    /// Outer frame of the diagrams.
     pub fn frame(&self) -> Frame {
         let e = self.letters;
         Frame {
@@ -70,15 +70,15 @@ impl Layout {
     }
 }
 
-/// Width of the report's figures, points.
+/// Width of the figures of the report, points.
 pub const FIGURE_WIDTH: u32 = 820;
 
-/// A picture during drawing.
+/// A figure while it is drawn.
 #[derive(Clone, Copy)]
 pub struct Figure<'a, 'c> {
     /// Canvas on which the figure is drawn.
     pub canvas: &'c Canvas<'a>,
-    /// Layout of the picture.
+    /// Layout of the figure.
     pub layout: Layout,
     /// Size of the lettering, points.
     pub e: f64,
@@ -86,7 +86,7 @@ pub struct Figure<'a, 'c> {
     pub language: Language,
 }
 
-/// Grid lines over the cam angle in degrees, or over travel in mm.
+/// Grid lines over the cam angle in degrees, or over the travel in mm.
 pub fn columns(x: [f64; 2], is_angle: bool) -> Vec<f64> {
     if is_angle {
         angle_ticks(x)
@@ -100,7 +100,7 @@ pub fn ends_of(synthesis: &Design) -> [f64; 2] {
     [start, start + length]
 }
 
-/// Splits a frame into strips of given fractions, one above the other.
+/// Splits a frame into strips with the given fractions, one above the other.
 pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
     let total: f64 = shares.iter().sum();
     let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
@@ -120,10 +120,10 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
         .collect()
 }
 
-/// Length of a swatch in the key with the gap to its name, ems.
+/// Length of a line sample in the key, with the gap to its name, em.
 const SWATCH: f64 = 2.6;
 
-/// Length of an entry of the key with the gap to the next, ems.
+/// Length of an entry of the key, with the gap to the next one, em.
 pub fn key_width(name: &str) -> f64 {
     SWATCH + text_width(name) + 1.7
 }
@@ -140,7 +140,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         Panel::new(self.canvas, frame, x, columns, y, self.e, self.language)
     }
 
-    /// A diagram over the whole law: degrees, or mm of travel.
+    /// A diagram over the whole law, in degrees or in mm of travel.
     pub fn over_the_law(
         &self,
         synthesis: &Design,
@@ -157,7 +157,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         write(self.canvas, text, at, lettering)
     }
 
-    /// Writes the design's name and the title.
+    /// Writes the name of the design and the title.
     pub fn title(&self, name: &str, what: &str) -> Drawn {
         if !self.layout.title {
             return Ok(());
@@ -171,12 +171,12 @@ impl<'a, 'c> Figure<'a, 'c> {
         self.write(what, [after, y], plain)
     }
 
-    /// Draws swatches of curves with their names, from the left.
+    /// Draws line samples of curves with their names, from the left.
     pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
         self.key_and_levels(place, size, entries, &[])
     }
 
-    /// Draws swatches followed by those of dashed levels ([`Panel::level`]).
+    /// Draws line samples of curves, followed by those of dashed levels ([`Panel::level`]).
     pub fn key_and_levels(
         &self,
         [mut x, y]: [f64; 2],
@@ -200,7 +200,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         Ok(())
     }
 
-    /// Draws a scale bar of a round length in mm, at most `room` points long.
+    /// Draws a scale bar with a round length in mm, at most `room` points long.
     pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
         let most = room / per_mm;
         let power = 10f64.powf(most.log10().floor());

@@ -1,4 +1,4 @@
-//! Colours that colour-blind people can distinguish (Okabe and Ito) on white.
+//! Colours on white that colour-blind people can distinguish (Okabe and Ito).
 
 #![allow(missing_docs)] // the names are the documentation
 
@@ -19,7 +19,7 @@ pub const GREEN: RGBAColor = opaque(0, 158, 115);
 pub const PURPLE: RGBAColor = opaque(190, 95, 155);
 pub const RED: RGBAColor = opaque(213, 94, 0);
 
-/// Names of the colours in the page's style sheet, which redefines them in dark mode.
+/// Names of the colours in the style sheet of the page, which redefines them in dark mode.
 pub const NAMES: [(RGBAColor, &str); 10] = [
     (PAPER, "paper"),
     (INK, "ink"),

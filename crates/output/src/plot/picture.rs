@@ -1,4 +1,4 @@
-//! Pictures as lists of shapes, and their conversion to SVG and PNG.
+//! Figures as lists of shapes, and their conversion to SVG and PNG.
 
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::{append, append_decimal};
 
-/// A finished picture on a white ground.
+/// A finished figure on a white background.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     pub(crate) width: u32,
@@ -20,7 +20,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Draws on a sheet of given size in points (pixels of the PNG).
+    /// Draws on a sheet with a size in points (pixels of the PNG).
     pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
         let mut shapes = Vec::new();
         let canvas = Recorder {
@@ -39,7 +39,7 @@ impl Picture {
         }
     }
 
-    /// SVG of a separate file: fixed colours on white.
+    /// SVG for a separate file, with fixed colours on white.
     pub fn svg(&self) -> String {
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
@@ -52,8 +52,8 @@ impl Picture {
         out
     }
 
-    /// SVG of a part of a page: colours are the page's variables (`--ink`, `--blue` …), without background. `attributes` are added to the element
-    /// unchanged.
+    /// SVG for a part of a page. The colours are variables of the page (`--ink`, `--blue` …), without background. `attributes` are added to the
+    /// element unchanged.
     pub(crate) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
         let mut out = format!(
             "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",
@@ -66,7 +66,7 @@ impl Picture {
         out
     }
 
-    /// 8-bit RGB, one pixel per point.
+    /// PNG with 8-bit RGB and one pixel per point.
     pub fn png(&self) -> Vec<u8> {
         raster::png(self.width as usize, self.height as usize, &self.shapes)
     }

@@ -1,7 +1,6 @@
-//! The sheet that pictures are drawn on: a plotters backend that keeps shapes instead of pixels.
+//! Sheet on which figures are drawn: a plotters backend that stores shapes instead of pixels.
 //!
-//! One drawing then serves the SVG and the PNG alike. Plotters uses integer units, so a sheet has [`UNITS`] of them per picture point for smooth
-//! curves.
+//! The same drawing is used for SVG and PNG. Plotters uses integer units, so a sheet has [`UNITS`] units per point, for smooth curves.
 
 use std::convert::Infallible;
 
@@ -21,7 +20,7 @@ use super::text::Line;
 pub const UNITS: f64 = 16.0;
 /// Name of the typeface in the SVG.
 pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
-/// Height of the capitals in ems: text is centred on them.
+/// Height of the capital letters, em. Text is centred on them.
 const CAPITAL: f64 = 0.729;
 
 /// An opaque or translucent colour.
@@ -33,7 +32,7 @@ pub struct Ink {
     pub alpha: f64,
 }
 
-/// One shape on the sheet; lengths in points, y down.
+/// Shape on the sheet; lengths in points, y downwards.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Shape {
@@ -43,9 +42,9 @@ pub enum Shape {
         ink: Ink,
         width: f64,
     },
-    /// A polygon filled with one ink.
+    /// A polygon filled with one colour.
     Area { points: Vec<[f64; 2]>, ink: Ink },
-    /// A circle: filled, or drawn with a line of given width.
+    /// A circle, filled or drawn with a line of given width.
     Circle {
         centre: [f64; 2],
         radius: f64,
@@ -68,7 +67,7 @@ pub struct Recorder<'a> {
 pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
 /// A part of the sheet with axes.
 pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// Result of drawing; only plotters itself can fail.
+/// Result of drawing. Only plotters itself can fail.
 pub type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<Infallible>>;
 
 type Recorded = Result<(), DrawingErrorKind<Infallible>>;
@@ -211,7 +210,7 @@ pub fn units(length: f64) -> i32 {
     (length * UNITS).round() as i32
 }
 
-/// A line style of `width` points.
+/// Style of a line with a width of `width` points.
 pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
     Color::stroke_width(&colour, units(width).max(1) as u32)
 }
@@ -229,12 +228,12 @@ pub struct Lettering {
     pub h: HPos,
     /// Vertical anchor: top of the capitals, their middle, or the baseline.
     pub v: VPos,
-    /// Written upwards instead of to the right.
+    /// Whether the text is written upwards instead of to the right.
     pub upwards: bool,
 }
 
 impl Lettering {
-    /// Regular text that starts at its point, centred in height.
+    /// Regular text that starts at its point, centred vertically.
     pub fn new(size: f64, colour: RGBAColor) -> Self {
         Lettering {
             size,
@@ -252,7 +251,7 @@ impl Lettering {
         self
     }
 
-    /// The text in bold.
+    /// Bold text.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
@@ -299,7 +298,7 @@ pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
     canvas.draw(&PathElement::new(path, style))
 }
 
-/// A dashed line on the sheet; dashes and gaps in points.
+/// Draws a dashed line on the sheet; dashes and gaps in points.
 pub fn dashed(
     canvas: &Canvas,
     ends: [[f64; 2]; 2],
@@ -310,12 +309,12 @@ pub fn dashed(
     canvas.draw(&DashedPathElement::new(ends, units(on), units(off), style))
 }
 
-/// A circle about a point of the canvas.
+/// Draws a circle about a point of the canvas.
 pub fn circle(canvas: &Canvas, [x, y]: [f64; 2], radius: f64, style: ShapeStyle) -> Drawn {
     canvas.draw(&Circle::new((units(x), units(y)), units(radius), style))
 }
 
-/// A rectangle between two corners on the canvas.
+/// Draws a rectangle between two corners on the canvas.
 pub fn rectangle(canvas: &Canvas, corners: [[f64; 2]; 2], style: ShapeStyle) -> Drawn {
     let corners = corners.map(|[x, y]| (units(x), units(y)));
     canvas.draw(&Rectangle::new(corners, style))
@@ -338,7 +337,7 @@ impl Frame {
         rectangle(canvas, corners, stroke(palette::AXIS, 1.0))
     }
 
-    /// Axes over the part: `x` and `y` are the values at left and right, at bottom and top.
+    /// Axes over the part. `x` contains the values at left and right, `y` those at bottom and top.
     pub fn plane<'a>(&self, canvas: &Canvas<'a>, x: [f64; 2], y: [f64; 2]) -> Plane<'a> {
         let across = units(self.left)..units(self.right);
         let up = units(self.bottom)..units(self.top);
@@ -346,7 +345,7 @@ impl Frame {
         canvas.apply_coord_spec(axes)
     }
 
-    /// Position of a value on those axes.
+    /// Position of a value on these axes.
     pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [
@@ -356,12 +355,12 @@ impl Frame {
     }
 }
 
-/// A line on a plane.
+/// Draws a line on a plane.
 pub fn trace(plane: &Plane, points: impl Into<Vec<(f64, f64)>>, style: ShapeStyle) -> Drawn {
     plane.draw(&PathElement::new(points.into(), style))
 }
 
-/// A filled polygon on a plane.
+/// Draws a filled polygon on a plane.
 pub fn fill(plane: &Plane, corners: &[(f64, f64)], colour: RGBAColor) -> Drawn {
     plane.draw(&Polygon::new(corners, colour.filled()))
 }

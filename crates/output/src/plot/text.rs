@@ -2,21 +2,21 @@
 
 use std::ops::Range;
 
-/// Output of the build script: table of letters, then their outlines.
+/// Output of the build script: table of letters, and their outlines.
 static LETTERS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin"));
-/// Bytes of the head of the table, of one of its rows, and of a corner.
+/// Number of bytes of the head of the table.
 const HEAD: usize = 4;
 const ROW: usize = 8;
 const CORNER: usize = 5;
 
-/// Ems by which a bold letter is drawn again to the right, instead of a second typeface.
+/// Shift, in em, at which a bold letter is drawn again to the right, in place of a bold typeface.
 const EMBOLDENED: f64 = 0.06;
-/// Largest distance of a curve from its chords, pixels.
+/// Maximum distance between a curve and its chords, pixels.
 const UNSEEN: f64 = 0.1;
 
 /// A letter of the typeface.
 struct Letter {
-    /// Ems to the next letter.
+    /// Distance to the next letter, em.
     advance: f64,
     contours: Range<usize>,
 }
@@ -25,12 +25,12 @@ fn word(at: usize) -> u16 {
     u16::from_le_bytes([LETTERS[at], LETTERS[at + 1]])
 }
 
-/// Units of the typeface in an em.
+/// Number of units of the typeface per em.
 fn em() -> f64 {
     f64::from(word(2))
 }
 
-/// The row of a letter in the table.
+/// Row of a letter in the table.
 fn row(c: char) -> Option<usize> {
     let code = u16::try_from(u32::from(c)).ok()?;
     let (mut low, mut high) = (0, usize::from(word(0)));
@@ -45,7 +45,7 @@ fn row(c: char) -> Option<usize> {
     None
 }
 
-/// The letter, or a replacement for a missing one.
+/// The letter, or a replacement if it is missing.
 fn letter(c: char) -> Letter {
     let count = usize::from(word(0));
     let row = row(c).unwrap_or(0);
@@ -66,12 +66,12 @@ fn letter(c: char) -> Letter {
     }
 }
 
-/// Width of a text in ems, regular weight.
+/// Width of a text in regular weight, em.
 pub fn text_width(text: &str) -> f64 {
     text.chars().map(|c| letter(c).advance).sum()
 }
 
-/// Lines of at most `width` ems, broken between words; a longer word has its own line.
+/// Lines of at most `width` em, broken between words. A longer word has a separate line.
 pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words {
@@ -91,18 +91,18 @@ pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<Stri
 #[allow(missing_docs)] // the names are the documentation
 pub struct Line {
     pub text: String,
-    /// Position at which the baseline starts, is centred or ends, points.
+    /// Position of the baseline's start, middle or end, points.
     pub at: [f64; 2],
     /// Height of an em, points.
     pub size: f64,
-    /// 0 for the start, ½ for the middle, 1 for the end.
+    /// Anchor: 0 for the start, ½ for the middle, 1 for the end.
     pub anchor: f64,
     pub bold: bool,
     pub upwards: bool,
 }
 
 impl Line {
-    /// Letters of the text as polygons of one orientation, points.
+    /// Outlines of the letters as polygons with the same orientation; coordinates in points (pt).
     pub fn outline(&self) -> Vec<Vec<[f64; 2]>> {
         let shift = if self.bold { EMBOLDENED } else { 0.0 };
         let letters = || self.text.chars().map(letter);
@@ -128,7 +128,7 @@ impl Line {
     }
 }
 
-/// Adds the contours of a letter as polygons; `on_page` maps a point in ems to the page.
+/// Adds the contours of a letter as polygons; `on_page` maps a point in em to the page.
 fn contours(
     mut bytes: &[u8],
     on_page: impl Fn([f64; 2]) -> [f64; 2],
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use crate::raster::Coverage;
 
-    /// The characters of every text of the workspace, in both languages.
+    /// Characters of all texts of the workspace, in both languages.
     fn written(folder: &Path, all: &mut Vec<char>) {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();

@@ -1,17 +1,16 @@
-//! Pixel coverage of a shape: signed areas summed along the rows, stored at the edges.
+//! Pixel coverage of a shape: signed areas are stored at the edges and summed along the rows.
 //!
-//! Source: R. Levien, font-rs (2015): each edge adds, per row, what it covers to its right; the running sum along the row is
-//! the coverage.
+//! Source: R. Levien, font-rs (2015). Each edge adds, per row, the area that it covers to its right; the running sum along the row is the coverage.
 
 use std::ops::Range;
 
-/// Coverage below this is a rounding error.
+/// Coverage below which it is a rounding error.
 const NOTHING: f32 = 1e-3;
 
-/// The edges of a shape on a page.
+/// Edges of a shape on a page.
 pub struct Coverage {
     width: usize,
-    /// Per row, columns with the increments of coverage from the edges.
+    /// Per row: columns with the increments of coverage from the edges.
     rows: Vec<Vec<(usize, f32)>>,
     /// Range of rows with edges.
     touched: Range<usize>,
@@ -49,7 +48,7 @@ impl Coverage {
         }
     }
 
-    /// An edge within one row, from x = `a` to `b`, of signed height `d`.
+    /// Adds an edge within one row, from x = `a` to `b`, with the signed height `d`.
     fn row(&mut self, row: usize, a: f64, b: f64, d: f64) {
         let most = self.width as f64;
         let (a, b) = (a.clamp(0.0, most), b.clamp(0.0, most));
@@ -76,7 +75,7 @@ impl Coverage {
         }
     }
 
-    /// Passes on the evenly covered parts of rows, row by row and from the left: row, columns, coverage 0 … 1. Removes the edges.
+    /// Passes the parts of rows with equal coverage, row by row and from the left: row, columns, coverage 0 … 1. Removes the edges.
     pub fn take(&mut self, mut give: impl FnMut(usize, Range<usize>, f32)) {
         let touched = std::mem::replace(&mut self.touched, self.rows.len()..0);
         for row in touched {

@@ -1,4 +1,4 @@
-//! Conversion of polygons to pixels: exact area coverage on a white page, which becomes a PNG.
+//! Conversion of polygons to pixels: exact area coverage on a white page, and conversion to PNG.
 
 mod coverage;
 mod outline;
@@ -7,13 +7,13 @@ mod png;
 pub use coverage::Coverage;
 pub use outline::{disc, outline, straightened};
 
-/// Opacity above which the mixed colour rounds to the colour itself.
+/// Opacity above which the mixed colour equals the colour itself after rounding.
 const OPAQUE: f32 = 1.0 - 1.0 / 1024.0;
 
-/// A page of pixels, initially white; x to the right, y down, one unit per pixel.
+/// A page of pixels, initially white; x to the right, y downwards, one unit per pixel.
 pub struct Page {
     width: usize,
-    /// Rows of pixels from the top.
+    /// Pixels row by row, from the top.
     pixels: Vec<[u8; 3]>,
     coverage: Coverage,
 }
@@ -29,7 +29,8 @@ impl Page {
         }
     }
 
-    /// Fills the union of polygons of one orientation with a colour of opacity `alpha`, 0 … 1. A polygon with a non-finite coordinate is not filled.
+    /// Fills the union of polygons with the same orientation in a colour of opacity `alpha`, 0 … 1. A polygon with a non-finite coordinate is not
+    /// filled.
     pub fn fill(&mut self, polygons: &[Vec<[f64; 2]>], rgb: [u8; 3], alpha: f64) {
         if !polygons.iter().flatten().flatten().all(|x| x.is_finite()) {
             return;

@@ -4,11 +4,11 @@ use std::io;
 
 use fdeflate::Compressor;
 
-/// Filters of a row: differences from the pixel to the left, or from the row above.
+/// Filter of a row: differences from the pixel to the left.
 const LEFT: u8 = 1;
 const UP: u8 = 2;
 
-/// A file of rows of `width` pixels, from the top.
+/// PNG file from rows of `width` pixels, from the top.
 pub fn png(width: usize, pixels: &[[u8; 3]]) -> Vec<u8> {
     let height = pixels.len() / width.max(1);
     let mut size = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();

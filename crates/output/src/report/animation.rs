@@ -1,4 +1,4 @@
-//! The cam in motion: a drawing with parts that the page's script moves.
+//! The cam in motion: a drawing whose parts the script of the page moves.
 
 use std::fmt::Write;
 
@@ -27,13 +27,13 @@ const BORE: &str =
     "style=\"fill:var(--paper);stroke:var(--ink)\" fill-opacity=\".6\" stroke-width=\"1.2\"";
 const FOLLOWER: &str = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
 
-/// A path of the drawing.
+/// Adds a path to the drawing.
 fn shape(out: &mut String, d: &str, style: &str) {
     // Writing to a String cannot fail, here and below.
     let _ = write!(out, "<path d=\"{d}\" {style}/>");
 }
 
-/// The drawing, its controls and the live values, for a run if there is one.
+/// Writes the drawing, its controls and the live values, of a simulation if there is one.
 pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     out.push_str("<div class=\"stage\">\n");
     drawing(out, synthesis, running, words);
@@ -47,8 +47,7 @@ pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, wo
     );
 }
 
-/// The drawing alone: parts with the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and
-/// `cam-contact`, in mm, y up.
+/// Writes the drawing: parts with the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and `cam-contact`, in mm, y upwards.
 pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
@@ -132,7 +131,7 @@ fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) ->
     room
 }
 
-/// One follower on the drawing; the second of a pair is rotated by half a turn.
+/// A follower in the drawing. The second follower of a pair is rotated by half a turn.
 struct Drawn<'a> {
     cam: &'a Cam,
     sign: f64,
@@ -155,7 +154,7 @@ fn followers(synthesis: &Design) -> Vec<Drawn<'_>> {
     all
 }
 
-/// Extent of the cam's body, mm: from its centre, or upwards for a translating cam.
+/// Extent of the body of the cam, mm: from its centre, or upwards for a translating cam.
 fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
     let up = |p: &ProfilePoint| {
         if slide(cam) > 0.0 {
@@ -214,7 +213,7 @@ fn circle(out: &mut String, part: &str, r: f64, style: &str) {
     let _ = write!(out, "<circle data-part=\"{part}\" r=\"{r:.4}\" {style}/>");
 }
 
-/// A translating cam with its foot, or the unrolled groove of a barrel with both walls; a closed law is repeated on either side.
+/// Draws a translating cam with its foot, or the unrolled groove of a barrel with both walls. A closed law is repeated on either side.
 fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     let travel = slide(cam) * cam.law.extent().1 / MM;
     let rounds: &[f64] = if cam.law.is_closed() {
@@ -246,7 +245,7 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     shape(out, &path(pitch.into_iter(), false), PITCH);
 }
 
-/// The follower about its own origin: the foot of the stem, or the roller's centre. An arm points along +x towards the pivot.
+/// Draws the follower about its own origin: the foot of the stem, or the centre of the roller. An arm points along +x towards the pivot.
 fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     let (cam, id) = (drawn.cam, drawn.id);
     let half = 0.04 * reach;
@@ -290,7 +289,7 @@ fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     out.push_str("</g>\n");
 }
 
-/// A flat face with its stem, or with the arm to its pivot.
+/// Draws a flat face with its stem, or with the arm to its pivot.
 fn draw_face(out: &mut String, cam: &Cam, reach: f64, stem: f64) {
     let pivot = cam.follower.pivot();
     let half = 0.04 * reach;
@@ -371,7 +370,7 @@ fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, wor
     out.push_str("</div>\n");
 }
 
-/// The live values: ids of their cells, keys of their names.
+/// Live values: ids of their cells, keys of their names.
 fn live_values(
     cam: &Cam,
     running: Option<&Running>,
@@ -402,7 +401,7 @@ fn live_values(
     rows
 }
 
-/// Path data in mm, y up as in the cam's frame.
+/// Path data in mm, y upwards as in the frame of the cam.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {

@@ -1,4 +1,4 @@
-//! The diagrams on the page, with descriptions for readers who cannot see them.
+//! Diagrams on the page, with descriptions for readers who cannot see them.
 
 use std::fmt::Write;
 
@@ -46,7 +46,7 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "geometry", Some(low.frame()), &alt, &picture, words);
 }
 
-/// A picture that scrolls sideways on a narrow page; `frame` lets the script draw the present angle.
+/// Writes a figure that scrolls horizontally on a narrow page. With `frame`, the script marks the present angle.
 pub fn figure(
     out: &mut String,
     id: &str,
@@ -64,7 +64,7 @@ pub fn figure(
     framed(out, &picture.svg_for_page(id, alt, &data), words);
 }
 
-/// A scrolling picture for a drawing that is already part of a page.
+/// Writes a scrolling figure for a drawing that is already part of a page.
 pub fn framed(out: &mut String, drawing: &str, words: &Words) {
     let _ = writeln!(
         out,
@@ -90,7 +90,7 @@ fn force(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
 }
 
-/// The recording of the target, with every contact.
+/// Writes the figure of the recording of the target, with all contacts.
 fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     let target = synthesis.target();
     let Some(understood) = target.and_then(|t| t.recording.as_ref()) else {
@@ -149,7 +149,7 @@ fn cam_words(synthesis: &Design, words: &Words) -> String {
     words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
 }
 
-/// The force error, with the step-to-step variation of the recording if known.
+/// Writes the force error, with the step-to-step variation of the recording if known.
 fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(target) = synthesis.target() else {
         return;
@@ -178,7 +178,7 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     paragraph(out, &text);
 }
 
-/// The name of a force with localised numbers; that of a load model contains its values.
+/// Name of a force with localised numbers; the name of a load model contains its values.
 fn name_in(name: &str, language: Language) -> String {
     let in_language = |word: &str| {
         let plain = word.trim_end_matches(',');

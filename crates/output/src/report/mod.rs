@@ -1,4 +1,4 @@
-//! `report.html`: the design on one page that works offline, and prints on A4.
+//! `report.html`: the design on one page, which needs no network connection and prints on A4.
 
 mod animation;
 mod figures;
@@ -29,22 +29,22 @@ const STYLE: &str = include_str!("page.css");
 pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
-/// The report of a design: verdict, force, law, cam in motion, checks, numbers, solution. An infeasible answer gets the conflict and the changes that
-/// would resolve it, without pictures.
+/// Report of a design: verdict, force, law, cam in motion, checks, numbers, solution. For an infeasible design it contains the conflict and the
+/// suggested changes, without figures.
 pub fn html(synthesis: &Design, time: Timing, language: Language) -> String {
     page(synthesis, time, None, language)
 }
 
-/// Data of a run in the report.
+/// Data of a simulation in the report.
 #[derive(Debug, Clone, Copy)]
 pub struct Running<'a> {
-    /// Results of the run.
+    /// Results of the simulation.
     pub outcome: &'a Outcome,
     /// Angle by which a second, equal cam follows on the shaft, rad.
     pub second_cam: Option<f64>,
 }
 
-/// The report of a simulated design: the cam moves as in the run.
+/// Report of a simulated design; the cam moves as in the simulation.
 pub fn html_of_run(
     synthesis: &Design,
     time: Timing,
@@ -98,7 +98,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
     out
 }
 
-/// Everything before the page's header.
+/// Writes the part of the page before its header.
 fn head(out: &mut String, title: &str, words: &Words) {
     let _ = write!(
         out,
@@ -118,7 +118,7 @@ fn paragraph(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p>{}</p>", escaped(text));
 }
 
-/// Traffic light, name, verdict and its reason.
+/// Writes traffic light, name, verdict and its reason.
 fn headline(out: &mut String, synthesis: &Design, words: &Words) {
     let (light, verdict) = match (&synthesis.infeasible, synthesis.verdict) {
         (Some(_), _) => ("bad", "report-infeasible"),
@@ -140,7 +140,7 @@ fn headline(out: &mut String, synthesis: &Design, words: &Words) {
     );
 }
 
-/// The conflicting limits and the changes that would resolve the conflict.
+/// Writes the conflicting limits and the suggested changes.
 fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(answer) = &synthesis.infeasible else {
         return;
@@ -189,7 +189,7 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
 /// A main figure: name, value, remark.
 pub type Card = (String, String, String);
 
-/// A text with a capital first letter.
+/// The text with a capital first letter.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);

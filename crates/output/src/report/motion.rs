@@ -1,4 +1,4 @@
-//! Data of the animation: one value per step, mm, N, degrees.
+//! Data of the animation: one value per step; mm, N, degrees.
 
 use serde::Serialize;
 
@@ -12,15 +12,15 @@ use gaitcam::synth::Design;
 const MM: f64 = 1000.0;
 /// Number of steps of one turn; the script interpolates linearly.
 pub const STEPS: usize = 480;
-/// Maximum number of turns of a repetition.
+/// Maximum number of turns in a period.
 const MOST_TURNS: usize = 4;
 
-/// Data for the script; lists repeat the last step's value at the end.
+/// Data for the script. The lists repeat the last step's value at the end.
 #[derive(Default, Serialize)]
 pub struct Motion {
     /// First angle of the cam in the displayed unit.
     start: f64,
-    /// One turn (or travel) in the displayed unit.
+    /// Length of one turn (or of the travel) in the displayed unit.
     length: f64,
     turns: usize,
     /// Time of one turn, s.
@@ -40,7 +40,7 @@ pub struct Motion {
     readings: Option<Readings>,
     cx: Vec<Option<f64>>,
     cy: Vec<Option<f64>>,
-    /// Direction of the force on the follower, degrees from +x.
+    /// Direction of the force on the follower, in degrees from +x.
     push: Vec<Option<f64>>,
     px: Vec<Option<f64>>,
     py: Vec<Option<f64>>,
@@ -50,7 +50,7 @@ pub struct Motion {
     qa: Vec<Option<f64>>,
 }
 
-/// Values shown next to the picture that do not move its parts.
+/// Values that are shown next to the drawing and do not move its parts.
 #[derive(Default, Serialize)]
 struct Readings {
     torque: Vec<Option<f64>>,
@@ -59,7 +59,7 @@ struct Readings {
     phi: Vec<Option<f64>>,
 }
 
-/// The unit of θ on the page, as (factor from SI, its name): travel for a translating cam.
+/// Unit of θ on the page as (factor from SI, name); for a translating cam the unit of the travel.
 pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
     match cam.follower {
         Follower::TranslatingCam { .. } => (MM, " mm"),
@@ -76,7 +76,7 @@ pub fn slide(cam: &Cam) -> f64 {
     }
 }
 
-/// Number of decimals that shows four digits of values up to `most`.
+/// Number of decimals with which values up to `most` have four digits.
 fn decimals(most: f64) -> usize {
     if most > 0.0 && most.is_finite() {
         (3 - most.log10().floor() as i32).clamp(0, 6) as usize
@@ -85,7 +85,7 @@ fn decimals(most: f64) -> usize {
     }
 }
 
-/// A number with four decimals, a tenth of a micrometre; non-finite numbers become null.
+/// A number with four decimals (a tenth of a micrometre); non-finite numbers become null.
 fn rounded(x: f64) -> Option<f64> {
     to(x, 1e4)
 }
@@ -95,7 +95,7 @@ fn to(x: f64, places: f64) -> Option<f64> {
     x.is_finite().then(|| (x * places).round() / places)
 }
 
-/// A row of a run between two rows, by linear interpolation; the force of a landing is not spread over the flight.
+/// Row of a simulation between two rows, by linear interpolation. The force of a landing is not extended over the flight.
 fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     let n = rows.len();
     let x = (theta - rows[0].theta) / step;
@@ -120,7 +120,7 @@ fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     }
 }
 
-/// Position of the follower's contact part: foot or centre, m, and its direction, degrees.
+/// Position of the part of the follower with the contact: foot or centre, m, and its direction, degrees.
 pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     match pose(cam, theta) {
         Pose::Face { at, angle } => (at, angle.to_degrees()),
@@ -133,7 +133,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     }
 }
 
-/// The motion of a design (its law and rigid force) or, after a simulation, of the run.
+/// Motion of a design (its law and rigid force) or, after a simulation, of the simulated cam.
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
@@ -193,7 +193,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     out
 }
 
-/// The rigid machine at one point of the law.
+/// Rigid machine at one point of the law.
 fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
     let force = synthesis.force_at(theta);
     Row {
@@ -205,7 +205,7 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
-    /// The motion for a picture without values next to it.
+    /// The motion for a drawing without values next to it.
     pub fn without_readings(mut self) -> Motion {
         self.readings = None;
         self

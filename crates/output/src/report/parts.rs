@@ -9,18 +9,18 @@ use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, unit};
 use gaitcam::wording::Language;
 
-/// A main figure of the report.
+/// A main number of the report.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
-    /// Name of the figure.
+    /// Name of the number.
     pub name: String,
-    /// Value of the figure with its unit.
+    /// Value with its unit.
     pub value: String,
     /// Remark below the value; may be empty.
     pub more: String,
 }
 
-/// The figures at the top: force error, force, stroke, base circle, smallest radius, speed.
+/// Main numbers at the top: force error, force, stroke, base circle, minimum radius, speed.
 pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
     let cards = cards_of(design, &words::words(language)).into_iter();
     let figure = |(name, value, more)| Figure { name, value, more };
@@ -65,26 +65,26 @@ pub fn checks(design: &Design, language: Language) -> Vec<Checked> {
     design.checks.iter().map(of).collect()
 }
 
-/// The cam with its follower as SVG in mm, y up; its moving parts have the ids `cam-turning`, `cam-follower`,
-/// `cam-second`, `cam-push` and `cam-contact`.
+/// The cam with its follower as SVG in mm, y upwards. Its moving parts have the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and
+/// `cam-contact`.
 pub fn drawing(design: &Design, language: Language) -> String {
     let mut out = String::with_capacity(1 << 16);
     animation::drawing(&mut out, design, None, &words::words(language));
     out
 }
 
-/// Positions of those parts at equal steps of one turn, with the values there; mm, N, degrees.
+/// Positions of these parts at equal steps of one turn, with the values there; mm, N, degrees.
 pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }
 
-/// A value of a limit in its customary unit.
+/// Value of a limit in its common unit.
 pub fn shown(design: &Design, limit: Criterion, value: f64, language: Language) -> String {
     let measures = design.cam.follower.measures();
     tables::shown(measures, limit, value, &words::words(language))
 }
 
-/// The name of a limit, follower or law in a language.
+/// Name of a limit, follower or law in a language.
 pub fn name(typed: &str, language: Language) -> String {
     words::words(language).name(typed)
 }

@@ -1,4 +1,4 @@
-//! The simulation of the finished cam on the page: model, motion, force, torque and gap, impacts.
+//! Simulation of the finished cam on the page: model, motion, force, torque and gap, impacts.
 
 use std::fmt::Write;
 
@@ -13,10 +13,10 @@ use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
-/// Maximum number of listed impacts; a decaying bounce has dozens.
+/// Maximum number of listed impacts; a decaying sequence of bounces has dozens.
 const LISTED: usize = 12;
 
-/// The section of a run.
+/// Writes the section of a simulation.
 pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &Words) {
     let outcome = running.outcome;
     heading(out, &words.text("report-simulation"));

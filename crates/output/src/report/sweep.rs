@@ -1,4 +1,4 @@
-//! `report.html` of a sweep: parameters, best designs, pictures; one page that works offline.
+//! `report.html` of a sweep: parameters, best designs, figures; one page that needs no network connection.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::words;
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
 
-/// A table of the report: head and rows of text.
+/// Table of the report: header and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// Names of the columns.
@@ -24,15 +24,15 @@ pub struct Page<'a> {
     pub title: String,
     /// Description of the sweep, in one or two sentences.
     pub words: String,
-    /// Main figures: name, value, remark.
+    /// Main numbers: name, value, remark.
     pub cards: Vec<Card>,
-    /// Pictures with their headings.
+    /// Figures with their headings.
     pub pictures: Vec<(&'a str, &'a Picture)>,
     /// Tables with their headings.
     pub tables: Vec<(String, Table)>,
 }
 
-/// The HTML of the page.
+/// HTML text of the page.
 pub fn html(page: &Page, language: Language) -> String {
     let words = words::words(language);
     let mut out = String::with_capacity(1 << 16);

@@ -1,4 +1,4 @@
-//! Headings, labels and captions of reports and pictures, by language: one Fluent file each.
+//! Headings, labels and captions of reports and figures, with one Fluent file per language.
 
 use gaitcam::cam::Measures;
 pub use gaitcam::wording::Words;
@@ -10,12 +10,12 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// The texts of a language.
+/// Texts of a language.
 pub fn words(language: Language) -> Words {
     Words::new(WORDS.of(language))
 }
 
-/// Abscissa of the diagrams of a design.
+/// Label of the horizontal axis in the diagrams of a design: cam angle or travel.
 pub fn across(words: &Words, measures: Measures) -> String {
     words.text(match measures {
         Measures::Straight => "figure-travel",

@@ -1,4 +1,4 @@
-//! What holds for every format: equal designs give equal bytes, and odd designs give whole files.
+//! Properties of every format: equal designs give equal bytes, and unusual designs give complete files.
 
 use gaitcam_output::Language;
 use gaitcam_test_support::designs::{heel_tester, odd_ones};

@@ -1,4 +1,4 @@
-//! What `gaitcam gait` says of a recording.
+//! Output of `gaitcam gait` for a recording.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -8,7 +8,7 @@ use gaitcam::units::G;
 use gaitcam::wording::Language;
 use gaitcam_output::gait::{json, table};
 
-/// Two force plates, 10.5 s of walking.
+/// Recording of two force plates with 10.5 s of walking.
 const WALK: &[u8] = include_bytes!("../../../../data/recordings/made_walk.csv");
 
 #[test]
@@ -70,7 +70,7 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     assert!(table(&refused, &r, &s, Err("none"), true, Language::En).ends_with(": none\n"));
 }
 
-/// Force of a stance of 0.7 s and amplitude 1 N at a part `x` of it.
+/// Force at the fraction `x` of a stance of 0.7 s with an amplitude of 1 N.
 fn shape(x: f64) -> f64 {
     let inside = (0.0..1.0).contains(&x);
     f64::from(u8::from(inside)) * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
@@ -85,7 +85,7 @@ fn amplitude(foot: usize, k: usize) -> f64 {
     [760.0, 720.0][foot] * if k.is_multiple_of(2) { 1.02 } else { 0.98 }
 }
 
-/// The twelve strides of both feet as a file of 1000 Hz.
+/// The twelve strides of both feet as a file sampled at 1000 Hz.
 fn walk() -> String {
     let mut text = String::from("time,left fz,right fz\n");
     for i in 0..14_000 {
@@ -100,7 +100,7 @@ fn walk() -> String {
     text
 }
 
-/// Duration of a stance above 20 N, from which a foot counts as standing, s.
+/// Duration of a stance above 20 N, the threshold of contact, s.
 fn stands(amplitude: f64) -> f64 {
     let (mut low, mut high) = (0.0, 0.2);
     for _ in 0..60 {
@@ -180,7 +180,7 @@ fn means_of_each_foot_are_those_of_the_stances_that_were_made() {
     assert!((value("symmetry index") - symmetry).abs() < 0.06, "{t}");
 }
 
-/// The last lines of the table of a recording whose given columns stop at 650 N.
+/// Last lines of the table of a recording whose given columns are clipped at 650 N.
 fn clipped(columns: [bool; 2], options: &ReadOptions) -> String {
     let text = String::from_utf8_lossy(WALK);
     let line = |line: &str| {

@@ -1,4 +1,4 @@
-//! What is written, read back by readers that did not write it.
+//! Files that are written are read back by independent readers.
 
 mod every_format;
 mod gait;
@@ -12,7 +12,7 @@ mod words;
 
 use gaitcam_output::Timing;
 
-/// How long the designs took, as summaries say it.
+/// Computing time of the designs, as in summaries.
 const TIME: Timing = Timing {
     solve_s: 0.001,
     total_s: 0.1,

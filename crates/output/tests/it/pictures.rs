@@ -1,4 +1,4 @@
-//! Pictures of the cam: whole, of the right size, with nothing cut off.
+//! Figures of the cam are complete, have the correct size, and nothing is clipped.
 
 use gaitcam_output::Language;
 

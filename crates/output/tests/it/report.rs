@@ -1,4 +1,4 @@
-//! The report: one page with its pictures and its motion.
+//! The report is one page with its figures and its motion.
 
 use gaitcam_output::Language;
 use serde_json::Value;

@@ -1,11 +1,11 @@
-//! `summary.json`: the keys that other programs rely on.
+//! Keys of `summary.json` on which other programs rely.
 
 use serde_json::Value;
 
 use crate::TIME;
 use gaitcam_test_support::designs::{footbridge, heel_tester, impossible};
 
-/// The keys of summary.json that other programs rely on.
+/// Keys of summary.json on which other programs rely.
 const CONTRACT: &str = r#"{"name": "", "outcome": "built|infeasible", "verdict": "acceptable|not-for-high-speed|unacceptable",
  "force": {"rms_error_n": 0, "max_error_n": 0, "rms_error_percent_of_mean": 0, "target_mean_n": 0, "mean_n": 0, "min_n": 0, "max_n": 0},
  "drive": {"kind": "", "mass_kg": 0, "speed_rad_per_s": 0},
@@ -18,7 +18,7 @@ const CONTRACT: &str = r#"{"name": "", "outcome": "built|infeasible", "verdict":
  "solver": {"tier": "spectral|equality|qp|socp|scp", "status": "", "iterations": 0, "solve_s": 0, "certified": true},
  "time": {"total_s": 0}}"#;
 
-/// Every key of `pattern` is in `value` with the same kind; what is more is returned.
+/// Checks that every key of `pattern` is in `value` with the same kind. Returns the additional keys.
 fn extra_keys(pattern: &Value, value: &Value, path: &str) -> Vec<String> {
     match (pattern, value) {
         (Value::Object(p), Value::Object(v)) => {
@@ -120,7 +120,7 @@ fn without_a_target_there_is_no_error_and_where_nothing_presses_no_force() {
     assert!(heavy["max_n"].as_f64().unwrap() > heavy["min_n"].as_f64().unwrap());
 }
 
-/// Where `summary.json` has a number or name of the design, and where the design's own data has it.
+/// Positions of numbers and names of the design in `summary.json`, and in the data of the design itself.
 const CORE: [(&str, &str); 26] = [
     ("/name", "/problem/name"),
     ("/verdict", "/verdict"),

@@ -1,4 +1,4 @@
-//! Tables of law, profile and workbook: every column, every row.
+//! Tables of law, profile and workbook: all columns, all rows.
 
 use std::f64::consts::TAU;
 use std::io::Cursor;

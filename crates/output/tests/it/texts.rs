@@ -1,6 +1,6 @@
-//! Texts of pictures stay on their sheet and apart from one another, in both languages.
+//! Texts of figures stay on their sheet and do not overlap, in both languages.
 //!
-//! Widths come from the advances of the typeface that the PNG is drawn with.
+//! The widths come from the advances of the typeface with which the PNG is drawn.
 
 use ab_glyph::{Font, FontRef};
 use gaitcam::dynamics::{Model, Run, simulate};
@@ -18,7 +18,7 @@ use crate::TIME;
 
 const LANGUAGES: [Language; 2] = [Language::En, Language::Es];
 
-/// A text with its left, top, right and bottom, points.
+/// A text with its left, top, right and bottom positions, points.
 struct Placed {
     text: String,
     corners: [f64; 4],
@@ -32,7 +32,7 @@ fn width(font: &FontRef, text: &str, bold: bool) -> f64 {
     text.chars().map(|c| advance(c) + more).sum()
 }
 
-/// How far the ink of a text reaches above and below its line, ems.
+/// Distances by which the ink of a text extends above and below its line, em.
 fn extent(font: &FontRef, text: &str) -> [f64; 2] {
     let em = font.units_per_em().unwrap();
     let inked = text.chars().filter_map(|c| font.outline(font.glyph_id(c)));
@@ -79,7 +79,7 @@ fn texts(svg: &str) -> Vec<Placed> {
     out
 }
 
-/// What is wrong with the texts of every drawing of `page`.
+/// Errors of the texts of every drawing of `page`.
 fn faults(of: &str, page: &str) -> Vec<String> {
     let mut out = Vec::new();
     for svg in page.split("<svg ").skip(1) {
@@ -107,7 +107,7 @@ fn faults(of: &str, page: &str) -> Vec<String> {
     out
 }
 
-/// The designs of the built-in scenes that need no recording, and the odd ones.
+/// Designs of the built-in scenes that need no recording, and unusual designs.
 fn designs() -> Vec<Design> {
     let mut out = vec![footbridge(), heel_tester()];
     out.extend(odd_ones());

@@ -1,4 +1,4 @@
-//! Every label has its text in both languages, and every text is used.
+//! Every label has a text in both languages, and every text is used.
 
 use std::path::Path;
 

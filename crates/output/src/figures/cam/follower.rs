@@ -1,4 +1,4 @@
-//! The follower in its pose: face or roller, stem or arm, pivot.
+//! Drawing of the follower in its pose: face or roller, stem or arm, pivot.
 
 use plotters::style::Color;
 
@@ -68,7 +68,7 @@ impl Scene<'_> {
         }
     }
 
-    /// The part of a mushroom's arc that the contact uses, slightly extended, with its chord.
+    /// Draws the part of a mushroom's arc that the contact uses, slightly extended, with its chord.
     fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) -> Drawn {
         let cam = &self.synthesis.cam;
         let [nx, ny] = cam.motion(self.start);
@@ -108,7 +108,7 @@ impl Scene<'_> {
         Ok(())
     }
 
-    /// A bar from the pivot, with the pivot's bearing.
+    /// Draws a bar from the pivot, with the bearing of the pivot.
     fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) -> Drawn {
         let (dx, dy) = (end[0] - pivot[0], end[1] - pivot[1]);
         let length = dx.hypot(dy);
@@ -138,7 +138,7 @@ fn circle_about([x, y]: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
     points.map(|(u, v)| (x + u, y + v)).collect()
 }
 
-/// A rod of half the width `half` along y, open at its ends.
+/// Draws a rod with the half width `half` along y, open at its ends.
 fn rod(plane: &Plane, half: f64, x: f64, [from, to]: [f64; 2]) -> Drawn {
     let side = |x: f64| [(x, from), (x, to)];
     let [left, right] = [side(x - half), side(x + half)];

@@ -1,4 +1,4 @@
-//! The cam with its follower in place, at true proportions.
+//! Figure of the cam with its follower, at true proportions.
 
 mod follower;
 mod table;
@@ -24,16 +24,16 @@ use table::values_at;
 const MM: f64 = 1000.0;
 /// Number of vertices of the drawn curves.
 const POINTS: usize = 720;
-/// Dashes and gaps of the construction lines, points.
+/// Dashes and gaps of the base circle, points.
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
-/// Width for values beside the cam, ems.
+/// Width for the values next to the cam, em.
 const VALUES: f64 = 12.2;
-/// Blank margin around the cam, as a fraction of its size.
+/// Width of the empty margin around the cam, as a fraction of its size.
 const MARGIN: f64 = 0.04;
 
-/// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
+/// Figure of the cam at θ = 0 with base and prime circle, pitch curve, follower, and main dimensions.
 pub fn cam(synthesis: &Design, language: Language) -> Picture {
     cam_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -68,11 +68,11 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
     })
 }
 
-/// Bounds of the drawing, mm.
+/// Objects of the drawing and its bounds, mm.
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// The second edge to cut: a groove's upper wall, or the second cam of a pair; m.
+    /// Further edges to be cut: upper wall of a groove, or second cam of a pair, m.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     pose: Pose,
@@ -129,13 +129,13 @@ impl<'a> Scene<'a> {
         self.synthesis.cam.follower.is_unrolled()
     }
 
-    /// Position of the arm's pivot, mm.
+    /// Position of the pivot of the arm, mm.
     fn pivot(&self) -> Option<[f64; 2]> {
         let pivot = self.synthesis.cam.follower.pivot();
         pivot.map(|p| p.map(|x| MM * x))
     }
 
-    /// Bounds of everything drawn.
+    /// Bounds of all objects of the drawing.
     fn bounds(&self) -> Bounds {
         let round = if self.is_straight() {
             0.0
@@ -192,14 +192,14 @@ impl<'a> Scene<'a> {
         0.38 * self.reach
     }
 
-    /// Ends of the face along x: range of the contact, slightly extended.
+    /// Ends of the face along x: the range of the contact, slightly extended.
     fn face(&self) -> (f64, f64) {
         let (low, high) = face_reach(&self.synthesis.cam).unwrap_or((0.0, 0.0));
         let more = 0.08 * self.reach;
         (MM * low - more, MM * high + more)
     }
 
-    /// Axes of one scale in both directions, centred in the given area, and the points per mm.
+    /// Axes with the same scale in both directions, centred in the given area, and the number of points per mm.
     fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
         let Bounds { low, high } = self.bounds();
         let [w, h] = [0, 1].map(|k| high[k] - low[k]);
@@ -272,7 +272,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// A groove's upper wall with the body above it, or the second cam of a pair.
+    /// Draws the upper wall of a groove with the body above it, or the second cam of a pair.
     fn other_edges(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
         for other in &self.others {
             let edge: Vec<(f64, f64)> = other.iter().map(|&[x, y]| here(x, y)).collect();
@@ -293,7 +293,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// Height of the foot of a translating cam in its drawing.
+    /// Height of the foot of a translating cam in the drawing.
     fn foot(&self) -> f64 {
         let heights = self.rows.iter().map(|p| MM * p.y);
         let low = heights.fold(f64::INFINITY, f64::min);
@@ -311,7 +311,7 @@ impl<'a> Scene<'a> {
         curve
     }
 
-    /// Centre mark and the sense of rotation.
+    /// Draws the centre mark and the direction of rotation.
     fn centre(&self, plane: &Plane) -> Drawn {
         if self.is_straight() {
             return Ok(());
@@ -378,7 +378,7 @@ fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f
     ))
 }
 
-/// A part of the follower: an opaque area with its edge; `edge` is the line width, points.
+/// Draws a part of the follower: an opaque area with its edge; `edge` is the line width, points.
 fn part(plane: &Plane, outline: Vec<(f64, f64)>, edge: f64) -> Drawn {
     fill(plane, &outline, PAPER)?;
     fill(plane, &outline, AXIS.mix(0.35))?;

@@ -1,4 +1,4 @@
-//! Legend and main dimensions next to the cam.
+//! Key of the lines and main dimensions, next to the cam.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -10,7 +10,7 @@ use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 
-/// Keys of the facts beside the cam; base and prime radius are in the legend.
+/// Keys of the facts next to the cam. Base and prime radius are in the key of the lines.
 const KEYS: [&str; 8] = [
     "stroke_m",
     "report-follower",
@@ -23,7 +23,7 @@ const KEYS: [&str; 8] = [
 ];
 
 impl Scene<'_> {
-    /// Draws the names of the lines; returns the vertical position below them.
+    /// Draws the names of the lines. Returns the vertical position below them.
     pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;
@@ -71,7 +71,7 @@ impl Scene<'_> {
         Ok(y)
     }
 
-    /// The names of the main dimensions and their values.
+    /// Names of the main dimensions, and their values.
     pub(super) fn facts(&self, words: &Words) -> Vec<(String, String)> {
         let language = words.language();
         let all = [Group::Law, Group::Cam].map(|group| facts(self.synthesis, group, language));
@@ -90,7 +90,7 @@ impl Scene<'_> {
     }
 }
 
-/// Horizontal start of the values, ems.
+/// Horizontal position at which the values start, em.
 pub(super) fn values_at(facts: &[(String, String)]) -> f64 {
     let ends = facts.iter().map(|f| text_width(&f.0) + 0.9);
     ends.fold(8.8, f64::max)

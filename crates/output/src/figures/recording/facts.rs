@@ -1,4 +1,4 @@
-//! Text above the picture of a recording: kind, stride, mass, counts, warnings.
+//! Text above the figure of a recording: kind, stride, mass, counts, warnings.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -10,12 +10,12 @@ use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
 use gaitcam::wording::{catalogue, sentence};
 
-/// Maximum number of warnings in the picture; the report and the JSON have all of them.
+/// Maximum number of warnings in the figure. The report and the JSON contain all of them.
 const WARNINGS: usize = 3;
 /// Maximum number of lines of one warning.
 const LINES: usize = 2;
 
-/// Writes the facts from the top of the frame; returns the position below them.
+/// Writes the facts from the top of the frame. Returns the position below them.
 pub(super) fn write_facts(
     f: &Figure,
     understood: &Interpretation,
@@ -50,7 +50,7 @@ pub(super) fn write_facts(
     Ok(y + 0.6 * e)
 }
 
-/// The displayed notes, with open questions first.
+/// Displayed notes, with open questions first.
 fn worst(understood: &Interpretation) -> Vec<&Note> {
     let mut all: Vec<&Note> = understood.warnings.iter().collect();
     all.sort_by_key(|n| n.doubt().is_none());
@@ -58,7 +58,7 @@ fn worst(understood: &Interpretation) -> Vec<&Note> {
     all
 }
 
-/// Kind, stride and mass with their sources, and contacts used.
+/// Kind, stride time and mass with their sources, and number of used contacts.
 fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     let library = catalogue(words.language());
     let name = |typed: &str| library.name(typed);
@@ -101,7 +101,7 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     parts
 }
 
-/// Lines of at most `room` letter sizes, broken between parts; an ellipsis replaces what exceeds `most` lines.
+/// Lines of at most `room` letter heights, broken between parts. An ellipsis replaces the text after `most` lines.
 fn shortened<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
     let mut lines = wrapped(parts, room);
     if lines.len() > most {

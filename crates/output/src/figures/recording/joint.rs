@@ -1,4 +1,4 @@
-//! The joint mean of several recordings: the cycle of each, their mean and its band.
+//! Joint mean of several recordings: the cycle of each, their mean and its band.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -11,7 +11,7 @@ use crate::words;
 use gaitcam::force::JointMean;
 use gaitcam::wording::{Language, catalogue};
 
-/// Thin lines for the cycles of the recordings of a joint mean, with the mean and one standard deviation of all cycles.
+/// Figure with thin lines for the cycles of the recordings in a joint mean, with the mean and one standard deviation of all cycles.
 ///
 /// `files`: names of the recordings in the mean.
 pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Picture {

@@ -1,4 +1,4 @@
-//! The mean stance of each foot in its own frame, with its stances, band, landmarks and an axis in body weights.
+//! Mean stance of each foot in a separate frame, with its stances, band, characteristic points and an axis in body weights.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -13,7 +13,7 @@ use crate::words::Words;
 use gaitcam::force::{Interpretation, MeanStanceCurve, Overlay, Point};
 use gaitcam::units::G;
 
-/// Opacity of one stance, low enough to show the mean among many.
+/// Opacity of a single stance, low enough for the mean to be visible among many.
 const THIN: f64 = 0.3;
 /// Opacity of the band of one standard deviation.
 const BAND: f64 = 0.25;
@@ -48,7 +48,7 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
     Ok(())
 }
 
-/// One of several frames side by side.
+/// Frame `k` of several adjacent frames.
 fn column(frame: Frame, k: usize, count: usize, e: f64) -> Frame {
     let gap = 8.6 * e;
     let width = (frame.right - frame.left - gap * (count as f64 - 1.0)) / count as f64;
@@ -106,7 +106,7 @@ fn draw_foot(
     f.key(place, 0.95 * f.e, &entries)
 }
 
-/// A dot at a peak or valley with its name and force.
+/// Draws a dot at a peak or valley, with its name and force.
 fn landmark(f: &Figure, frame: Frame, y: [f64; 2], name: &str, point: Point) -> Drawn {
     let e = f.e;
     let across = frame.left + point.at * (frame.right - frame.left);
@@ -130,7 +130,7 @@ fn up(frame: Frame, y: [f64; 2], force: f64) -> f64 {
     frame.bottom + (force - y[0]) / (y[1] - y[0]) * (frame.top - frame.bottom)
 }
 
-/// An axis in body weights at the right of a frame.
+/// Draws an axis in body weights at the right of a frame.
 pub(super) fn body_weights(
     f: &Figure,
     frame: Frame,

@@ -1,4 +1,4 @@
-//! The picture of a recording: all contacts, the mean stance of each foot, the mean cycle.
+//! Figure of a recording: all contacts, mean stance of each foot, mean cycle.
 
 mod facts;
 mod joint;
@@ -22,15 +22,15 @@ use gaitcam::wording::Language;
 /// A curve with its colour and width.
 type Curve = Vec<(f64, f64)>;
 
-/// The layout of a figure of the report; its height depends on the number of lanes of contacts.
+/// Layout as a figure of the report. Its height depends on the number of lanes of contacts.
 pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layout {
     let letters = Layout::figure(0).letters;
     let lanes = whole::height(understood, letters, words);
     Layout::figure(700 + lanes as u32)
 }
 
-/// The whole recording with contacts marked used or rejected (and why), the mean stances of the left and the right foot with loading peak, valley and
-/// push-off, and below them the mean cycle, if there is one.
+/// Figure of the whole recording with its contacts, which are marked as used or rejected (with the reason). Below are the mean stances of the left
+/// and the right foot with loading peak, valley and push-off peak, and the mean cycle, if there is one.
 pub fn recording(
     understood: &Interpretation,
     cycle: Option<&ForceCurve>,
@@ -93,7 +93,7 @@ pub(crate) fn recording_in(
     })
 }
 
-/// A mean cycle with its band, and the single cycles if there are any.
+/// Draws a mean cycle with its band, and the single cycles if there are any.
 fn draw_cycle(
     f: &Figure,
     frame: Frame,
@@ -143,7 +143,7 @@ fn draw_cycle(
     f.key_and_levels(place, f.e, &entries, &levels)
 }
 
-/// A cycle over time; its first sample is repeated at the end.
+/// A cycle over time, with its first sample repeated at the end.
 fn closed(force: &[f64], period_s: f64) -> Curve {
     let around: Vec<f64> = force.iter().chain(force.first()).copied().collect();
     thinned(&around, |i, n| period_s * i as f64 / (n - 1) as f64)
@@ -173,10 +173,10 @@ fn foot_name(foot: Option<Foot>, words: &Words) -> String {
     })
 }
 
-/// Number of points drawn of a curve: one per two pixels of a wide picture.
+/// Number of points that are drawn of a curve: one per two pixels of a wide figure.
 const POINTS: usize = 512;
 
-/// Every n-th sample and the last, with `across` applied to their positions.
+/// Every n-th sample and the last one, with `across` applied to their positions.
 fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Curve {
     let n = force.len();
     if n < 2 {

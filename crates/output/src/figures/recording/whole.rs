@@ -1,4 +1,4 @@
-//! The whole recording: force of every column over time, and below it a lane per column with its contacts.
+//! The whole recording: force of every column over time, and below it one lane per column with its contacts.
 
 use std::collections::BTreeMap;
 
@@ -15,9 +15,9 @@ use crate::words::Words;
 use gaitcam::force::{Column, Interpretation, RejectReason};
 use gaitcam::wording::sentence;
 
-/// Maximum number of columns with a lane; laboratories have up to a dozen plates, of which few are used.
+/// Maximum number of columns with a lane. Laboratories have up to about twelve plates, of which few are used.
 const LANES: usize = 8;
-/// Height of a lane, letter sizes.
+/// Height of a lane, in letter heights.
 const LANE: f64 = 1.35;
 /// Colours of columns with unknown feet.
 const PLATES: [RGBAColor; 4] = [GREEN, PURPLE, QUIET, INK];
@@ -41,7 +41,7 @@ fn loaded(understood: &Interpretation) -> Vec<usize> {
     }
 }
 
-/// Reasons of rejection with their number and frequency.
+/// Reasons for rejection, with their number and frequency.
 fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, String)> {
     let mut counts: BTreeMap<RejectReason, usize> = BTreeMap::new();
     let rejected = understood.contacts.iter().filter_map(|c| c.rejected);
@@ -88,7 +88,7 @@ fn own_colour(column: &Column, k: usize) -> RGBAColor {
     }
 }
 
-/// The name of a column with its foot, shortened if long.
+/// Name of a column with its foot, shortened if it is long.
 fn shortened(column: &Column, words: &Words) -> String {
     let name: String = column.name.chars().take(24).collect();
     match column.foot {
@@ -100,7 +100,7 @@ fn shortened(column: &Column, words: &Words) -> String {
 /// Maximum length of the name of a lane, letters.
 const LANE_NAME: usize = 9;
 
-/// The foot of a column, otherwise as many whole words of its name as fit.
+/// Foot of a column; otherwise as many whole words of its name as fit.
 fn lane_name(column: &Column, words: &Words) -> String {
     if column.foot.is_some() {
         return foot_name(column.foot, words);
@@ -120,7 +120,7 @@ fn lane_name(column: &Column, words: &Words) -> String {
     name
 }
 
-/// A line through the lowest and highest force of each piece.
+/// A line through the minimum and maximum force of each piece.
 fn trace(column: &Column, x: [f64; 2]) -> Curve {
     let n = column.envelope_n.len().max(1) as f64;
     let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
@@ -134,7 +134,7 @@ fn trace(column: &Column, x: [f64; 2]) -> Curve {
     curve
 }
 
-/// A bar for each contact: filled with the colour of its foot if it is used, otherwise an outline with the number of the reason.
+/// Draws a bar for each contact: filled in the colour of its foot if it is used, otherwise an outline with the number of the reason.
 fn draw_lanes(
     f: &Figure,
     frame: Frame,

@@ -1,4 +1,4 @@
-//! The front of non-dominated designs.
+//! Front of non-dominated designs.
 
 use plotters::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::plot::text::text_width;
 use crate::words;
 use gaitcam::wording::Language;
 
-/// All designs as dots, the front as a line through its dots, the best marked by a ring.
+/// Figure with all designs as dots, the front as a line through its dots, and the best design marked by a ring.
 pub fn front(
     title: &str,
     x: &Quantity,

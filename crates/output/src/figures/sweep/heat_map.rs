@@ -1,4 +1,4 @@
-//! The best of many designs over two parameters, as a heat map.
+//! Best of many designs over two parameters, as a heat map.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,22 +11,22 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
 use gaitcam::wording::Language;
 
-/// Number of bins across a heat map of scattered points.
+/// Number of bins along an axis of a heat map for scattered points.
 const BINS: usize = 40;
 
-/// Number of distinct values on an axis above which the values are scattered, not a grid.
+/// Number of distinct values on an axis above which the values are scattered and do not form a grid.
 const GRID_VALUES: usize = 200;
 
-/// Choice among several designs in one cell of a heat map.
+/// Selection among several designs in one cell of a heat map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Best {
-    /// The design with the smallest value.
+    /// The design with the minimum value.
     Least,
-    /// The design with the largest value.
+    /// The design with the maximum value.
     Largest,
 }
 
-/// Colours from low (dark blue) to high (yellow), in even steps of lightness: five stops of viridis.
+/// Colour from low (dark blue) to high (yellow), in equal steps of lightness: five colours of viridis.
 fn shade(u: f64) -> RGBAColor {
     const STOPS: [[f64; 3]; 5] = [
         [68.0, 1.0, 84.0],
@@ -41,7 +41,7 @@ fn shade(u: f64) -> RGBAColor {
     RGBAColor(mix(0), mix(1), mix(2), 1.0)
 }
 
-/// Edges of the cells of an axis: halfway between the values of a grid, or even bins.
+/// Edges of the cells of an axis: in the middle between the values of a grid, or equal bins.
 fn edges(values: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -65,12 +65,12 @@ fn edges(values: &[f64]) -> Vec<f64> {
     }
 }
 
-/// Index of the cell that holds `v`.
+/// Index of the cell that contains `v`.
 fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
-/// The best value of `z` over two parameters, as colour; cells without a design remain blank.
+/// Figure with the best value of `z` over two parameters as colour. Cells without a design are empty.
 pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
@@ -107,7 +107,7 @@ pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: La
     })
 }
 
-/// The colour scale to the right of a picture.
+/// Draws the colour scale to the right of a figure.
 fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Language) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);

@@ -1,4 +1,4 @@
-//! How often each value occurs.
+//! Frequency of each value.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -12,10 +12,10 @@ use crate::plot::sheet::{Lettering, fill, stroke, trace, write};
 use crate::words;
 use gaitcam::wording::Language;
 
-/// Bars of a histogram.
+/// Number of bars of a histogram.
 const BARS: usize = 40;
 
-/// How often each value occurs, with levels drawn across.
+/// Histogram of the values of a quantity, with lines at given levels.
 pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: Language) -> Picture {
     let shown = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
     let range = padded(shown, 0.03);

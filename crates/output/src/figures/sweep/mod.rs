@@ -1,4 +1,4 @@
-//! Pictures of many designs: heat map, parallel coordinates, fronts, histograms. The input is plain numbers.
+//! Figures of many designs: heat map, parallel coordinates, fronts, histograms. The input is plain numbers.
 
 mod axes;
 mod front;
@@ -13,7 +13,7 @@ pub use parallel::parallel;
 
 use crate::plot::sheet::Frame;
 
-/// Size of the pictures, points.
+/// Size of the figures, points.
 const SIZE: (u32, u32) = (1100, 720);
 /// Size of the lettering, points.
 const LETTERS: f64 = 16.0;
@@ -29,7 +29,7 @@ pub struct Quantity {
     pub words: Vec<String>,
 }
 
-/// SI units of labels with the customary ones and the factor between them.
+/// SI units of labels, with the common units and the factors between them.
 const SHOWN: [(&str, &str, f64); 7] = [
     ("m", "mm", 1e3),
     ("m/rad", "mm/rad", 1e3),
@@ -40,7 +40,7 @@ const SHOWN: [(&str, &str, f64); 7] = [
     ("N m", "N·m", 1.0),
 ];
 
-/// A label with the customary unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
+/// Label with the common unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
 pub fn unit_for_people(label: &str) -> (String, f64) {
     let known = label.rsplit_once(", ").and_then(|(name, unit)| {
         let row = SHOWN.iter().find(|row| row.0 == unit)?;
@@ -53,7 +53,7 @@ pub fn unit_for_people(label: &str) -> (String, f64) {
 }
 
 impl Quantity {
-    /// The column in its customary unit, and the factor to it.
+    /// The column in its common unit, and the factor to it.
     fn shown(&self) -> (Quantity, f64) {
         let (label, factor) = unit_for_people(&self.label);
         let shown = Quantity {
@@ -74,7 +74,7 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
-/// Several columns in customary units, with the factors to them.
+/// Several columns in common units, with the factors to them.
 fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     let both = all.map(Quantity::shown);
     let factors = both.each_ref().map(|b| b.1);

@@ -10,7 +10,7 @@ use gaitcam::drive::DriveKind;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
-/// Drive, law and cam in numbers.
+/// Writes drive, law and cam in numbers.
 pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-data"));
     out.push_str("<div class=\"columns\">\n");
@@ -36,10 +36,10 @@ fn heading_of(group: Group) -> &'static str {
     }
 }
 
-/// Amplitude below which a factor prints as zero and has no phase.
+/// Amplitude below which a factor is displayed as zero and has no phase.
 const LEAST_FACTOR: f64 = 5e-5;
 
-/// Harmonics of target and achieved force as fractions of the weight, as in codes for footbridges.
+/// Writes the harmonics of target and achieved force as fractions of the weight, as in codes for footbridges.
 fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     let all = synthesis.load_factors();
     if all.is_empty() {

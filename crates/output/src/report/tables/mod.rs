@@ -1,4 +1,4 @@
-//! The report's tables: checks, active limits, the design's data, its solution.
+//! Tables of the report: checks, active limits, data of the design, solution.
 
 mod design;
 mod solution;
@@ -18,7 +18,7 @@ use gaitcam_base::text::escaped;
 /// Relative distance below which a limit counts as active.
 const ON_THE_LIMIT: f64 = 0.005;
 
-/// A value of a limit in its customary unit; SI without a unit for an unknown limit.
+/// Value of a limit in its common unit; for an unknown limit in SI without a unit.
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
@@ -27,7 +27,7 @@ pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) ->
     unit.after(&words.number(value))
 }
 
-/// Distance of the worst value from its limit, as a fraction of the limit; negative when violated.
+/// Distance of the worst value from its limit, as a fraction of the limit; negative if the limit is violated.
 fn margin(check: &Check) -> f64 {
     let gap = (check.worst - check.limit).abs();
     let share = if check.limit == 0.0 {
@@ -62,7 +62,7 @@ pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     )
 }
 
-/// Opens a table; columns from `numbers` on are aligned right.
+/// Opens a table. The columns from `numbers` on are aligned right.
 pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
     for (i, name) in columns.iter().enumerate() {
@@ -89,7 +89,7 @@ pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     out.push_str("</tr>\n");
 }
 
-/// Every check with its traffic light.
+/// Writes all checks with their traffic lights.
 pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
@@ -135,7 +135,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// An active limit: name, largest multiplier with its position, number of points.
+/// An active limit: name, maximum multiplier with its position, number of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub struct ActiveLimit {
@@ -168,7 +168,7 @@ impl ActiveLimit {
     }
 }
 
-/// The limits that determine the law.
+/// Writes the limits that determine the law.
 pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-active-limits"));
     if synthesis.binding.is_empty() {
@@ -197,7 +197,7 @@ fn note(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
 }
 
-/// Gain from relaxing each active limit by one per cent.
+/// Writes the gain from relaxing each active limit by one percent.
 fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
@@ -228,7 +228,7 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
 /// Rows of names and values.
 pub(super) type Rows = Vec<(String, String)>;
 
-/// A table of two columns under its name.
+/// Writes a table of two columns below its name.
 pub(super) fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
     let name = escaped(&words.text(name));
     let _ = write!(out, "<div><h3>{name}</h3><table>");

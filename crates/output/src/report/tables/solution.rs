@@ -1,4 +1,4 @@
-//! Solution of a design: solver, certificate, remarks.
+//! Solution of a design: solver, certificate, notes.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::words::Words;
 use gaitcam::synth::{Design, Tier};
 use gaitcam_base::text::escaped;
 
-/// Solver, time and certificate of the answer, and remarks.
+/// Writes solver, time and certificate of the result, and notes.
 pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
     let solver = &synthesis.solver;
     let how = match solver.tier {
