@@ -1,4 +1,4 @@
-//! The page's files, stored in the binary.
+//! Files of the page, stored in the binary.
 
 use crate::http::Response;
 use gaitcam::wording::Language;
@@ -9,9 +9,9 @@ const HTML: &str = "text/html; charset=utf-8";
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
-/// Name, media type and contents, listed by the build script.
+/// Name, media type and content of each file, listed by the build script.
 const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// The file that the report also contains.
+/// A file of the page that the report also contains.
 const MOTION: &str = "core/motion.js";
 
 /// The page itself; its other files are below `base`. Without a language the page takes that of the browser.
@@ -24,7 +24,7 @@ pub fn page(base: &str, language: Option<Language>) -> Response {
     Response::new(HTML, page)
 }
 
-/// One of the page's files.
+/// Response with one of the page's files.
 pub fn file(name: &str) -> Option<Response> {
     if name == MOTION {
         return Some(Response::new(SCRIPT, MOTION_SCRIPT));
@@ -34,7 +34,7 @@ pub fn file(name: &str) -> Option<Response> {
     Some(Response::new(found.1, text))
 }
 
-/// The file in the source tree, so that development builds show changes on reload.
+/// Content of the file in the source tree, so that development builds show changes after a reload.
 fn fresh(name: &str) -> Option<String> {
     if !cfg!(debug_assertions) {
         return None;

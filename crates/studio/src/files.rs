@@ -1,4 +1,4 @@
-//! Scenes of the opened folder: opened, and saved under an unused name.
+//! Scenes of the opened folder: reading, and saving under an unused name.
 
 use std::path::Path;
 
@@ -10,10 +10,11 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Named, table};
 
-/// The text of a scene of the folder.
+/// Text of a scene in the folder.
 ///
 /// # Errors
-/// Files outside the folder; text that is not TOML.
+///
+/// The file is outside the folder; the text is not TOML.
 pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     let path = Path::new(path);
     let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
@@ -21,7 +22,7 @@ pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     Ok(json!({"scene": text, "file": path.display().to_string()}))
 }
 
-/// A scene to save, with the dropped recording that it names.
+/// A scene to be saved, with the dropped recording that it names.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Save {
@@ -29,7 +30,7 @@ pub struct Save {
     pub scene: String,
     /// Name of the saved file.
     pub name: String,
-    /// Kept files that the scene names.
+    /// Stored files that the scene names.
     #[serde(default)]
     pub files: Vec<Named>,
     /// Language of the error messages.
@@ -37,10 +38,11 @@ pub struct Save {
     pub language: String,
 }
 
-/// Saves a scene, and next to it the dropped file that it names. No file is ever replaced.
+/// Saves a scene, and next to it the dropped file that it names. No file is replaced.
 ///
 /// # Errors
-/// Invalid file names; folders that cannot be written.
+///
+/// A file name is invalid; the folder is not writable.
 pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
     let mut table = table(&save.scene)?;
     let file = table

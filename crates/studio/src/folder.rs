@@ -1,4 +1,4 @@
-//! The opened folder: its files may be read, new files may be written, nothing outside is accessed.
+//! The opened folder. Its files may be read and new files may be written; nothing outside is accessed.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -14,7 +14,7 @@ use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Hash, Recent};
 use gaitcam_app::read::read_at_most;
 
-/// The bytes of a file with their hash.
+/// Content of a file with its hash.
 type Content = (Hash, Arc<Vec<u8>>);
 
 /// Maximum size of a file that is read, bytes.
@@ -23,24 +23,24 @@ const LARGEST: u64 = 256 << 20;
 const LISTED: usize = 500;
 const DEPTH: usize = 3;
 
-/// Cache of files, valid until they change.
+/// Number of files in the cache; a cached file is valid until the file changes.
 const READ: usize = 8;
 
-/// State of a file: path, size, time of its last change.
+/// State of a file: path, size, time of the last change.
 type Stamp = (PathBuf, u64, Option<SystemTime>);
 
-/// The folder opened in the studio.
+/// Folder that is opened in the studio.
 pub struct Folder {
     root: PathBuf,
     read: Mutex<Recent<Stamp, Content>>,
 }
 
-/// A file of the folder that the page may open.
+/// File of the folder that the page may open.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Listed {
     /// Path of the file in the folder, with `/`.
     pub path: String,
-    /// Whether it is a scene rather than a recording.
+    /// Whether the file is a scene; otherwise it is a recording.
     pub scene: bool,
 }
 
@@ -48,7 +48,8 @@ impl Folder {
     /// Opens a folder.
     ///
     /// # Errors
-    /// A missing folder.
+    ///
+    /// The folder does not exist.
     pub fn open(path: &Path) -> Result<Folder> {
         let root = fs::canonicalize(path).map_err(|e| unread(path, &e))?;
         let read = Mutex::new(Recent::new(READ));
@@ -60,10 +61,11 @@ impl Folder {
         &self.root
     }
 
-    /// The true path of a file in the folder.
+    /// Real path of a file in the folder.
     ///
     /// # Errors
-    /// Paths that lead out of the folder, by `..`, from the root or through a link; missing files.
+    ///
+    /// The path leads out of the folder (by `..`, from the root, or through a link); the file does not exist.
     pub fn find(&self, path: &Path) -> Result<PathBuf> {
         let outside = || StudioError::Outside.in_file(path);
         let upwards = path.components().any(|c| c == Component::ParentDir);
@@ -78,18 +80,20 @@ impl Folder {
         }
     }
 
-    /// A file of the folder.
+    /// Content of a file in the folder.
     ///
     /// # Errors
-    /// As [`Folder::find`]; not a plain file, or too large.
+    ///
+    /// As [`Folder::find`]; the path is not a plain file, or the file is too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
         read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
     }
 
-    /// The file with its hash, for files that are requested repeatedly.
+    /// Content of a file with its hash, for files that are requested repeatedly.
     ///
     /// # Errors
+    ///
     /// As [`Folder::read`].
     pub fn hashed(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
         let found = self.find(path)?;
@@ -105,11 +109,12 @@ impl Folder {
         Ok(read)
     }
 
-    /// Writes a new file under a plain name and returns the name, with the first free number if it exists (`walk.toml`, `walk-2.toml`). Never
-    /// replaces a file.
+    /// Writes a new file under a plain name and returns the name. If the name exists, the first free number is added (`walk.toml`, `walk-2.toml`). No
+    /// file is replaced.
     ///
     /// # Errors
-    /// Invalid file names; folders that cannot be written.
+    ///
+    /// The file name is invalid; the folder is not writable.
     pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
         let plain = !name.is_empty()
             && !name.starts_with('.')
@@ -187,7 +192,7 @@ impl Folder {
     }
 }
 
-/// Whether a TOML file has one of the tables of a scene.
+/// Whether a TOML file contains one of the tables of a scene.
 fn is_scene(path: &Path) -> bool {
     let small = fs::metadata(path).is_ok_and(|m| m.len() < 1 << 20);
     let text = if small {

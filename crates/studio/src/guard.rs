@@ -1,4 +1,4 @@
-//! Access control: only pages of this server with its token are admitted.
+//! Access control: only pages of this server that have its token are admitted.
 
 use std::fs;
 use std::io::{self, Write};
@@ -9,7 +9,7 @@ use crate::http::{Head, Response, Status};
 /// Number of bytes of the token.
 const LENGTH: usize = 16;
 
-/// Input from which tokens are computed.
+/// Secret from which tokens are computed.
 type Secret = [u8; 32];
 
 /// Token and port of a running server.
@@ -18,20 +18,21 @@ pub struct Guard {
     port: u16,
 }
 
-/// Token and preferred port of a folder: the same at every start, so that a page finds its studio again. Both are computed from the folder's path and
-/// a secret of the user, so that others cannot guess them.
+/// Token and preferred port of a folder. They are equal at every start, so that a page finds its studio again. Both are computed from the path of the
+/// folder and a secret of the user, so that others cannot guess them.
 pub struct Place {
     /// Secret token that every address must contain.
     pub token: String,
-    /// A port in the range for private use.
+    /// Port in the range for private use.
     pub port: u16,
 }
 
 impl Place {
-    /// Creates the guard of a folder.
+    /// Computes token and port of a folder.
     ///
     /// # Errors
-    /// The system has no random numbers.
+    ///
+    /// The system provides no random numbers.
     pub fn of(folder: &Path) -> io::Result<Place> {
         let secret = match secret_file() {
             Some(file) => kept_secret(&file).or_else(|_| fresh())?,
@@ -44,7 +45,7 @@ impl Place {
     }
 }
 
-/// The user's secret, in the system's folder for application data; `None` without such a folder.
+/// File with the secret of the user, in the system's folder for application data; `None` without such a folder.
 fn secret_file() -> Option<PathBuf> {
     let folder = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty());
     let below = |name: &str, more: &str| folder(name).map(|home| PathBuf::from(home).join(more));
@@ -58,7 +59,7 @@ fn secret_file() -> Option<PathBuf> {
     Some(state?.join("gaitcam").join("studio.key"))
 }
 
-/// The secret in the file, created at first use and readable only by its user.
+/// Secret in the file. It is created at first use and is readable only by its user.
 fn kept_secret(file: &Path) -> io::Result<Secret> {
     if let Ok(bytes) = fs::read(file)
         && let Ok(secret) = bytes.try_into()
@@ -82,12 +83,12 @@ fn fresh() -> io::Result<Secret> {
 }
 
 impl Guard {
-    /// A guard with the token of its folder.
+    /// Creates a guard with the token of its folder.
     pub fn new(port: u16, token: String) -> Guard {
         Guard { token, port }
     }
 
-    /// The address to open.
+    /// Address to open.
     pub fn url(&self) -> String {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token)
     }
@@ -97,7 +98,8 @@ impl Guard {
         format!("/{}/", self.token)
     }
 
-    /// Whether a request is admitted: this host, no other origin, the token in its query or as the first part of its path, and no parent folders.
+    /// Whether a request is admitted: the host is this server, the origin is not a different one, the query or the first part of the path contains
+    /// the token, and the path has no parent folders.
     pub fn admit(&self, head: &Head) -> Result<(), Response> {
         let own = [
             format!("127.0.0.1:{}", self.port),
@@ -123,7 +125,7 @@ impl Guard {
             .any(|given| same(given.as_bytes(), self.token.as_bytes()))
     }
 
-    /// The path without the token.
+    /// Path without the token.
     pub fn inside<'p>(&self, path: &'p str) -> &'p str {
         let path = path.trim_start_matches('/');
         match path.strip_prefix(self.token.as_str()) {
@@ -133,7 +135,7 @@ impl Guard {
     }
 }
 
-/// Comparison in constant time.
+/// Compares bytes in constant time.
 fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |d, (x, y)| d | (x ^ y)) == 0
 }

@@ -1,8 +1,8 @@
-//! `gaitcam studio`: a local web application on which the cam changes under the slider.
+//! `gaitcam studio`: a local web application in which the cam changes with the sliders.
 //!
-//! The page holds no mathematics: each change of a field is one request with the whole scene, answered by one design
-//! with all its curves, checks and sentences. The server has no pages: it serves the files of one, passes questions to
-//! the engine, which the page can also carry itself, and opens and saves files of one folder.
+//! The page contains no computations. Each change of a field is one request with the whole scene; the response is a design with all its curves,
+//! checks and messages. The server provides the files of the page and passes requests to the engine, which the page may also contain. It reads and
+//! writes the files of one folder.
 //!
 //! ```text
 //! http/      connections, heads, answers         guard.rs    token, host, origin
@@ -36,10 +36,9 @@ use http::Server;
 /// Options of the studio.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// A scene file, a folder, or the name of a built-in scene; the working directory with the default scene
-    /// otherwise.
+    /// A scene file, a folder, or the name of a built-in scene. If `None`, the working directory with the default scene.
     pub open: Option<PathBuf>,
-    /// The port; 0 takes a free one.
+    /// Port; 0 selects a free port.
     pub port: u16,
     /// Language of the page at first; that of the browser if `None`.
     pub language: Option<Language>,
@@ -56,14 +55,14 @@ struct Studio {
     began: Instant,
 }
 
-/// A studio that listens but does not answer yet.
+/// A studio that listens but does not respond yet.
 pub struct Ready {
     server: Server,
     studio: Studio,
 }
 
 impl Ready {
-    /// The address to open, with its token.
+    /// Address to open, with its token.
     pub fn url(&self) -> String {
         self.studio.guard.url()
     }
@@ -77,7 +76,8 @@ impl Ready {
 /// Opens the folder and starts listening on the loopback address.
 ///
 /// # Errors
-/// Missing folders and scenes, a port in use.
+///
+/// A folder or scene does not exist; the port is in use.
 pub fn open(options: &Options) -> Result<Ready> {
     set_language(options.language.unwrap_or_default());
     let (folder, start) = opened(options.open.as_deref())?;
@@ -134,7 +134,7 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     Ok((folder, start))
 }
 
-/// Locks the mutex; a panic of another thread leaves no inconsistent state.
+/// Locks the mutex, also after a panic of another thread, which leaves no inconsistent state.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

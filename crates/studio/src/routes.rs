@@ -14,7 +14,7 @@ use gaitcam::wording::Language;
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
 
-/// Maximum size of the body of a question, and of a kept file, bytes.
+/// Maximum size of the body of a request, bytes.
 const QUESTION: usize = 4 << 20;
 const KEPT: usize = 64 << 20;
 
@@ -83,7 +83,7 @@ fn of_tag(tag: &str) -> Language {
     Language::of_tag(tag).unwrap_or_default()
 }
 
-/// An answer of the engine for the page.
+/// Converts an answer of the engine to a response.
 fn answered(answer: Answer) -> Response {
     let status = match answer.understood {
         true => Status::Ok,
@@ -96,7 +96,7 @@ fn answered(answer: Answer) -> Response {
     Response { status, ..response }
 }
 
-/// One question; its search ends when the page disconnects.
+/// A request to the engine. Its search ends when the page disconnects.
 struct Asking<'s> {
     studio: &'s Studio,
     halt: Halt,

@@ -1,4 +1,4 @@
-//! One connection: consecutive requests, each within its limits.
+//! A connection with consecutive requests, each within its limits.
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -12,13 +12,13 @@ use crate::lock;
 
 /// Maximum size of a head, bytes.
 const HEAD: usize = 16 << 10;
-/// Time allowed to an idle connection for the next request, and to an admitted request to arrive.
+/// Maximum waiting time for the next request on an idle connection, and for an admitted request to arrive.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// Time allowed to a head from its first byte.
+/// Maximum time for a head, from its first byte.
 const OF_HEAD: Duration = Duration::from_secs(5);
-/// Time between two checks whether the client is still connected.
+/// Time between two checks of whether the client is still connected.
 const LOOK: Duration = Duration::from_millis(20);
-/// Time for which remaining data are read after a rejection, so that the rejection arrives.
+/// Maximum time for which remaining data are read after a rejection, so that the client receives the rejection.
 const FAREWELL: Duration = Duration::from_secs(5);
 
 /// A connection with its unprocessed bytes.
@@ -37,7 +37,7 @@ pub fn serve(stream: TcpStream, service: &impl Service, places: &Places) {
 }
 
 impl Connection {
-    /// Serves one request; whether the connection continues.
+    /// Serves one request. Returns whether the connection continues.
     fn one(&mut self, service: &impl Service, places: &Places) -> io::Result<bool> {
         let waiting = places.wait(&self.stream);
         let head = match self.head()? {
@@ -68,7 +68,7 @@ impl Connection {
         Ok(!head.closes)
     }
 
-    /// The next head; `None` if the client has closed the connection.
+    /// Next head; `None` if the client has closed the connection.
     fn head(&mut self) -> io::Result<Option<Result<Head, Response>>> {
         if self.buffer.is_empty() && self.more(Instant::now() + PATIENCE)? == 0 {
             return Ok(None);
@@ -92,7 +92,7 @@ impl Connection {
         }
     }
 
-    /// The body of a request; `None` if the client has closed the connection.
+    /// Body of a request; `None` if the client has closed the connection.
     fn body(&mut self, head: &Head) -> io::Result<Option<Vec<u8>>> {
         let deadline = Instant::now() + PATIENCE;
         if head.expects {
@@ -107,7 +107,7 @@ impl Connection {
         Ok(Some(std::mem::replace(&mut self.buffer, rest)))
     }
 
-    /// Reads the available bytes; 0 at the end.
+    /// Reads the available bytes. Returns their number; 0 at the end.
     fn more(&mut self, deadline: Instant) -> io::Result<usize> {
         let left = deadline.saturating_duration_since(Instant::now());
         if left.is_zero() {
@@ -133,7 +133,7 @@ impl Connection {
     }
 }
 
-/// Whether the client has disconnected; checked only occasionally, since it is a system call.
+/// Whether the client has disconnected. It is checked only occasionally, because the check is a system call.
 fn left(stream: Arc<TcpStream>) -> Gone {
     let last = Mutex::new((Instant::now(), false));
     Arc::new(move || {

@@ -1,4 +1,4 @@
-//! The head of a request: method, address and relevant headers.
+//! Head of a request: method, address and relevant headers.
 
 use super::{Response, Status};
 
@@ -8,11 +8,11 @@ const HEADERS: usize = 64;
 /// Method of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// GET: read a resource.
+    /// GET: reads a resource.
     Get,
-    /// HEAD: read without the body.
+    /// HEAD: reads a resource without its body.
     Head,
-    /// POST: send data and read the answer.
+    /// POST: sends data and reads the response.
     Post,
 }
 
@@ -23,31 +23,32 @@ pub struct Head {
     pub method: Method,
     /// Path of the address, percent-decoded.
     pub path: String,
-    /// The query as decoded pairs.
+    /// Query as decoded pairs of name and value.
     pub query: Vec<(String, String)>,
     /// All `Host` headers.
     pub hosts: Vec<String>,
     /// Value of the header `Origin`, if sent.
     pub origin: Option<String>,
-    /// Length of the body.
+    /// Length of the body, bytes.
     pub length: usize,
-    /// Whether the client waits for permission to send its body.
+    /// Whether the client waits for permission to send the body.
     pub expects: bool,
-    /// Whether the connection closes after the answer.
+    /// Whether the connection is closed after the response.
     pub closes: bool,
 }
 
 impl Head {
-    /// The value of a query's name.
+    /// Value of a name in the query.
     pub fn asked(&self, name: &str) -> Option<&str> {
         let found = self.query.iter().find(|(n, _)| n == name);
         found.map(|(_, value)| value.as_str())
     }
 
-    /// Reads a head with its length in bytes; `None` while it is incomplete.
+    /// Reads a head, and returns it with its length in bytes; `None` while it is incomplete.
     ///
     /// # Errors
-    /// Bytes that are not a head, or a request that this server does not support.
+    ///
+    /// The bytes are not a head, or the server does not support the request.
     pub fn read(bytes: &[u8]) -> Result<Option<(Head, usize)>, Response> {
         let mut headers = [httparse::EMPTY_HEADER; HEADERS];
         let mut parsed = httparse::Request::new(&mut headers);
@@ -164,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Any bytes are answered or refused, and a head is a part of what was sent that does not depend on what follows it.
+    /// For any bytes there is a response or a rejection, and the head does not depend on the bytes after it.
     #[test]
     fn damaged_heads_end_where_they_end_and_nothing_panics() {
         const HEADS: [&str; 2] = [

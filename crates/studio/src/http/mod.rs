@@ -1,5 +1,5 @@
-//! HTTP/1.1 for one user on one machine: `httparse` parses the heads, one thread serves each connection. The server is our own because limits and
-//! time-outs must apply before a body is read. It has no chunked bodies, compression or ranges.
+//! HTTP/1.1 for a single user on one machine. `httparse` parses the heads; one thread serves each connection. The server is a separate
+//! implementation, because limits and time-outs must apply before a body is read. It does not support chunked bodies, compression or ranges.
 
 mod connection;
 mod head;
@@ -18,19 +18,19 @@ pub use server::Server;
 pub struct Request {
     /// Head of the request: method, address and headers.
     pub head: Head,
-    /// Body of the request, of the announced length.
+    /// Body of the request, with the announced length.
     pub body: Vec<u8>,
 }
 
-/// Whether the client has disconnected.
+/// Function that returns whether the client has disconnected.
 pub type Gone = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// Handler of a server: called first with the head alone, then with the body.
+/// Handler of a server. It is called first with the head, then with the body.
 pub trait Service: Send + Sync + 'static {
     /// Admits the request or returns a rejection.
     fn admit(&self, head: &Head) -> Result<(), Response>;
-    /// The maximum size of a body for this address, bytes.
+    /// Maximum size of a body for this address, bytes.
     fn most(&self, head: &Head) -> usize;
-    /// The answer. `gone` says whether the client has disconnected meanwhile, so that the answer is not needed.
+    /// Response to a request. `gone` returns whether the client has disconnected and the response is no longer needed.
     fn answer(&self, request: &Request, gone: Gone) -> Response;
 }

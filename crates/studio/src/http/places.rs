@@ -1,4 +1,4 @@
-//! Limits on connections: waiting ones make room for newer ones, active ones do not.
+//! Limits on the number of connections: waiting connections are closed in favour of newer ones, active connections are not.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -7,9 +7,9 @@ use std::sync::{Arc, Mutex};
 
 use crate::lock;
 
-/// Maximum number of connections without a complete and admitted request; one more closes the oldest.
+/// Maximum number of connections without a complete and admitted request. When it is exceeded, the oldest one is closed.
 const WAITING: usize = 64;
-/// Maximum number of requests processed at a time: a few pages of six connections each.
+/// Maximum number of requests that are processed at the same time: several pages with six connections each.
 const ANSWERED: usize = 96;
 
 /// Registry of the open connections.
@@ -34,7 +34,7 @@ impl Places {
         Waiting { places, stream }
     }
 
-    /// Registers a request in progress until the returned value is dropped; `None` if the limit is reached.
+    /// Registers a request that is processed, until the returned value is dropped; `None` if the limit is reached.
     pub fn answer(&self) -> Option<Answering<'_>> {
         let place = Answering(&self.answered);
         (self.answered.fetch_add(1, Ordering::SeqCst) < ANSWERED).then_some(place)
@@ -53,7 +53,7 @@ impl Drop for Waiting<'_> {
     }
 }
 
-/// A request in progress.
+/// A request that is processed.
 pub struct Answering<'p>(&'p AtomicUsize);
 
 impl Drop for Answering<'_> {

@@ -44,16 +44,17 @@ impl Status {
     }
 }
 
-/// Scripts and connections come from this server alone; drawings may contain styles. `unsafe-eval` is for programs that control a browser.
+/// Content security policy of the page. Scripts and connections come only from this server; drawings may contain styles. `unsafe-eval` is necessary
+/// for programs that control a browser.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'unsafe-eval'; connect-src 'self'; img-src 'self' data: blob:; \
     style-src 'self' 'unsafe-inline'; font-src 'self'; base-uri 'self'; form-action 'none'; frame-ancestors 'none'";
-/// A report has its own script and no network access.
+/// Content security policy of a report, which has its own script and no network access.
 const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; sandbox allow-scripts";
 
 /// A response to a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Response {
-    /// Status of the response.
+    /// Status code of the response.
     pub status: Status,
     /// Media type of the response.
     pub kind: &'static str,

@@ -16,9 +16,10 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listens on a port; 0 takes a free one.
+    /// Listens on a port; 0 selects a free port.
     ///
     /// # Errors
+    ///
     /// The port is in use.
     pub fn listen(port: u16) -> io::Result<Server> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
@@ -31,7 +32,7 @@ impl Server {
         self.port
     }
 
-    /// Serves connections forever, each on its own thread.
+    /// Serves connections until the process ends, each on a separate thread.
     pub fn serve(self, service: impl Service) -> ! {
         let shared = Arc::new((service, Places::default()));
         loop {

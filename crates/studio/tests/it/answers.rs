@@ -1,4 +1,4 @@
-//! What a page is answered.
+//! Responses to the page.
 
 use serde_json::{Value, json};
 
@@ -44,7 +44,7 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
     }
 }
 
-/// While a radius is dragged a law that keeps the limits is shown, or at once that none does; the answer at rest agrees.
+/// While a radius is dragged, the response is a law that satisfies the limits, or immediately that there is none. The final response agrees.
 #[test]
 fn a_radius_under_the_hand_is_answered_soon_and_alike() {
     let studio = Running::new();
@@ -340,7 +340,7 @@ fn a_motion_is_read_from_a_file_of_the_folder_and_from_nowhere_else() {
     }
 }
 
-/// Points of a force whose largest value is `peak`, kept by the studio: its hash.
+/// Points of a force with the maximum `peak`, stored by the studio; returns their hash.
 fn drawn(studio: &Running, peak: f64) -> Value {
     let points = json!([[0.0, 100.0], [0.1, peak], [0.25, 180.0], [0.4, 250.0]]);
     let body = json!({"file": "same.csv", "period_s": 0.5, "points": points}).to_string();

@@ -1,4 +1,4 @@
-//! A plain HTTP client for one running studio.
+//! Plain HTTP client for a running studio.
 
 use std::fs;
 use std::io::{Read, Write};
@@ -11,14 +11,14 @@ use gaitcam_studio::{Options, open};
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// A studio on a folder of its own.
+/// A running studio with a separate folder.
 pub struct Running {
     pub folder: TempDir,
     pub port: u16,
     pub token: String,
 }
 
-/// An answer of the server.
+/// Response of the server.
 pub struct Answer {
     pub status: u16,
     pub head: String,
@@ -61,7 +61,7 @@ impl Running {
         format!("127.0.0.1:{}", self.port)
     }
 
-    /// Sends bytes as they are, says that no more will come and reads to the end of the connection.
+    /// Sends bytes unchanged, closes the sending side and reads to the end of the connection.
     pub fn raw(&self, bytes: &[u8]) -> Option<Answer> {
         self.exchange(bytes, true)
     }
@@ -84,7 +84,7 @@ impl Running {
         self.ask("GET", target, &self.host(), "", b"")
     }
 
-    /// A question under the token.
+    /// Sends a request with the token.
     pub fn post(&self, name: &str, body: &[u8]) -> Answer {
         let target = format!("/{}/{name}", self.token);
         self.ask("POST", &target, &self.host(), "", body)
@@ -100,7 +100,7 @@ impl Running {
         self.exchange(&bytes, false).unwrap()
     }
 
-    /// Every file below the folder with its contents.
+    /// All files below the folder with their contents.
     pub fn files(&self) -> Vec<(PathBuf, Vec<u8>)> {
         let mut out = Vec::new();
         collect(self.folder.path(), &mut out);

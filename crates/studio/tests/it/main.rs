@@ -1,4 +1,4 @@
-//! The studio from outside: over its socket, as a browser or an attacker meets it.
+//! Tests of the studio over its socket, as a browser or an attacker would use it.
 
 mod answers;
 mod client;

@@ -1,4 +1,4 @@
-//! Only a page of this server that knows the token gets an answer, and nothing outside the folder is touched.
+//! Only a page of this server that has the token receives responses, and nothing outside the folder is accessed.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;

@@ -1,4 +1,4 @@
-//! Every key of the page has its text in both languages, and every text is used.
+//! Every key of the page has a text in both languages, and every text is used.
 
 use std::collections::BTreeSet;
 use std::path::Path;
