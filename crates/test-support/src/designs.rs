@@ -1,4 +1,4 @@
-//! Designs with known answers, built from the public types.
+//! Designs with known results, built from the public types.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use gaitcam::units::{G, LBF, Quantity};
 const TAU: f64 = std::f64::consts::TAU;
 const INCH: f64 = 0.0254;
 
-/// A problem without demand or limit: these designs are not made from one.
+/// A problem without conditions and limits. These designs are not computed from it.
 fn problem(name: &str, drive: Drive, target: Option<ForceCurve>) -> Problem {
     let spec = DriveSpec {
         speed: Some(1.0),
@@ -35,7 +35,7 @@ fn problem(name: &str, drive: Drive, target: Option<ForceCurve>) -> Problem {
     problem.against(drive, target)
 }
 
-/// No limit active, certified.
+/// Report of a certified solution without active limits.
 fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
     SolverReport {
         tier,
@@ -49,7 +49,7 @@ fn solved_by(tier: Tier, iterations: usize) -> SolverReport {
     }
 }
 
-/// A design of this cam without anything beside it: no pair, bore or note, and no limit.
+/// Design with only this cam: no pair, bore or note, and no limit.
 fn plain(problem: Problem, cam: Cam, force: ForceReport) -> Design {
     let mut out = crate::design::<&str>(gaitcam::scene::DEFAULT, &[]).unwrap();
     out.problem = Arc::new(problem);
@@ -62,10 +62,10 @@ fn plain(problem: Problem, cam: Cam, force: ForceReport) -> Design {
     out
 }
 
-/// Amplitude over weight, and phase, of the first harmonics of both feet.
+/// Amplitude relative to the weight, and phase, of the first harmonics of both feet.
 const FACTORS: [(f64, f64); 4] = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
 
-/// Both feet of 700 N at 1.85 Hz, with a spread.
+/// Force of both feet at 1.85 Hz for a given weight, with a spread.
 fn both_feet(weight: f64) -> ForceCurve {
     let force = |theta: f64| {
         let waves = FACTORS
@@ -84,8 +84,8 @@ fn both_feet(weight: f64) -> ForceCurve {
     target
 }
 
-/// Both feet at 1.85 Hz by four harmonics, a flat face, moving axis: the law is the spectral inverse
-/// plus a third of a per cent in the fourth harmonic, so that there is an error to show.
+/// Both feet at 1.85 Hz with four harmonics, a flat face and a moving axis. The law is the spectral inverse plus 0.33 % in the fourth harmonic, so
+/// that there is a force error.
 pub fn footbridge() -> Design {
     let (weight, speed) = (700.0, TAU * 1.85);
     let mass = weight / G;
@@ -143,7 +143,7 @@ pub fn footbridge() -> Design {
     out
 }
 
-/// The critical points of Vargas and León (2024), s and lb, joined by cubic steps.
+/// Critical points of Vargas and León (2024), s and lb, joined by cubic steps.
 fn critical_points() -> ForceCurve {
     let points: [(f64, f64); 6] = [
         (0.0, 0.0),
@@ -163,7 +163,7 @@ fn critical_points() -> ForceCurve {
     ForceCurve::from_samples("Vargas and León 2024, critical points", 0.5, samples).unwrap()
 }
 
-/// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
+/// Degree-8 polynomial of Vargas and León (2024) with its roller (theory §2): Rp 3 in, roller 1 in, no offset.
 pub fn heel_tester() -> Design {
     let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
     // s = Σ Cₖ (θ/β)ᵏ in inches.
@@ -219,7 +219,7 @@ pub fn heel_tester() -> Design {
     out
 }
 
-/// A scene that cannot be: the footbridge with far too little stroke.
+/// An infeasible design: the footbridge with a stroke that is much too small.
 #[allow(dead_code)] // not every user of these designs needs it
 pub fn impossible() -> Design {
     let mut s = footbridge();
@@ -254,7 +254,7 @@ pub fn impossible() -> Design {
     s
 }
 
-/// Designs at the edge of what there is: no lift at all, a knife edge, an open law, no target.
+/// Limiting cases of designs: zero lift, a knife edge, an open law, no target.
 pub fn odd_ones() -> Vec<Design> {
     let mut still = footbridge();
     still.cam.law = Law::harmonic(0.0, &[]);
@@ -272,7 +272,7 @@ pub fn odd_ones() -> Vec<Design> {
     vec![still, knife, open]
 }
 
-/// The design with other numbers of its cam, without another synthesis.
+/// The design with changed numbers of its cam, without another synthesis.
 #[must_use]
 pub fn with_cam(mut design: Design, change: impl FnOnce(&mut CamSpec)) -> Design {
     let mut cam = design.problem.cam.clone();
@@ -281,7 +281,7 @@ pub fn with_cam(mut design: Design, change: impl FnOnce(&mut CamSpec)) -> Design
     design
 }
 
-/// A design with a bore of some diameter, m, and the keyway of the standard where it is keyed.
+/// The design with a bore of a given diameter, m, and with the keyway of the standard if `is_keyed`.
 #[must_use]
 pub fn with_bore(design: Design, diameter: f64, is_keyed: bool) -> Design {
     with_cam(design, |cam| {

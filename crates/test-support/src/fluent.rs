@@ -1,11 +1,12 @@
-//! Two Fluent files with the same messages.
+//! Comparison of two Fluent files that must have the same messages.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Asserts that two languages have the same keys, attributes and arguments.
 ///
 /// # Panics
-/// Where they do not.
+///
+/// If they differ.
 pub fn assert_same_messages(english: &str, spanish: &str) {
     let (english, spanish) = (arguments(english), arguments(spanish));
     for (key, wanted) in &english {

@@ -1,4 +1,4 @@
-//! What tests of several crates share: scenes from text and changes, their designs, laws from a list of motions.
+//! Functions that tests of several crates share: scenes from text and changes, their designs, laws from a list of motions.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -26,22 +26,25 @@ pub fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-/// The text of a scene of the folder `scenes`.
+/// Text of a scene in the folder `scenes`.
 ///
 /// # Panics
-/// Where there is none of that name.
+///
+/// If there is no scene with this name.
 pub fn scene_file(name: &str) -> String {
     let path = root().join(format!("scenes/{name}.toml"));
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// The scene of a text with changes, each as `key=value`.
+/// Scene from a text with changes, each as `key=value`.
 ///
 /// # Errors
-/// Keys and values that are wrong.
+///
+/// A key or value is invalid.
 ///
 /// # Panics
-/// On a text that is not TOML.
+///
+/// If the text is not TOML.
 pub fn scene<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Scene> {
     let mut table: toml::Table = text.parse().unwrap_or_else(|e| panic!("{e}"));
     for change in changes {
@@ -50,53 +53,59 @@ pub fn scene<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Scene> {
     scene::read(&table)
 }
 
-/// The design of a text with changes, towards the force of the load model that it names.
+/// Design from a text with changes, for the force of the load model that it names.
 ///
 /// # Errors
-/// Faults of scene, model and synthesis.
+///
+/// Errors of scene, model and synthesis.
 pub fn design<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Design> {
     let scene = scene(text, changes)?;
     synthesise(&scene, scene.model_force()?.as_ref())
 }
 
-/// As [`scene`], of a text and changes that are right.
+/// As [`scene`], for a valid text and valid changes.
 ///
 /// # Panics
-/// Where the scene cannot be read.
+///
+/// If the scene cannot be read.
 #[track_caller]
 pub fn scene_of(text: &str, changes: &[&str]) -> Scene {
     scene(text, changes).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// As [`design`], where a design can be had.
+/// As [`design`], for a scene with a design.
 ///
 /// # Panics
-/// Where it cannot.
+///
+/// If there is no design.
 #[track_caller]
 pub fn design_of(text: &str, changes: &[&str]) -> Design {
     design(text, changes).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The force of both feet of a walker of 700 N at 1.85 steps per second, by Young's model.
+/// Force of both feet of a walker of 700 N at 1.85 steps per second, by Young's model.
 ///
 /// # Panics
-/// Where the model is missing.
+///
+/// If the model is missing.
 pub fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The design of a scene of the folder `scenes`.
+/// Design of a scene in the folder `scenes`.
 ///
 /// # Panics
-/// Where there is none of that name, or none can be had.
+///
+/// If there is no scene with this name, or no design of it.
 pub fn designed(name: &str) -> Design {
     design::<&str>(&scene_file(name), &[]).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// Motions by name, lift and angle in degrees.
+/// Segments from motions given by name, lift and angle in degrees.
 ///
 /// # Panics
-/// On a name that the catalogue does not have.
+///
+/// If the catalogue does not contain a name.
 pub fn segments(motions: &[(&str, f64, f64)]) -> Vec<Segment> {
     let segment = |&(motion, lift, degrees): &(&str, f64, f64)| Segment {
         motion: Rise::from_name(motion).unwrap_or_else(|e| panic!("{e}")),
@@ -106,18 +115,20 @@ pub fn segments(motions: &[(&str, f64, f64)]) -> Vec<Segment> {
     motions.iter().map(segment).collect()
 }
 
-/// The law of such motions over one turn.
+/// Law of such motions over one turn.
 ///
 /// # Panics
-/// On motions that do not fill a turn.
+///
+/// If the motions do not fill one turn.
 pub fn turn(motions: &[(&str, f64, f64)]) -> Law {
     program(&segments(motions), Extent::TURN).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Holds a value against the one expected.
+/// Asserts that a value equals the expected one.
 ///
 /// # Panics
-/// Where they are more than `within` apart.
+///
+/// If the difference exceeds `within`.
 #[track_caller]
 pub fn near(value: f64, expected: f64, within: f64) {
     assert!(

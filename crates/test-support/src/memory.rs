@@ -7,7 +7,7 @@ use std::sync::Arc;
 use gaitcam::error::{Placed, Result, SweepError};
 use gaitcam::scene::Files;
 
-/// Files in memory, by the names that a scene gives them.
+/// Files in memory, by their names in a scene.
 #[derive(Debug, Default)]
 pub struct Memory(BTreeMap<PathBuf, Arc<Vec<u8>>>);
 

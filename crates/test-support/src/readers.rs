@@ -1,4 +1,4 @@
-//! Readers of text files that know nothing of their writer.
+//! Readers of text files that are independent of the code that writes them.
 
 /// Headings and numbers of a table.
 pub fn table(text: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
@@ -11,7 +11,7 @@ pub fn table(text: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
     (head, rows)
 }
 
-/// Names of all elements if every tag is closed in order; comments and doctype are passed over.
+/// Names of all elements, if every tag is closed in order; comments and doctype are ignored.
 pub fn elements(text: &str) -> Vec<String> {
     const VOID: [&str; 3] = ["meta", "input", "br"];
     let mut open: Vec<String> = Vec::new();
@@ -47,7 +47,7 @@ pub fn elements(text: &str) -> Vec<String> {
     all
 }
 
-/// The first value of an attribute.
+/// First value of an attribute.
 pub fn attribute(text: &str, name: &str) -> String {
     let start = text.find(&format!(" {name}=\"")).unwrap() + name.len() + 3;
     text[start..].split('"').next().unwrap().to_string()

@@ -1,4 +1,4 @@
-//! The two cams of Campillo de Blas (2017) (theory §3) and the numbers of its machine.
+//! Both cams of Campillo de Blas (2017) (theory §3) and the data of its machine.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::{Drive, DriveKind};
@@ -13,10 +13,10 @@ pub const SPEED: f64 = 11.624;
 pub const MASS: f64 = 1.0;
 /// Radius of the base circle, m.
 pub const BASE_RADIUS: f64 = 0.03;
-/// Eccentricity, and lift of the double harmonic, m.
+/// Eccentricity of the circle, and lift of the double harmonic, m.
 pub const LIFT: f64 = 0.01;
 
-/// The circle of radius 30 mm about a centre 10 mm off: d = r + e sin θ.
+/// Circle of radius 30 mm about a centre at a distance of 10 mm: d = r + e sin θ.
 pub fn eccentric() -> Cam {
     Cam {
         law: Law::harmonic(0.0, &[(0.0, LIFT)]),
@@ -26,7 +26,7 @@ pub fn eccentric() -> Cam {
     }
 }
 
-/// Double harmonic: 10 mm up in 135°, down in 135°, dwell 90°.
+/// Double harmonic: rise of 10 mm in 135°, fall in 135°, dwell of 90°.
 pub fn double_harmonic() -> Cam {
     let beta = 0.75 * PI;
     let half = 0.5 * LIFT;
@@ -48,12 +48,12 @@ pub fn double_harmonic() -> Cam {
     }
 }
 
-/// The "real" machine: the shaft block rides on the cam (eq. 22).
+/// The "real" machine: the shaft block moves on the cam (eq. 22).
 pub fn real(speed: f64) -> Drive {
     Drive::moving_axis(MASS, G, speed)
 }
 
-/// The "ideal" machine: fixed axis, the mass alone (eq. 15).
+/// The "ideal" machine: fixed axis with only the mass (eq. 15).
 pub fn ideal(speed: f64) -> Drive {
     Drive {
         kind: DriveKind::FixedAxis,

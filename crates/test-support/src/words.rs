@@ -1,14 +1,15 @@
-//! Fluent files against the code that uses them and against each other.
+//! Comparison of Fluent files with the code that uses them and with each other.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 pub use crate::fluent::assert_same_messages;
 
-/// The text of all files of a folder with one of the endings.
+/// Text of all files of a folder with one of the endings.
 ///
 /// # Panics
-/// On a folder or a file that cannot be read.
+///
+/// If a folder or a file cannot be read.
 pub fn sources(folder: &Path, endings: &[&str]) -> String {
     let mut out = String::new();
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -23,7 +24,7 @@ pub fn sources(folder: &Path, endings: &[&str]) -> String {
     out
 }
 
-/// The keys of a Fluent file that begin with one of `areas`.
+/// Keys of a Fluent file that begin with one of `areas`.
 pub fn keys<'a>(messages: &'a str, areas: &[&str]) -> BTreeSet<&'a str> {
     let keys = messages
         .lines()
@@ -36,11 +37,11 @@ fn is_of(key: &str, areas: &[&str]) -> bool {
     areas.iter().any(|area| key.starts_with(area))
 }
 
-/// Asserts that the string literals of a crate's sources that begin with one of `areas` are the keys of its English
-/// file in these areas.
+/// Asserts that the string literals in the sources of a crate that begin with one of `areas` are the keys of its English file in these areas.
 ///
 /// # Panics
-/// Where they are not.
+///
+/// If they differ.
 pub fn assert_keys_are_used(src: &Path, english: &str, areas: &[&str]) {
     let code = sources(src, &["rs"]);
     let used: BTreeSet<&str> = code.split('"').filter(|k| is_of(k, areas)).collect();
