@@ -1,4 +1,4 @@
-//! What `gaitcam --version` says beside the version: the commit and the solver that the command is built from.
+//! Writes the text that `gaitcam --version` prints beside the version: the commit and the solver of this build.
 
 use std::fs::read_to_string;
 use std::process::Command;
@@ -13,7 +13,7 @@ fn main() {
     );
 }
 
-/// The commit of a checkout; the command is built anew when it changes.
+/// Commit of a checkout; `None` outside of one. Cargo runs this script again when the commit changes.
 fn git() -> Option<String> {
     let ask = |arguments: &[&str]| {
         let output = Command::new("git").args(arguments).output().ok()?;
@@ -25,13 +25,13 @@ fn git() -> Option<String> {
     ask(&["rev-parse", "HEAD"])
 }
 
-/// The commit that a packaged crate names.
+/// Commit stated in a packaged crate.
 fn packaged() -> Option<String> {
     let text = read_to_string(".cargo_vcs_info.json").ok()?;
     Some(text.split('"').find(|word| word.len() == 40)?.to_string())
 }
 
-/// The version of Clarabel in the lock file of the workspace or of the package.
+/// Version of Clarabel in the lock file of the workspace or of the package.
 fn solver() -> Option<String> {
     let lock = read_to_string("../../Cargo.lock").or_else(|_| read_to_string("Cargo.lock"));
     let lock = lock.ok()?;

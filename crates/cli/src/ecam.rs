@@ -1,4 +1,4 @@
-//! `gaitcam ecam`: a design → the program text or table of a motion controller → the force error of that controller.
+//! `gaitcam ecam`: writes a design as the program text or table of a motion controller and computes the force error with this controller.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Share of the mean below which the error of the file is not printed, %.
+/// Share of the mean force below which the force error of the file is not printed, %.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
@@ -42,14 +42,14 @@ pub struct EcamArgs {
     pub json: bool,
 }
 
-/// The names of the dialects on the command line.
+/// Parser for the names of the dialects on the command line.
 pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
     let named = |name: String| Dialect::ALL.into_iter().find(|d| d.name() == name);
     PossibleValuesParser::new(Dialect::ALL.map(Dialect::name))
         .map(move |name| named(name).unwrap_or(Dialect::Csv))
 }
 
-/// Writes the file beside the design; exit code 3 when the design has no cam.
+/// Writes the file of the electronic cam. The exit code is 3 if the design has no cam.
 pub fn run(args: &EcamArgs) -> Result<u8> {
     let named = SceneArgs {
         scene: Some(args.design.clone()),
@@ -79,7 +79,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Prints the error of the controller.
+/// Sentence on the force error with the controller.
 pub fn sentence(cam: &ElectronicCam) -> String {
     let carries = cam.dialect.carries();
     let curve = words::text(match carries.interpolation {

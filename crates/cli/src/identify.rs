@@ -1,4 +1,4 @@
-//! `gaitcam identify` and `gaitcam recut`: logs of a running machine → its parameters, and the next cam.
+//! `gaitcam identify` and `gaitcam recut`: machine parameters and the next cam from logs of a running machine.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -103,17 +103,17 @@ struct ColumnArgs {
     counts_per_turn: Option<f64>,
 }
 
-/// A design that runs, and its logs.
+/// A design in operation, and its logs.
 struct Run {
     input: Input,
     design: Design,
     logs: Vec<Log>,
-    /// Folder for files, where there is one.
+    /// Folder for the files; `None` if only data is printed.
     folder: Option<PathBuf>,
 }
 
 impl LoggedArgs {
-    /// Prepares the run, with a folder for the files `names`; `None` if the design has no cam, which is reported.
+    /// Reads the design and its logs and prepares a folder for the files `names`; `None` if the design has no cam, which is reported.
     fn read<'a>(
         &self,
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
@@ -149,7 +149,7 @@ impl LoggedArgs {
     }
 }
 
-/// Identifies the machine and writes scene, table and picture; exit code 3 where the design has no cam.
+/// Identifies the machine and writes scene, table and picture. The exit code is 3 if the design has no cam.
 pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_identified");
     let Some(run) = args.run.read(place, OF_IDENTIFICATION)? else {
@@ -176,7 +176,7 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// The folder for files; `None` if only data is printed.
+/// Folder for the files; `None` if only data is printed.
 fn folder(input: &Input, out: Option<&Path>, json: bool, ending: &str) -> Result<Option<PathBuf>> {
     match (out, json) {
         (None, true) => Ok(None),
@@ -201,7 +201,7 @@ fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Res
     Ok(place)
 }
 
-/// The scene of the input with absolute paths, and some keys from another scene.
+/// Scene of the input with absolute paths, and the given keys from another scene.
 fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>) -> Result<Table> {
     let mut out = input.resolved();
     for key in keys {
@@ -215,7 +215,7 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
     Ok(out)
 }
 
-/// Writes the next cam like `synth`; exit code 3 if there is none, or if the repeatable error is noise.
+/// Designs the next cam and writes it like `synth`. The exit code is 3 if there is none, or if the repeatable error is noise.
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");

@@ -34,7 +34,7 @@ use results::{compare, front};
 use scene::{doctor, init};
 use serde_json::{Value, json};
 
-/// The version, the commit and the solver of this build.
+/// Version, commit and solver of this build.
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("GAITCAM_BUILD"), ")");
 
 /// Design cams that reproduce a given force.
@@ -85,7 +85,7 @@ enum Command {
     Completions(completions::CompletionsArgs),
 }
 
-/// Runs the command with its arguments (the first is the program's name) and returns the exit code.
+/// Runs the command with its arguments and returns the exit code. The first argument is the program's name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments = usage::with_negative_values(arguments);
     language::set(&arguments);
@@ -109,7 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// Ignores the signal of a write beyond the file size limit (`ulimit -f`), so that it fails like a full disk.
+/// Ignores the signal of a write beyond the file size limit (`ulimit -f`), so that the write fails with an error.
 #[cfg(unix)]
 fn fail_on_large_files() {
     let noticed = std::sync::Arc::default();
@@ -150,7 +150,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
     }
 }
 
-/// Prints an error, as JSON where requested.
+/// Prints an error, as JSON if requested, and returns its exit code.
 pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     report(error.sentence(language::current()));
     if json {
@@ -172,7 +172,7 @@ fn error_json(error: &Error) -> Value {
 }
 
 impl Command {
-    /// Whether the output is to be JSON.
+    /// Whether the output is JSON.
     fn json(&self) -> bool {
         match self {
             Command::Synth(args) => args.json,

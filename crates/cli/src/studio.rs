@@ -1,4 +1,4 @@
-//! `gaitcam studio`: the local web application.
+//! `gaitcam studio`: local web application.
 
 use std::path::PathBuf;
 use std::process::{Command, Stdio, exit};
@@ -31,7 +31,7 @@ pub struct StudioArgs {
     no_open: bool,
 }
 
-/// Prints the address and serves until interrupted.
+/// Prints the address and serves the page until interrupted.
 pub fn run(args: &StudioArgs) -> Result<u8> {
     let ready = open(&Options {
         open: args.open.clone(),
@@ -49,7 +49,7 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
     ready.serve()
 }
 
-/// Opens the system's browser, if there is one; the address is printed in any case.
+/// Opens the page in the system's browser, if there is one. The address is printed in any case.
 fn show(url: &str) {
     let (program, before): (&str, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])

@@ -1,4 +1,4 @@
-//! Errors of the command itself: files, flags, folders. Their messages are in `words/`.
+//! Errors of the command itself, about files, flags and folders. Their messages are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;

@@ -6,7 +6,7 @@ use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
 
 use crate::Cli;
 
-/// The command line in a language. For English only the parts that a run needs are built.
+/// Command line in a language. For English, only the parts that a run needs are built.
 pub fn parser(language: Language) -> Command {
     match language {
         Language::En => Cli::command().arg(lang()),
@@ -14,7 +14,7 @@ pub fn parser(language: Language) -> Command {
     }
 }
 
-/// The whole command line with its help texts in a language.
+/// Whole command line with its help texts in a language.
 pub fn command(language: Language) -> Command {
     let mut command = Cli::command().arg(lang());
     // Flags and subcommands that clap adds itself are there only once it is built.
@@ -25,7 +25,7 @@ pub fn command(language: Language) -> Command {
     }
 }
 
-/// `--lang`, which is read before all other arguments (see [`language`](crate::console::language)).
+/// Argument `--lang`, which is read before all other arguments (see [`language`](crate::console::language)).
 fn lang() -> Arg {
     Arg::new("lang")
         .long("lang")
@@ -35,7 +35,7 @@ fn lang() -> Arg {
         .help("Language of messages and reports (default: LC_ALL, LANG, else English)")
 }
 
-/// The English texts are the doc comments of the arguments.
+/// Spanish help texts. The English ones are the doc comments of the arguments.
 static HELP: Catalogue = Catalogue::new(&[Sentences {
     files: &[["", include_str!("../../words/es/help.ftl")]],
     ..Sentences::NONE
@@ -45,7 +45,7 @@ fn spanish() -> &'static Messages {
     HELP.of(Language::Es)
 }
 
-/// The message of a key, if it exists.
+/// Help text of a key, if it exists.
 fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)
@@ -55,7 +55,7 @@ fn label(key: &str) -> String {
     spanish().text(key)
 }
 
-/// A verb, or the command itself if the name is empty, with everything below it.
+/// Replaces the help texts of a verb and its subcommands by the Spanish ones. An empty `verb` is the command itself.
 fn in_spanish(command: Command, verb: &str) -> Command {
     let about = if verb.is_empty() { "gaitcam" } else { verb };
     let usage = command.clone().render_usage().to_string();
@@ -129,7 +129,7 @@ fn takes_value(arg: &Arg) -> bool {
     arg.get_action().takes_values()
 }
 
-/// A usage line or the name of a value with the placeholders of the language: `<FILE>` → `<ARCHIVO>`.
+/// Usage line or value name with the placeholders in the language: `<FILE>` → `<ARCHIVO>`.
 fn with_names(text: &str) -> String {
     let mut out = String::new();
     let mut word = String::new();

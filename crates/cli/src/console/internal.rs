@@ -1,4 +1,4 @@
-//! Internal errors: a panic on any thread becomes a message, exit code 1 and a file for a bug report.
+//! Internal errors. A panic on any thread becomes a message, exit code 1 and a file for a bug report.
 
 use std::fs::File;
 use std::io::Write;
@@ -15,7 +15,7 @@ use crate::console::exit_code::INTERNAL_ERROR;
 use crate::console::terminal::{print_json, report};
 use crate::console::words;
 
-/// The last scene read, and the text and source location of the first panic.
+/// Last scene read.
 static SCENE: Mutex<Option<Table>> = Mutex::new(None);
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
 
@@ -44,7 +44,7 @@ pub fn caught(
     })
 }
 
-/// Writes the command, the error and the scene, as a scene file with comments.
+/// Writes a file for a bug report: the command and the error as comments, and the scene. Returns its path.
 fn written() -> Option<PathBuf> {
     let panic = PANIC.lock().unwrap_or_else(PoisonError::into_inner).take();
     let scene = SCENE.lock().unwrap_or_else(PoisonError::into_inner).take();

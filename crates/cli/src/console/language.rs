@@ -1,27 +1,27 @@
-//! The language of messages: `--lang`, else `LC_ALL`, else `LANG`, else English.
+//! Language of messages: `--lang`, else `LC_ALL`, else `LANG`, else English.
 
 use std::ffi::OsString;
 use std::sync::OnceLock;
 
 use gaitcam::wording::Language;
 
-/// The language, set once the arguments are known.
+/// Language of the run, set once the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
-/// The language of `--lang`.
+/// Language stated by `--lang`.
 static GIVEN: OnceLock<Option<Language>> = OnceLock::new();
 
-/// Sets the language for the rest of the run, before the arguments are parsed, because help and errors use it.
+/// Sets the language for the rest of the run. It is set before the arguments are parsed, because help and errors use it.
 pub fn set(arguments: &[OsString]) {
     let given = GIVEN.get_or_init(|| of_arguments(arguments));
     let _ = LANGUAGE.set(given.unwrap_or_else(of_environment));
 }
 
-/// The language that `--lang` states.
+/// Language stated by `--lang`.
 pub fn given() -> Option<Language> {
     GIVEN.get().copied().flatten()
 }
 
-/// The value of `--lang`, in either form.
+/// Value of `--lang` in the arguments, as `--lang es` or `--lang=es`.
 fn of_arguments(arguments: &[OsString]) -> Option<Language> {
     let mut words = arguments.iter().map(|a| a.to_string_lossy());
     while let Some(word) = words.next() {

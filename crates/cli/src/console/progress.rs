@@ -1,4 +1,4 @@
-//! The progress line of a long computation on a terminal; nothing in a pipe.
+//! Progress line of a long computation. It is shown on a terminal only.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -11,17 +11,17 @@ use serde_json::json;
 
 use crate::console::words;
 
-/// Delay before the line appears, and interval between updates.
+/// Delay before the progress line appears, and interval between its updates.
 const EVERY: Duration = Duration::from_millis(500);
 
-/// A thread that updates the line until this is dropped.
+/// A thread that updates the progress line until this value is dropped.
 pub struct Watch {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Watch {
-    /// Starts `work`, whose receiver fails once the watch is dropped; nothing if the system allows no thread.
+    /// Starts a thread with `work`, whose receiver is disconnected when the watch is dropped. Without effect if the system allows no thread.
     pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
         let (done, waits) = channel();
         Watch {
@@ -40,7 +40,7 @@ impl Drop for Watch {
     }
 }
 
-/// Shows the line made by `line` from the elapsed time, s, until the returned value is dropped.
+/// Shows a progress line until the returned value is dropped. `line` makes its text from the elapsed time, s.
 pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     stderr().is_terminal().then(|| {
         Watch::new(move |waits| {
@@ -57,7 +57,7 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     })
 }
 
-/// Ignores a terminal that fails.
+/// Writes a text to standard error and ignores errors of the terminal.
 fn put(text: &str) {
     let mut terminal = stderr().lock();
     let _ = terminal.write_all(text.as_bytes());
@@ -104,7 +104,7 @@ impl Progress {
     }
 }
 
-/// Progress text after `elapsed` seconds, with the numbers of items finished at the start and now.
+/// Progress text after `elapsed` seconds. `before` and `done` are the numbers of items finished at the start and now.
 fn line(what: &str, total: u64, [before, done]: [u64; 2], elapsed: f64) -> String {
     let rate = (done - before) as f64 / elapsed;
     let left = match rate > 0.0 {

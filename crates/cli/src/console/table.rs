@@ -1,15 +1,15 @@
-//! Tables of the console: columns as wide as their longest cell.
+//! Console tables. A column is as wide as its longest cell.
 
 /// Alignment of the cells of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Left, for names and text.
+    /// Aligned to the left, for names and text.
     Left,
     /// Aligned to the right, for numbers.
     Right,
 }
 
-/// Aligned rows of equal length; the last of `sides` holds for all further columns.
+/// Table with aligned columns from rows of equal length. The last element of `sides` holds for all further columns.
 pub fn table(rows: &[Vec<String>], sides: &[Side]) -> String {
     let count = rows.first().map_or(0, Vec::len);
     let long = |text: &String| text.chars().count();

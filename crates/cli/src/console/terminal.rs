@@ -1,4 +1,4 @@
-//! Standard output and standard error. A reader that closes them early is not an error, a full disk is.
+//! Standard output and standard error. A reader that closes them early causes no error; a full disk does.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Result, Write};
@@ -13,25 +13,25 @@ const LONGEST_MESSAGE: usize = 2048;
 /// Whether writing to standard output has failed.
 static STDOUT_FAILED: AtomicBool = AtomicBool::new(false);
 
-/// Prints an answer and a newline to standard output.
+/// Prints an output and a newline to standard output.
 pub fn print(text: &str) {
     let mut out = std::io::stdout().lock();
     record_write_error(writeln!(out, "{text}").and_then(|()| out.flush()));
 }
 
-/// Prints a JSON answer to standard output.
+/// Prints a JSON value to standard output.
 pub fn print_json(value: &serde_json::Value) {
     print(&serde_json::to_string_pretty(value).unwrap_or_default());
 }
 
-/// Prints a message to standard error, at most 2 kB of it; a closed standard error is ignored.
+/// Prints a message to standard error, at most 2 kB of it. A closed standard error is ignored.
 pub fn report(message: impl Display) {
     let text = message.to_string();
     let shown = shortened(&text, LONGEST_MESSAGE);
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// The first `most` bytes of a text, cut between characters, with an ellipsis if it is shortened.
+/// First `most` bytes of a text, cut between characters, with an ellipsis if the text is longer.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();
@@ -54,7 +54,7 @@ pub fn record_write_error(written: Result<()>) {
     }
 }
 
-/// The exit code: `code`, or that of a failed write to standard output.
+/// Exit code of the run: `code`, or that of a failed write to standard output.
 pub fn final_exit_code(code: u8) -> u8 {
     if STDOUT_FAILED.load(Ordering::Relaxed) {
         INTERNAL_ERROR

@@ -13,7 +13,7 @@ use crate::console::error::CliError;
 use crate::console::help::command;
 use gaitcam::wording::Language;
 
-/// The arguments with a negative number after a flag (`--tool -3mm`) as the flag's value: no option begins with a digit.
+/// Arguments in which a negative number after a flag (`--tool -3mm`) is joined to the flag as its value. No option begins with a digit.
 pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut out: Vec<OsString> = Vec::new();
     for argument in arguments {
@@ -41,7 +41,7 @@ fn is_flag(argument: &OsStr) -> bool {
     text.len() > 2 && text.starts_with("--") && !text.contains('=')
 }
 
-/// Error of the arguments.
+/// Converts an error of the command-line parser.
 pub fn fault(error: &clap::Error) -> Error {
     let part = |kind| context(error, kind);
     let flag = part(ContextKind::InvalidArg).unwrap_or_default();
@@ -96,7 +96,7 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// Choices of a missing flag; "table" for the file of a table, "none" for another flag without choices.
+/// Valid values of a missing flag. The result is "table" for the file of a table and "none" for another flag without choices.
 fn choices(missing: &str) -> String {
     if missing.starts_with("--out <") {
         return "table".to_string();
@@ -118,7 +118,7 @@ fn choices(missing: &str) -> String {
 /// Former verbs that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
 
-/// An invalid value of a flag, with the valid ones.
+/// Error for an invalid value of a flag, with the valid ones.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     let source = error.source();
     if source.is_some_and(|s| s.is::<ParseIntError>()) {
@@ -146,7 +146,7 @@ fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
     }
 }
 
-/// A flag without the placeholder of its value: `--feet <FEET>` → `--feet`.
+/// Flag without the placeholder of its value: `--feet <FEET>` → `--feet`.
 fn plain(flag: &str) -> &str {
     flag.split([' ', '=']).next().unwrap_or(flag)
 }

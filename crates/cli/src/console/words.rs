@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::console::language;
 
-/// The messages in the language of the run.
+/// Messages in the language of the run.
 pub fn catalogue() -> &'static Messages {
     WORDS.of(language::current())
 }
@@ -24,23 +24,23 @@ pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// A heading or label.
+/// Text of a heading or label.
 pub fn text(key: &str) -> String {
     catalogue().text(key)
 }
 
-/// A sentence with its arguments, a JSON object.
+/// Message with its placeholders filled. `arguments` is a JSON object.
 pub fn fill(key: &str, arguments: &Value) -> String {
     let (area, variant) = key.split_once('-').unwrap_or(("", key));
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
 }
 
-/// The name of a follower, law, limit or solver in the language, otherwise as typed.
+/// Name of a follower, law, limit or solver in the language of the run; other texts are returned unchanged.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }
 
-/// A table's column with its unit, SI: `RMS force error, N`; the column of a scene's key keeps the key's name.
+/// Heading of a table's column with its SI unit, such as `RMS force error, N`. The column of a scene key has the key as its heading.
 pub fn column(name: &str) -> String {
     let label = gaitcam::sweep::table::label(name);
     let (quantity, unit) = label.rsplit_once(", ").unwrap_or((&label, ""));
@@ -57,17 +57,17 @@ pub fn column(name: &str) -> String {
     }
 }
 
-/// A number for display: at most four significant digits.
+/// Number for display, with at most four significant digits.
 pub fn number(value: f64) -> String {
     gaitcam::wording::number(language::current(), value)
 }
 
-/// A number with a fixed count of decimals, with the decimal sign of the language.
+/// Number with a fixed count of decimals, with the decimal sign of the language.
 pub fn fixed(value: f64, decimals: usize) -> String {
     gaitcam::wording::fixed(language::current(), value, decimals)
 }
 
-/// A small number as a power of ten: `1.2e-15`.
+/// Small number in scientific notation, such as `1.2e-15`.
 pub fn power(value: f64, decimals: usize) -> String {
     if value == 0.0 {
         return "0".to_string();
@@ -75,7 +75,7 @@ pub fn power(value: f64, decimals: usize) -> String {
     decimal(format!("{value:.decimals$e}"))
 }
 
-/// A formatted number with the decimal sign of the language.
+/// Formatted number with the decimal sign of the language.
 pub fn decimal(number: String) -> String {
     match language::current() {
         Language::En => number,

@@ -1,4 +1,4 @@
-//! The cam of a cover that serves a walker best, and its error.
+//! Assignment of walkers to the cams of a cover by the force error.
 
 use std::path::Path;
 
@@ -21,9 +21,10 @@ use gaitcam_app::Input;
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
 
-/// The cams of each number in a folder of `gaitcam cover` for each walker: table and data.
+/// Best cam of a cover folder for each walker, for every number of cams: table and JSON data.
 ///
 /// # Errors
+///
 /// A folder that is not a cover; a walker for whom the machine cannot be adjusted.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
@@ -79,7 +80,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     ))
 }
 
-/// The best cam of a folder.
+/// Best cam of a folder for a force curve, for a given number of cams.
 fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {

@@ -1,4 +1,4 @@
-//! `gaitcam gait`: what recordings hold, their mean cycles, and the joint mean of several; `gaitcam cover`.
+//! `gaitcam gait`: contents of recordings, their mean cycles, and the joint mean of several; `gaitcam cover`.
 
 mod against;
 pub mod cover;
@@ -90,7 +90,7 @@ pub struct GaitArgs {
     against: Option<PathBuf>,
 }
 
-/// Describes every recording; the exit code is 2 if a named recording contains no cycle, or if no recording does.
+/// Describes every recording. The exit code is 2 if a named recording contains no cycle, or if no recording does.
 pub fn run(args: &GaitArgs) -> Result<u8> {
     let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
     let accept = OpenQuestion::list(&args.accept).map_err(input::at_flag("--accept"))?;
@@ -125,7 +125,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     )
 }
 
-/// Whether a file is a cycle that this command wrote into a folder.
+/// Whether a file is a cycle that this command has written into a folder.
 fn wrote(folder: &Path, file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let inside = || {
@@ -172,7 +172,7 @@ fn one(
     })
 }
 
-/// The best cams of a cover for the walkers with a cycle.
+/// Best cams of a cover for the walkers with a cycle, as text and JSON.
 fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
     let walker = |read: &Read| {
         let name = read

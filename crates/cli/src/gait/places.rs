@@ -11,19 +11,18 @@ use gaitcam_app::inputs;
 /// File name of the joint mean in a folder of cycles.
 pub const JOINT_MEAN: &str = "joint_mean.csv";
 
-/// Paths of the cycles of one or several recordings. Pictures have the same path with `.svg` and `.png` for `.csv`.
+/// Paths of the cycles of one or several recordings. A picture has the path of its cycle, with `.svg` or `.png` instead of `.csv`.
 #[derive(Debug, Default)]
 pub struct Places {
-    /// Path of the cycle of each recording, if written.
+    /// Path of the cycle of each recording; empty if none is written.
     pub each: Vec<PathBuf>,
     /// Path of the joint mean.
     pub joint: Option<PathBuf>,
 }
 
 impl Places {
-    /// `recordings`: the files of each. The one file named, or `NAME_cycle.csv` and `joint_mean.csv` in a folder.
-    ///
-    /// `several`: a joint mean is computed, and a file named is for it.
+    /// Paths for `--out`: the named file, or `NAME_cycle.csv` and `joint_mean.csv` in a folder. `recordings` holds the files of each recording.
+    /// `several`: a joint mean is computed and a named file is for the joint mean.
     ///
     /// # Errors
     ///
@@ -69,10 +68,11 @@ impl Places {
     }
 }
 
-/// Rejects a table of stances whose place is a file that is not such a table, or that has another ending.
+/// Rejects the path of a table of stances if another kind of file is there or the file ending is wrong.
 ///
 /// # Errors
-/// The path of the file.
+///
+/// The fault, with the path.
 pub fn check_table(table: &Path) -> Result<()> {
     let file = table.display().to_string();
     let is_csv = (table.extension()).is_some_and(|e| e.eq_ignore_ascii_case("csv"));
@@ -84,7 +84,8 @@ pub fn check_table(table: &Path) -> Result<()> {
     Ok(())
 }
 
-/// `NAME_cycle.csv` for each recording; the first of several files gives the name, and recordings of one name from two folders are numbered.
+/// Path `NAME_cycle.csv` for each recording. The first of several files of a recording gives the name; recordings of the same name from two folders
+/// are numbered.
 fn named(folder: &Path, recordings: &[Vec<PathBuf>]) -> Vec<PathBuf> {
     let mut places: Vec<PathBuf> = Vec::new();
     for recording in recordings.iter().filter_map(|files| files.first()) {

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use gaitcam::force::{PlateFile, plate_of};
 use gaitcam_app::read::open;
 
-/// Number of bytes that contain the header of a file.
+/// Number of bytes at the start of a file that contain its header.
 const HEAD: u64 = 1 << 16;
 
-/// Files grouped by recording, in order: the plates of one trial together, other files alone.
+/// Files grouped by recording, in order: all plates of one trial together, each other file alone.
 pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     let mut trials: Vec<(Option<Vec<PlateFile>>, Vec<PathBuf>)> = Vec::new();
     let is_alone = files.len() < 2;
@@ -35,7 +35,7 @@ pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     trials.into_iter().map(|(_, paths)| paths).collect()
 }
 
-/// Force plate of a file; a file that cannot be read reports its error later.
+/// Force plate of a file; `None` if the file cannot be read. The error is reported later.
 fn plate(file: &Path) -> Option<PlateFile> {
     let mut head = Vec::new();
     let start = open(file).ok()?.take(HEAD).read_to_end(&mut head);

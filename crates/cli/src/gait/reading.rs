@@ -16,7 +16,7 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
 use gaitcam_output::gait as tables;
 
-/// One recording after reading.
+/// A recording with the result of its reading.
 #[derive(Default)]
 pub(super) struct Read {
     /// Path of the file, or of the files of its plates.
@@ -25,16 +25,16 @@ pub(super) struct Read {
     pub(super) understood: Option<Interpretation>,
     /// Mean cycle of the recording.
     pub(super) cycle: Option<Cycle>,
-    /// The cycle that the file is.
+    /// Cycle of a file that contains exactly one cycle.
     pub(super) given: Option<ForceCurve>,
-    /// Reason why it gives no cycle.
+    /// Reason why the recording has no cycle.
     pub(super) fault: Option<Error>,
-    /// Table of this recording.
+    /// Text that describes the recording.
     pub(super) text: String,
     pub(super) object: Value,
 }
 
-/// Reads one recording: a file, or the files of its plates; its table lists every stance if `all` is set.
+/// Reads one recording: a file, or the files of its plates. The text lists every stance if `all` is set.
 pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Result<Read> {
     let path = paths[0].as_path();
     if path.extension().is_some_and(|e| e == "toml") {
@@ -94,14 +94,14 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     })
 }
 
-/// Names of the files of a recording, one by one.
+/// Names of the files of a recording, joined by commas.
 pub(super) fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
     let names = paths.iter().map(|path| name(path));
     names.collect::<Vec<_>>().join(BETWEEN_PLATES)
 }
 
 impl Read {
-    /// A recording that cannot be read.
+    /// Result for a recording that cannot be read.
     pub(super) fn failed(paths: &[PathBuf], fault: Error) -> Read {
         Read {
             paths: paths.to_vec(),
@@ -116,13 +116,13 @@ impl Read {
         together(&self.paths, |path| path.display().to_string())
     }
 
-    /// Cycle of the recording, mean or as given.
+    /// Cycle of the recording: the mean cycle, or the cycle given.
     pub(super) fn curve(&self) -> Option<&ForceCurve> {
         let mean = self.cycle.as_ref().map(|c| &c.curve);
         mean.or(self.given.as_ref())
     }
 
-    /// Writes the cycle; a mean cycle and a rejected recording also get a picture.
+    /// Writes the cycle. A mean cycle and a rejected recording also get a picture.
     pub(super) fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.shown());
@@ -143,7 +143,7 @@ impl Read {
     }
 }
 
-/// Writes a cycle as csv, or in OpenSim's layout if its file ends in `.mot`.
+/// Writes a cycle as CSV, or as an OpenSim file if its name ends in `.mot`.
 pub(super) fn write_cycle(
     place: &Path,
     curve: &ForceCurve,
@@ -160,13 +160,13 @@ pub(super) fn write_cycle(
     write_whole(place, text.as_bytes())
 }
 
-/// The path of a picture: that of the csv with `.svg` or `.png` for `.csv`.
+/// Writes a picture as `.svg` and `.png` beside the CSV file `place`.
 pub(super) fn write_picture(place: &Path, picture: &output::Picture) -> Result<()> {
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// A heading with the names of files.
+/// Heading with the names of files.
 pub(super) fn of_files(key: &str, files: &str) -> String {
     words::fill(key, &json!({"file": files}))
 }

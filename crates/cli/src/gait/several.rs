@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use gaitcam_output as output;
 
-/// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether a recording was named by the user; those found in a
+/// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether the user named a recording. Recordings found in a
 /// folder are skipped if they contain no cycle.
 pub fn describe(
     reads: Vec<Read>,
@@ -88,7 +88,7 @@ pub fn describe(
     Ok(code)
 }
 
-/// Result of reading one recording, with its file.
+/// Result of reading one recording with its file, as JSON.
 fn object(read: &Read) -> Value {
     let mut object = read.object.clone();
     object["file"] = json!(read.shown());
@@ -111,7 +111,7 @@ fn short_names(reads: &[Read]) -> Vec<String> {
     names.collect()
 }
 
-/// Open questions about a recording that were not accepted.
+/// Open questions about a recording that the user has not accepted.
 fn open(read: &Read, accept: &[OpenQuestion]) -> Vec<OpenQuestion> {
     let doubts = read.understood.iter().flat_map(|u| u.doubts());
     doubts.filter(|d| !accept.contains(d)).collect()

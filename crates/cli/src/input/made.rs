@@ -25,17 +25,18 @@ pub struct Flag<'a> {
 pub struct Made {
     /// Scene from which the cam was designed.
     pub input: Input,
-    /// That scene with the drive and machine of the run.
+    /// Scene of the design with the drive and machine of the run.
     pub running: Scene,
-    /// Whether the machine differs from the one of the design.
+    /// Whether the machine of the run differs from the machine of the design.
     pub other_machine: bool,
 }
 
 impl Made {
-    /// The cam that the arguments name. The changes of a scene are part of its design; those of a result (its folder or summary.json) are changes of
-    /// the machine, since its cam already exists. `flags` change the machine of either.
+    /// Reads the cam that the arguments name. Changes of a scene are part of its design. Changes of a result (its folder or summary.json) apply to
+    /// the machine, since its cam already exists. `flags` change the machine in both cases.
     ///
     /// # Errors
+    ///
     /// A change of the cam of a result; otherwise as [`scene`].
     pub fn read(args: &SceneArgs, flags: &[Flag]) -> Result<Made> {
         let result = args.scene.as_deref().and_then(summary_of);
@@ -83,9 +84,10 @@ impl Made {
         Some(note.sentence(language::current()))
     }
 
-    /// The cam as designed, on the machine of the run, and the reason why there is no target at its speed.
+    /// The designed cam on the machine of the run, and the reason why there is no target at this speed.
     ///
     /// # Errors
+    ///
     /// Faults of the scene, its force or the other drive.
     pub fn design(&self) -> Result<(Outcome, Option<Error>)> {
         match searching::answer(&self.input)? {
@@ -98,7 +100,7 @@ impl Made {
     }
 }
 
-/// The summary of a result folder, or the path of a summary itself.
+/// Path of the summary in a result folder, or `path` itself if it is a summary.
 fn summary_of(path: &Path) -> Option<PathBuf> {
     if path.is_dir() {
         return Some(path.join("summary.json"));

@@ -22,7 +22,7 @@ use gaitcam_app::{Disk, inputs};
 pub use gaitcam_app::Input;
 pub use gaitcam_app::read::not_csv;
 
-/// A scene with changes.
+/// Arguments for a scene with changes.
 #[derive(Args, Debug, Default, Clone)]
 pub struct SceneArgs {
     /// Scene file, name of a built-in scene (gaitcam scenes), or - for standard input; default footbridge
@@ -33,7 +33,7 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// Options for a scene without changes.
+    /// Arguments for a scene without changes.
     pub fn of(path: PathBuf) -> SceneArgs {
         let (scene, set) = (Some(path), Vec::new());
         SceneArgs { scene, set }
@@ -57,7 +57,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     Ok(input)
 }
 
-/// The table of a scene as written, its input files, and its own file.
+/// Table of a scene without the changes, its input files, and the path of the scene file.
 pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     let none = Disk::default;
     Ok(match &args.scene {
@@ -72,18 +72,18 @@ pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     })
 }
 
-/// Locates a fault at a flag, unless it has a place.
+/// Adds a flag as the place of an error that has no place.
 pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
 }
 
-/// Value of a flag with a unit, if given.
+/// Value of a flag with a unit in SI, if given.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
         .transpose()
 }
 
-/// Positive value of a flag with a unit, if given.
+/// Positive value of a flag with a unit in SI, if given.
 pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     let value = quantity(flag, text, dimension)?;
     match (value, text) {
@@ -95,12 +95,12 @@ pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
     }
 }
 
-/// Value of a flag that is a word, if given.
+/// Parsed value of a flag, if given.
 pub fn parsed<T: FromStr<Err = Error>>(flag: &str, text: Option<&str>) -> Result<Option<T>> {
     text.map(|t| t.parse().map_err(at_flag(flag))).transpose()
 }
 
-/// Folder of the results of a scene: `out` if given, else `out/NAME` with `ending` after the scene's name.
+/// Folder of the results of a scene: `out` if given, else `out/NAME` with `ending` after the name of the scene.
 pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<PathBuf> {
     if let Some(out) = out {
         return Ok(out.to_path_buf());
@@ -127,7 +127,7 @@ fn check_file_name(name: &str) -> Result<()> {
     Err(CliError::SceneName { shown, fault }.at_key("name"))
 }
 
-/// Characters that change the direction of text or are invisible (Unicode bidirectional controls and similar).
+/// Whether a character is invisible or changes the direction of text (Unicode bidirectional controls and similar).
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }

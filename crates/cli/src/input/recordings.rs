@@ -16,9 +16,8 @@ pub struct Recordings {
     pub skipped: Vec<String>,
 }
 
-/// Every file given, and every recording inside a folder given, in the order of names; hidden files are skipped.
-///
-/// `argument`: where the paths were given, for the fault where there is none.
+/// Every given file, and every recording inside a given folder, sorted by name. Hidden files are skipped. `argument` names the argument with the
+/// paths, for an error if there is no recording.
 pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     let mut out = Recordings::default();
     for path in paths {

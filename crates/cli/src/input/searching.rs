@@ -1,4 +1,4 @@
-//! Long searches: a progress line after half a second, a time limit.
+//! Duration of searches: progress line after half a second, time limit.
 
 use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
@@ -21,10 +21,10 @@ const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
 /// Time allowed for another process to explain a blocked input.
 const GRACE: Duration = Duration::from_millis(300);
-/// Time limits above this are reduced to it, s.
+/// Longest time limit, s. A longer one is reduced to this value.
 const LONGEST_S: f64 = 1e9;
 
-/// Options for the duration of searches.
+/// Arguments for the duration of searches.
 #[derive(Args, Debug, Default, Clone, Copy)]
 pub struct TimeLimit {
     /// End the search after this processor time and keep the best result (default 60 s, in sweeps 5 s per design)
@@ -41,19 +41,19 @@ fn seconds(typed: &str) -> std::result::Result<f64, String> {
 }
 
 impl TimeLimit {
-    /// The time limit of one design that starts now.
+    /// Time limit of one design that starts now.
     pub fn of_design(self) -> Halt {
         after(self.time_limit.unwrap_or(DESIGN_S))
     }
 
-    /// The time limit of one row of a sweep, which this thread computes.
+    /// Time limit of one row of a sweep, which this thread computes.
     pub fn of_row(self) -> Halt {
         let limit = duration(self.time_limit.unwrap_or(ROW_S));
         let begun = ThreadTime::now().as_duration();
         Halt::when(move || ThreadTime::now().as_duration() - begun >= limit)
     }
 
-    /// How long to wait for another process that writes into the same folder.
+    /// Maximum waiting time for another process that writes into the same folder.
     pub fn patience(self) -> Duration {
         self.time_limit.map_or(PATIENCE, duration)
     }
@@ -79,17 +79,17 @@ impl TimeLimit {
     }
 }
 
-/// The design of a scene within the usual time.
+/// Design of a scene within the default time limit.
 pub fn answer(input: &Input) -> Result<Outcome> {
     synth::answer(&input.scene, input.target()?.as_ref(), &search())
 }
 
-/// The search for an intermediate design.
+/// Search settings for an intermediate design.
 pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
-/// Stops after this processor time of the process, so that the load of the machine has no influence.
+/// Stop condition after this processor time of the process, s. The load of the machine has no influence on it.
 fn after(seconds: f64) -> Halt {
     let (begun, limit) = (ProcessTime::now(), duration(seconds));
     Halt::when(move || begun.elapsed() >= limit)

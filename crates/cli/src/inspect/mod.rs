@@ -1,4 +1,4 @@
-//! `gaitcam inspect`: measured points of a manufactured cam → deviations of its profile → predicted force.
+//! `gaitcam inspect`: deviations of the profile and the predicted force from measured points of a manufactured cam.
 
 mod shown;
 
@@ -55,7 +55,7 @@ pub struct InspectArgs {
     pub json: bool,
 }
 
-/// Fits the points and writes table, pictures and summary; exit code 3 when the design has no cam.
+/// Fits the points and writes table, pictures and summary. The exit code is 3 if the design has no cam.
 pub fn run(args: &InspectArgs) -> Result<u8> {
     let ball = input::quantity("--ball", args.ball.as_deref(), Dimension::Length)?.unwrap_or(0.0);
     if ball < 0.0 {

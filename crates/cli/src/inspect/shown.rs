@@ -1,4 +1,4 @@
-//! Findings on a manufactured cam, for users and programs.
+//! Findings on a manufactured cam as text and JSON.
 
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ fn outliers(inspected: &Inspection) -> impl Iterator<Item = &Deviation> {
     inspected.deviations.iter().filter(|d| d.is_outlier)
 }
 
-/// The line on outliers; `None` without them. At most ten lines are named.
+/// Message about outliers, with the numbers of at most ten lines; `None` if there are none.
 fn about_outliers(inspected: &Inspection, lines: &[usize]) -> Option<Value> {
     let most = outliers(inspected)
         .map(|d| d.normal.abs())
@@ -80,10 +80,10 @@ pub(super) fn text(
     lines.join("\n")
 }
 
-/// A row that compares two cams: key, value, unit.
+/// Row that compares two cams: key, value, unit.
 type Compared<'a> = (&'a str, fn(&Behaviour) -> Option<f64>, &'a str);
 
-/// One line per quantity: as designed, as manufactured.
+/// Lines that compare the design with the manufactured cam, one per quantity.
 fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String> {
     let force = measures.force().name;
     let acceleration = measures.by_time(2).name;

@@ -1,4 +1,4 @@
-//! `gaitcam completions SHELL`: the completion script of a shell.
+//! `gaitcam completions SHELL`: completion script of a shell.
 
 use clap::Args;
 use clap_complete::Shell;
@@ -8,7 +8,7 @@ use crate::console::language;
 use crate::console::terminal::print;
 use gaitcam::error::Result;
 
-/// For which shell.
+/// Arguments of `gaitcam completions`.
 #[derive(Args, Debug)]
 pub struct CompletionsArgs {
     shell: Shell,

@@ -1,4 +1,4 @@
-//! `gaitcam keys`: every key of a scene file; `gaitcam scenes`: the scenes that come with the program.
+//! `gaitcam keys`: list of all keys of a scene file; `gaitcam scenes`: list of the built-in scenes.
 
 use clap::Args;
 use gaitcam::error::Result;

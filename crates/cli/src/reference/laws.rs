@@ -1,4 +1,4 @@
-//! `gaitcam laws`: the catalogue of rise laws.
+//! `gaitcam laws`: catalogue of rise laws.
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -27,7 +27,7 @@ pub struct LawsArgs {
     pub json: bool,
 }
 
-/// Endpoint derivatives that the law can join, once if both ends agree.
+/// Derivatives at the ends that the law can match; stated once if both ends agree.
 fn joined(ends: &Ends) -> String {
     let joins = |end: &End| end.joins_in(language::current());
     let (start, end) = (joins(&ends.start), joins(&ends.end));
@@ -38,7 +38,7 @@ fn joined(ends: &Ends) -> String {
     }
 }
 
-/// Prints the catalogue as a table, or as a list of objects.
+/// Prints the catalogue as a table or as JSON.
 pub fn run(args: &LawsArgs) -> Result<u8> {
     // As scenes name it, in both languages.
     let laws = match &args.name {

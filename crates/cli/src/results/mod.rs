@@ -1,4 +1,4 @@
-//! Results of several designs: side by side, and the best of a table.
+//! Results of several designs: comparison, and front of a table.
 
 pub mod compare;
 pub mod front;

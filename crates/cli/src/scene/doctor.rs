@@ -1,4 +1,4 @@
-//! `gaitcam doctor FILE`: what is wrong with a scene or a recording, all of it at once, and what cures it.
+//! `gaitcam doctor FILE`: lists all faults of a scene or a recording, with their corrections.
 
 use std::path::PathBuf;
 
@@ -29,7 +29,7 @@ pub struct DoctorArgs {
     time: TimeLimit,
 }
 
-/// Examines the file; the exit code is that of `synth` or `gait`.
+/// Examines the file. The exit code is that of `synth` or `gait`.
 pub fn run(args: &DoctorArgs) -> Result<u8> {
     if doctor::is_recording(&args.file) {
         return Ok(report(&doctor::recording_file(&args.file)?));
@@ -69,7 +69,7 @@ fn report(findings: &[Finding]) -> u8 {
     codes.max_by_key(|code| *code != BUILT).unwrap_or(BUILT)
 }
 
-/// The exit code of a finding.
+/// Exit code of a finding.
 fn code(finding: &Finding) -> u8 {
     match finding {
         Finding::Fault(fault) => exit_code::of_error(fault),

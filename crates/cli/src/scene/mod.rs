@@ -1,4 +1,4 @@
-//! Scene files: a commented template, and a list of all faults.
+//! Scene files: templates with comments, and lists of all faults.
 
 pub mod doctor;
 pub mod init;

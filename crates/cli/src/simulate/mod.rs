@@ -1,4 +1,4 @@
-//! `gaitcam simulate`: runs the emitted cam, not the law it came from.
+//! `gaitcam simulate`: simulates the emitted cam instead of its law.
 
 mod speeds;
 
@@ -35,7 +35,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
-/// Arguments of `simulate`: the scene, the machine and the model.
+/// Arguments of `gaitcam simulate`: scene, machine and model.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct SimulateArgs {
@@ -104,7 +104,7 @@ impl SimulateArgs {
     }
 }
 
-/// Designs the scene's cam (for a result folder, again), emits its profile and runs it. Exit code 3 if there is no cam, a limit is violated or
+/// Designs the cam of the scene or result folder, emits its profile and simulates it. The exit code is 3 if there is no cam, a limit is violated or
 /// contact is lost.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
@@ -190,7 +190,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Reason why a run is compared with no target.
+/// Sentence on the reason why a run is compared with no target.
 fn no_target(why: &Error) -> String {
     let why = why.sentence(language::current());
     words::fill("simulate-no-target", &json!({"why": why}))
@@ -208,7 +208,7 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
     print(&simulation::table(outcome, measures, language::current()));
 }
 
-/// Folder of the files: the result folder if it is run unchanged, otherwise a folder of the scene's name.
+/// Folder of the files: the result folder if the result is simulated without changes, otherwise a folder with the scene's name.
 fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {
         (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
@@ -219,7 +219,7 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     }
 }
 
-/// Describes the cam of the run where it may be mistaken.
+/// Remark on which cam is simulated, if this is not obvious.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
         let rpm = words::number(design.problem.drive.speed * 30.0 / PI);
@@ -230,7 +230,7 @@ fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     again.then(|| words::text("simulate-designed-again"))
 }
 
-/// The emitted profile of the design on the machine of the run.
+/// Emitted profile of the design on the machine of the run.
 fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
     let run = design.emitted(&scene.machine, design.problem.drive);
     run.map_err(|e| match args.natural_frequency {

@@ -34,13 +34,13 @@ const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
 
-/// A row of the table: the cam at one speed, or the reason why the shaft does not turn.
+/// Row of the table: the result at one speed, or the reason why the shaft does not turn.
 struct Row {
     at: AtSpeed,
     stands: Option<String>,
 }
 
-/// Runs the cam of the arguments at each of `speeds`, FIRST:LAST:COUNT.
+/// Simulates the cam of the arguments at each of `speeds`, given as FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let start = Instant::now();
     let made = Made::read(&args.scene, &args.machine())?;
@@ -83,7 +83,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Speeds at equal steps, rad/s or m/s; a frequency is that of the turns.
+/// Speeds at equal steps, rad/s or m/s. A frequency is the number of turns per second.
 fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     let fault = || {
         let typed = text.to_string();
@@ -112,7 +112,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     Ok((0..count).map(at).collect())
 }
 
-/// The emitted cam at a speed, compared with the target of that speed if a load model gives one.
+/// Simulates the emitted cam at a speed. It is compared with the target of that speed if a load model gives one.
 fn at(
     made: &Made,
     design: &Design,
@@ -162,7 +162,7 @@ fn at(
     Ok(Row { at, stands: None })
 }
 
-/// Whether a motor cannot turn the shaft at the requested speed.
+/// Whether an error means that the motor cannot turn the shaft at the requested speed.
 fn stands(error: &Error) -> bool {
     use DynamicsError::{NoLoadSpeed, Stalls, StallsAnyway};
     let fault = error.fault::<DynamicsError>();
@@ -177,7 +177,7 @@ fn target_factors(design: &Design) -> Option<[f64; 4]> {
     four?.try_into().ok()
 }
 
-/// Amplitude of an angular frequency, rad/s, in the force over time.
+/// Amplitude of the force over time at an angular frequency, rad/s.
 fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
@@ -206,7 +206,7 @@ impl Row {
         })
     }
 
-    /// Cells of the row in the table, the speed in its customary unit.
+    /// Cells of the row. `speed` is the speed in its customary unit.
     fn cells(&self, speed: String) -> Vec<String> {
         let at = &self.at;
         if let Some(why) = &self.stands {

@@ -27,7 +27,7 @@ pub struct Asked {
     pub files: Vec<Disk>,
 }
 
-/// Reads scenes, list and axes.
+/// Reads the scenes, the list and the varied keys.
 pub fn question(args: &SweepArgs) -> Result<Asked> {
     let named: Vec<Option<&PathBuf>> = match &args.scenes[..] {
         [] => vec![None],
@@ -72,7 +72,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     Ok(Asked { question, files })
 }
 
-/// The sweep of designs, with the files of its scenes.
+/// Sweep of designs, with the files of its scenes.
 pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     let Asked { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
@@ -111,7 +111,7 @@ fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     Ok(())
 }
 
-/// The flag responsible for a fault of the whole plan.
+/// Flag that caused a fault of the whole sweep.
 fn flag_of(e: &Error) -> &'static str {
     match e.fault() {
         Some(SweepError::NothingToSample) => "--sample",
@@ -120,7 +120,7 @@ fn flag_of(e: &Error) -> &'static str {
     }
 }
 
-/// Rows of a csv whose header names keys.
+/// Varied keys of a CSV file whose header names the keys.
 fn list(path: &Path) -> Result<Vec<Varied>> {
     let bytes = read_bytes(path)?;
     let mut reader = csv::ReaderBuilder::new()
@@ -148,7 +148,7 @@ fn list(path: &Path) -> Result<Vec<Varied>> {
         .collect()
 }
 
-/// A column of a list; the error of an invalid value names its line.
+/// Varied key of a column of a list. The error of an invalid value names its line.
 fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     if let Err(fault) = read(&values) {
@@ -159,14 +159,14 @@ fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     Ok(Varied::Listed(name.to_string(), values))
 }
 
-/// A fault of a row of a list, counted from 0 below the header.
+/// Error for an invalid row of a list file; `row` is counted from 0, below the header.
 fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
     let what = fault.what(language::current());
     let fault = format!("{name}: {what}");
     CliError::ListValue { fault }.at_line(path, row + 2)
 }
 
-/// A fault of the plan, located at its line of the list if it has one.
+/// Adds the line of the list to a fault of the sweep, if the fault is in the list.
 fn in_list(fault: Error, question: &SweepQuestion, path: Option<&Path>) -> Error {
     let place_in_list = || {
         let Place::Key(name) = &fault.place else {

@@ -21,7 +21,7 @@ pub struct Counts {
     pub infeasible: u64,
     /// Number of rows with a faulty scene.
     pub errors: u64,
-    /// First such row, with its fault.
+    /// First row with a faulty scene, with its fault.
     pub first_error: Option<(u64, String)>,
 }
 
@@ -39,7 +39,7 @@ impl Counts {
         out
     }
 
-    /// Counts of the rows of a block; fewer rows than expected if it was cut short.
+    /// Counts of the rows of a block. There are fewer rows than expected if the block is truncated.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
         // The rows before the fault are counted; the caller compares their number.
@@ -69,7 +69,7 @@ impl Counts {
         self.rows += 1;
     }
 
-    /// Adds the counts of following rows.
+    /// Adds the counts of the following rows.
     pub fn add(&mut self, next: Counts) {
         self.rows += next.rows;
         self.built += next.built;

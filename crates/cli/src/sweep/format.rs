@@ -14,9 +14,9 @@ use gaitcam_output::parquet;
 /// File format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// Comma-separated text, readable by any program.
+    /// Comma-separated values.
     Csv,
-    /// Apache Parquet, with the feature `parquet`.
+    /// Apache Parquet; requires the feature `parquet`.
     #[cfg(feature = "parquet")]
     Parquet,
 }
@@ -29,7 +29,7 @@ impl Format {
     #[cfg(not(feature = "parquet"))]
     pub const SHARED: Format = Format::Csv;
 
-    /// The format of a file ending.
+    /// Format of a path by its file ending.
     pub fn of(path: &Path) -> Result<Format> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
@@ -45,7 +45,7 @@ impl Format {
         }
     }
 
-    /// The ending of a file.
+    /// File ending of the format.
     pub fn ending(self) -> &'static str {
         match self {
             Format::Csv => "csv",
@@ -54,7 +54,7 @@ impl Format {
         }
     }
 
-    /// Rows as lines of CSV, for tables in that format.
+    /// Rows as lines of CSV; empty for other formats.
     pub fn lines(self, records: &Records) -> String {
         match self {
             Format::Csv => records.csv_rows(),
@@ -63,7 +63,7 @@ impl Format {
         }
     }
 
-    /// A block: rows as a table of its own; `lines` are those of [`Format::lines`], `metadata` is for Parquet.
+    /// Content of a block file: a complete table of the given rows. `lines` is the result of [`Format::lines`] (CSV); `metadata` is used for Parquet.
     pub fn block(
         self,
         records: &Records,
@@ -91,7 +91,7 @@ impl Format {
     }
 }
 
-/// The header once, then the lines of every block.
+/// Writes the header once, then the lines of every block.
 fn join_csv(blocks: &[PathBuf], mut table: File) -> Result<File> {
     for (i, path) in blocks.iter().enumerate() {
         let fault = |e: std::io::Error| cannot_be_read(path, &e);

@@ -103,7 +103,7 @@ impl SweepArgs {
     }
 }
 
-/// Runs the sweep; exit code 0 if the table is complete and contains an acceptable cam, 3 if it contains none.
+/// Runs the sweep. The exit code is 0 if the table is complete and contains an acceptable cam, and 3 if it contains none.
 pub fn run(args: &SweepArgs) -> Result<u8> {
     if !args.tolerance.is_empty() {
         return tolerance::run(args);

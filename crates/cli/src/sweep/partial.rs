@@ -1,7 +1,7 @@
-//! The table while it is being written: blocks of rows in the folder `FILE.partial`.
+//! Unfinished table of a sweep: blocks of rows in the folder `FILE.partial`.
 //!
-//! Each block is written before the next is computed, and is a complete table. The final table is assembled from them, and `FILE.sweep.json`
-//! describes its sweep. A process locks the folder while it works on it.
+//! Each block is a complete table and is written before the next is computed. The final table is assembled from the blocks, and `FILE.sweep.json`
+//! describes its sweep. A process locks the folder while it uses it.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ pub struct PartialTable {
 /// Key of the table's checksum in the description of a finished sweep.
 const CHECKSUM: &str = "table_crc32";
 
-/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json are in the folder of FILE.csv.
+/// Path with an added ending: FILE.csv.partial and FILE.csv.sweep.json are in the folder of FILE.csv.
 pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(ending);
@@ -45,10 +45,11 @@ pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
 }
 
 impl PartialTable {
-    /// The unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete.
+    /// Opens the unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete.
     ///
     /// # Errors
-    /// Another process works on it, it holds another sweep, or it holds rows and `resume` is not set; the table then stays unchanged.
+    ///
+    /// Another process uses the table, it holds another sweep, or it holds rows and `resume` is not set. The table then stays unchanged.
     pub fn open(
         table: &Path,
         format: Format,
@@ -98,7 +99,7 @@ impl PartialTable {
         Ok(Some(partial))
     }
 
-    /// Counts the rows of the blocks; removes all blocks from the first incomplete one on.
+    /// Counts the rows of the blocks and removes all blocks from the first incomplete one on.
     fn count_blocks(&mut self) -> Result<()> {
         for (rows, path) in blocks::files(&self.folder)? {
             if rows.start == self.counts.rows && blocks::is_whole(&path) {
@@ -119,17 +120,17 @@ impl PartialTable {
         Ok(())
     }
 
-    /// Counts of its rows.
+    /// Counts of the rows in the table.
     pub fn counts(&self) -> &Counts {
         &self.counts
     }
 
-    /// The message about an incomplete block.
+    /// Message about a damaged block.
     pub fn damaged(&self) -> Option<&str> {
         self.damaged.as_deref()
     }
 
-    /// Adds the next rows and writes the bytes of their block to the disk.
+    /// Adds the next rows and writes their block, `bytes`, to the disk.
     pub fn append(&mut self, records: &Records, bytes: &[u8]) -> Result<()> {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
@@ -141,7 +142,7 @@ impl PartialTable {
         Ok(())
     }
 
-    /// Puts the complete table in its place and removes the blocks.
+    /// Moves the complete table to its final path and removes the blocks.
     pub fn finish(self, sweep: &Value) -> Result<Counts> {
         inputs::check(&self.table)?;
         let describe = |joined: &Path| {
@@ -195,7 +196,7 @@ fn locked(folder: &Path) -> Result<Lock> {
     Lock::wait(folder, LOCK, Duration::ZERO)
 }
 
-/// The description of a sweep, if the file exists.
+/// Description of a sweep, if the file exists.
 fn described(path: &Path) -> Option<Value> {
     serde_json::from_slice(&fs::read(path).ok()?).ok()
 }

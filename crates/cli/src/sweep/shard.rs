@@ -1,4 +1,4 @@
-//! `gaitcam sweep --shard I/N`: one share of a sweep in blocks, for queues that start many processes.
+//! `gaitcam sweep --shard I/N`: one share of a sweep in blocks, for job queues with many processes.
 
 use serde_json::json;
 
@@ -11,7 +11,7 @@ use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
 
-/// A share of equal shares. They may be counted from 0 or from 1: share 0 of N is share N.
+/// One of several equal shares of a sweep. They may be counted from 0 or from 1: share 0 of N is share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// Number of the share.
@@ -30,10 +30,11 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
         .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }
 
-/// Computes the missing blocks of the share: Parquet if this build supports it, else CSV.
+/// Computes the missing blocks of the share, as Parquet if this build supports it, else as CSV.
 ///
 /// # Errors
-/// As a sweep into one table; a folder that holds another sweep.
+///
+/// As for a sweep into one table; a folder that holds another sweep.
 pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
     let (sweep, _) = arguments::sweep(args)?;
     let rows = args.block_rows.unwrap_or(BLOCK_ROWS);

@@ -1,4 +1,4 @@
-//! Computes the rows of a table, block by block.
+//! Computation of the rows of a table, block by block.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -14,13 +14,14 @@ use gaitcam::error::Result;
 use gaitcam::sweep::{Records, Runner};
 use gaitcam_app::blocks::BLOCK_ROWS;
 
-/// Duration of a block, or this fraction of the time so far if longer; this bounds the loss in a crash and the number of blocks.
+/// Target duration of a block, s, and its target as a fraction of the elapsed time; the longer one holds. The loss in a crash and the number of
+/// blocks are thus limited.
 const BLOCK_S: f64 = 0.25;
 const BLOCK_SHARE: f64 = 0.01;
 /// Number of rows of the first block.
 const FIRST_BLOCK: u64 = 8;
 
-/// A flag that Ctrl-C sets; a second Ctrl-C ends the program at once, without loss of blocks.
+/// Installs a handler for Ctrl-C and returns the flag that it sets. A second Ctrl-C ends the program at once, without loss of blocks.
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
@@ -33,23 +34,23 @@ pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     stop
 }
 
-/// Number of threads: the given one, else one per core.
+/// Number of threads: as given, else one per core.
 pub fn jobs(given: Option<u16>) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     given.map_or_else(cores, usize::from)
 }
 
-/// Computes blocks of rows.
+/// Computation of blocks of rows.
 pub struct Work<'a> {
     /// Source of the rows.
     pub runner: Runner<'a>,
     /// Format of the blocks.
     pub format: Format,
-    /// Description of the sweep in a block.
+    /// Description of the sweep that is stored in each block.
     pub metadata: Vec<(String, String)>,
     /// Number of worker threads.
     pub jobs: usize,
-    /// Set if the user stops the work.
+    /// Set when the user stops the computation.
     pub stop: Arc<AtomicBool>,
 }
 
@@ -58,7 +59,7 @@ impl Work<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// The first rows of a range (all rows unless the work is stopped), with the bytes of their block.
+    /// Computes the first rows of a range (all rows unless stopped), with the bytes of their block.
     pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
         // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
         let part = |records: Records| (self.format.lines(&records), records);
@@ -69,7 +70,7 @@ impl Work<'_> {
         Ok((records, bytes))
     }
 
-    /// Computes the missing rows of a table, until done or stopped.
+    /// Computes the missing rows of a table, until all are done or the user stops.
     pub fn fill(&self, total: u64, partial: &mut PartialTable) -> Result<()> {
         let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
         let begun = Instant::now();

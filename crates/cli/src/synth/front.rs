@@ -1,4 +1,4 @@
-//! `gaitcam synth --front`: the trade-off between two objectives, as a table and a picture.
+//! `gaitcam synth --front`: Pareto front of two objectives, as a table and a picture.
 
 use serde_json::json;
 
@@ -19,7 +19,7 @@ use gaitcam_output::sweep_plots::{self, Quantity};
 /// Default number of points of the front.
 const POINTS: u32 = 20;
 
-/// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.
+/// Computes the front and writes front.csv, front.svg and front.png. The exit code is 3 if the front is empty.
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let against = traded(pair).map_err(input::at_flag("--front"))?;
     let input = input::scene(&args.scene)?;
@@ -80,12 +80,12 @@ fn title(name: &str, against: &Figure) -> String {
     words::fill("trade-title", &arguments)
 }
 
-/// Force against target, N.
+/// Force of a design compared with its target, N.
 fn force(t: &Trade) -> ForceReport {
     t.design.force.newtons(&t.design.problem.drive)
 }
 
-/// Value of a figure in a design, SI.
+/// Value of a quantity in a design, SI.
 fn value(figure: &Figure, t: &Trade) -> f64 {
     figure.value(&Figures::of(&t.design))
 }

@@ -1,4 +1,4 @@
-//! `gaitcam synth`: force curve or classical programme → law → cam → checks → files.
+//! `gaitcam synth`: designs a cam for a force curve or a classical programme, checks it and writes its files.
 
 mod explain;
 mod front;
@@ -80,7 +80,7 @@ const ROWS: u32 = 1440;
 /// Minimum number of rows.
 const FEWEST_ROWS: u32 = 16;
 
-/// Further requested outputs, checked before the design begins.
+/// Further requested outputs. They are checked before the design begins.
 struct Request {
     contents: Contents,
     folder: Option<ResultFolder>,
@@ -94,7 +94,7 @@ struct Answer {
     more: Option<More>,
 }
 
-/// Designs the cam and writes its files; exit code 3 if there is no feasible cam.
+/// Designs the cam and writes its files. The exit code is 3 if there is no feasible cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
     if let Some(pair) = &args.front {
         return front::run(args, pair);
@@ -115,7 +115,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
 /// Additional data for summary.json and the console: key, value, lines.
 pub type More = (&'static str, Value, Vec<String>);
 
-/// Additional data for a scene from a file.
+/// Designs the cam of a scene. `more` is additional data of a scene from a file.
 pub fn designed(args: &SynthArgs, input: &Input, start: Instant, more: Option<More>) -> Result<u8> {
     design_of(args, input, || input.target(), (start, None), more)
 }

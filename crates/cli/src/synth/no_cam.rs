@@ -43,7 +43,7 @@ pub fn no_cam(
     Ok(exit_code::NO_SUCH_CAM)
 }
 
-/// The line with the location of the files and the one to open.
+/// Line with the folder of the files and the file to open first.
 pub fn files_in(folder: &Path, first: &str) -> String {
     let first = folder.join(first).display().to_string();
     let folder = folder.display().to_string();

@@ -1,4 +1,4 @@
-//! Remarks on the files for manufacturing as sentences.
+//! Remarks on the files for manufacturing, as sentences.
 
 use serde_json::{Value, json};
 

@@ -10,7 +10,7 @@ use super::summary::{filled, row};
 use crate::console::language;
 use crate::console::words::{self, number};
 
-/// Speed of the shaft under its motor, the force error over time, and the effect of another machine.
+/// Speed of the shaft under its motor, force error over time, and effect of another machine.
 pub(super) fn shaft(design: &Design) -> Vec<String> {
     let Some(on_shaft) = &design.shaft else {
         return Vec::new();
@@ -72,7 +72,7 @@ pub(super) fn population(design: &Design) -> Option<String> {
     ))
 }
 
-/// Acceleration of the floor under shaker and walkers, and its comfort.
+/// Acceleration of the floor under shaker and walkers, and its comfort class.
 pub(super) fn floor(design: &Design) -> Option<String> {
     let motion = design.floor.as_ref()?;
     Some(row(

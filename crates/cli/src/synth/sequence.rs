@@ -1,4 +1,4 @@
-//! `synth --verbose`: the sequence of convex programs, step by step.
+//! `synth --verbose`: steps of the sequence of convex programs.
 
 use gaitcam::synth::Design;
 use serde_json::json;

@@ -1,4 +1,4 @@
-//! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
+//! Summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::Criterion;
@@ -14,7 +14,7 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Maximum number of lines of one kind; further lines are counted here and listed in summary.json.
+/// Maximum number of lines of one kind. Further lines are only counted; summary.json lists them.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
 /// Harmonics whose load factor is printed.
@@ -23,7 +23,7 @@ const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;
 const NOTES: usize = 3;
 
-/// The summary as text, with the solver's work if asked.
+/// Summary as text, with the steps of the solver if `verbose` is set.
 pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
     let language = language::current();
     let headline = match design.out_of_time && design.infeasible.is_none() {
@@ -61,7 +61,7 @@ const LABELS: [&str; 16] = [
     "active", "relaxing", "note", "solved", "optimum", "sequence",
 ];
 
-/// A row under its label; an empty label continues the previous row.
+/// Row with its label. An empty label continues the previous row.
 pub fn row(label: &str, text: &str) -> String {
     let shown = |name: &str| words::text(&format!("label-{name}"));
     let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
@@ -74,12 +74,12 @@ pub fn row(label: &str, text: &str) -> String {
     format!("  {label:<width$} {text}")
 }
 
-/// A sentence with its arguments in a row.
+/// Row with a message whose placeholders are filled from `arguments`.
 pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// The first `most` lines, and the number of further ones.
+/// First `most` lines, and a line with the number of further ones.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
@@ -148,7 +148,7 @@ fn force(design: &Design) -> Vec<String> {
     rows
 }
 
-/// Dynamic load factors of the first harmonics of the step frequency; summary.json has all six.
+/// Dynamic load factors of the first harmonics of the step frequency. All six are in summary.json.
 fn load_factors(design: &Design) -> Option<String> {
     let all: Vec<String> = (design.load_factors().iter())
         .filter(|f| f.of_step.fract() == 0.0)
@@ -159,7 +159,7 @@ fn load_factors(design: &Design) -> Option<String> {
     (!all.is_empty()).then(|| filled("", "synth-load-factors", json!({"list": list})))
 }
 
-/// One line per active limit, the largest multiplier first.
+/// One line per active limit, sorted by multiplier in descending order.
 fn active_limits(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let mut limits = ActiveLimit::all(design);
@@ -187,7 +187,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// The solver's method, and the error of the closed form.
+/// Method of the solver, and the error of the closed form.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));
@@ -214,7 +214,7 @@ fn solver(design: &Design, time: Timing) -> Vec<String> {
     out
 }
 
-/// Whether the law is proved to be the best one; `None` where no law is sought.
+/// Sentence on whether the law is proved to be optimal; `None` if no law is optimised.
 fn proof(design: &Design) -> Option<String> {
     let solver = &design.solver;
     solver.certificate.as_ref()?;

@@ -13,7 +13,7 @@ use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_cad::ecam::Dialect;
 
-/// What to write for CAD and the workshop.
+/// Arguments for the files for CAD and the workshop.
 #[derive(Args, Debug, Default)]
 pub struct WorkshopArgs {
     /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), workbook (XLSX)
@@ -60,7 +60,7 @@ pub enum Lengths {
 }
 
 impl WorkshopArgs {
-    /// The options as the writers take them; the scene supplies the title.
+    /// Options of the writers. The title block is not set.
     pub fn asked(&self) -> Result<Workshop> {
         let length = |name, typed: &Option<String>| {
             input::positive(name, typed.as_deref(), Dimension::Length)
@@ -86,7 +86,7 @@ impl WorkshopArgs {
         }
     }
 
-    /// The curves of profile.dxf.
+    /// Kind of the curves in profile.dxf.
     fn curves(&self) -> Curves {
         match self.dxf {
             Dxf::Arcs => Curves::Arcs,
@@ -104,7 +104,7 @@ impl WorkshopArgs {
     }
 }
 
-/// The options with the title block of a scene's drawing.
+/// Options with the title block from a scene.
 pub fn titled(workshop: Workshop, input: &Input) -> Workshop {
     Workshop {
         title: input.title(),

@@ -1,14 +1,14 @@
-//! The command as a user runs it, what it says, and recordings to give it.
+//! Runs of the command, its output, and recordings as input.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// Root of the repository, where scenes and recordings lie.
+/// Root of the repository, which contains the scenes and recordings.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// The command in a folder, in English, with nothing on its standard input.
+/// The command in a folder, in English, with an empty standard input.
 pub fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gaitcam"));
     command
@@ -19,17 +19,17 @@ pub fn command(folder: &Path) -> Command {
     command
 }
 
-/// A run from the root of the repository.
+/// Runs the command from the root of the repository.
 pub fn gaitcam(arguments: &[&str]) -> Output {
     run_in(Path::new(ROOT), arguments)
 }
 
-/// A run from a folder.
+/// Runs the command from a folder.
 pub fn run_in(folder: &Path, arguments: &[&str]) -> Output {
     command(folder).args(arguments).output().unwrap()
 }
 
-/// A run from a folder under a limit of `prlimit`.
+/// Runs the command from a folder under a limit of `prlimit`.
 pub fn limited(folder: &Path, limit: &str, arguments: &[&str]) -> Output {
     let mut limited = Command::new("prlimit");
     limited.args([limit, env!("CARGO_BIN_EXE_gaitcam")]);
@@ -52,7 +52,7 @@ pub fn both(output: &Output) -> String {
     stdout(output) + &stderr(output)
 }
 
-/// The object on standard output.
+/// JSON object on standard output.
 pub fn object(output: &Output) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", stderr(output)))
 }
@@ -63,12 +63,12 @@ pub fn changed<'a>(arguments: &[&'a str], changes: &[&'a str]) -> Vec<&'a str> {
     arguments.iter().copied().chain(flags).collect()
 }
 
-/// Twelve seconds of a walk at 200 Hz, both feet, every stride alike.
+/// Writes a recording of walking: 12 s at 200 Hz, both feet, equal strides.
 pub fn walk(path: &Path) {
     wobbling_walk(path, 0.0);
 }
 
-/// The same with strides of `1 ± wobble` times the force in turn.
+/// Writes a recording of walking in which the force of the strides is multiplied by `1 ± wobble` in turn.
 pub fn wobbling_walk(path: &Path, wobble: f64) {
     let foot = |t: f64| {
         let x = t.rem_euclid(1.1) / 0.68;

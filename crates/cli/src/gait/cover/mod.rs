@@ -1,4 +1,4 @@
-//! `gaitcam cover`: how many cams serve a population, which of them serves whom, and how well they serve others.
+//! `gaitcam cover`: number of cams for a population, the cam of each walker, and the force error for other walkers.
 
 mod files;
 mod shown;
@@ -33,7 +33,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam cover --set 'gait.step_frequency=1.4 Hz:2.4 Hz:21' --out out/bridges
   gaitcam gait new.c3d --against out/cover";
 
-/// The cycles of all walkers, from which every cam is designed.
+/// File name of the cycles of all walkers. Every cam is designed from this file.
 const CYCLES: &str = "cycles.csv";
 
 /// Arguments of `gaitcam cover`.
@@ -62,7 +62,7 @@ pub struct CoverArgs {
     pub json: bool,
 }
 
-/// Searches for the cams and writes them; exit code 3 where a cam violates its limits.
+/// Searches for the cams and writes them. The exit code is 3 if a cam violates its limits.
 pub fn run(args: &CoverArgs) -> Result<u8> {
     let numbers = numbers(&args.cams)?;
     let mut input = scene(args)?;
@@ -130,10 +130,11 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// The smallest and the largest number of cams to design, from `--cams`: `1:6`, or `3` for both.
+/// Smallest and largest number of cams from `--cams`: `1:6`, or `3` for both.
 ///
 /// # Errors
-/// No whole numbers in rising order from 1 to [`MOST`].
+///
+/// The text is not one number or two ascending whole numbers from 1 to [`MOST`].
 fn numbers(typed: &str) -> Result<(usize, usize)> {
     let (first, last) = typed.split_once(':').unwrap_or((typed, typed));
     let number = |text: &str| text.trim().parse::<usize>().ok();
@@ -145,7 +146,7 @@ fn numbers(typed: &str) -> Result<(usize, usize)> {
     })
 }
 
-/// The scene with the walkers as its target.
+/// Scene with the walkers as its target.
 fn scene(args: &CoverArgs) -> Result<Input> {
     let scene = SceneArgs {
         scene: args.scene.clone(),

@@ -38,7 +38,7 @@ pub(super) fn fold_object(fold: &Fold, error: ErrorMeasure) -> Value {
     in_unit(out, &values, error)
 }
 
-/// An object of errors whose names end in their unit.
+/// JSON object with the given errors added. The names end in the unit of the error measure.
 fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasure) -> Value {
     for (name, value) in values {
         object[format!("{name}_{}", error.suffix())] = json!(value);
@@ -46,14 +46,14 @@ fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasur
     object
 }
 
-/// The largest component of an error, in words.
+/// Names the largest component of an error.
 pub fn reason(of: &Assigned) -> String {
     let largest =
         (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
     words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
 }
 
-/// Error against number of cams, with the worst walker and the errors of others.
+/// Table of the errors against the number of cams, with the worst walker and the errors for other walkers.
 pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     let mut rows = vec![
         [
@@ -108,7 +108,7 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
-/// The message of an error measure.
+/// Key of a message for an error measure.
 pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     match error {
         ErrorMeasure::Relative => message.to_string(),
@@ -116,7 +116,7 @@ pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     }
 }
 
-/// Error against the number of cams, for the walkers of the cams and for others.
+/// Picture of the error against the number of cams, for the walkers of the design and for others.
 pub(super) fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
     let of = |value: fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
         let point = |c: &Cover| Some((c.cams.len() as f64, value(c)?));

@@ -1,4 +1,4 @@
-//! `gaitcam compare`: several results side by side.
+//! `gaitcam compare`: comparison of several results.
 
 mod read;
 mod table;
@@ -39,7 +39,7 @@ pub struct CompareArgs {
     pub json: bool,
 }
 
-/// Prints the table and writes it with overlaid diagrams; exit code 3 when one of the designs is unacceptable.
+/// Prints the table and writes it with overlaid diagrams. The exit code is 3 if a design is unacceptable.
 pub fn run(args: &CompareArgs) -> Result<u8> {
     let mut designs = args
         .folders
@@ -110,7 +110,7 @@ fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
     ]
 }
 
-/// The force of every cam, and every different target.
+/// Diagram of the force of every cam and of every different target, with their names.
 fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
     let curve = |d: &Design, column| d.law.curve(column, d.across(), 1.0);
     let mut curves: Vec<_> = designs.iter().map(|d| curve(d, "force_n")).collect();
@@ -129,7 +129,7 @@ fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
     (strip, names)
 }
 
-/// Diagrams of lift to jerk; arms in degrees in the same diagrams.
+/// Diagrams of lift, velocity, acceleration and jerk. Arms are plotted in degrees in the same diagrams.
 fn laws(designs: &[Design]) -> Vec<Strip> {
     let mixed = if designs.iter().any(Design::swings) {
         "mm (°)"

@@ -1,4 +1,4 @@
-//! A result read back from its folder.
+//! Reading of a result folder.
 
 use std::path::{Path, PathBuf};
 
@@ -12,15 +12,15 @@ use gaitcam_app::scene::not_json;
 
 /// One result of `synth`.
 pub struct Design {
-    /// Name of the design, or its folder where names repeat.
+    /// Name of the design, or of its folder if names repeat.
     pub name: String,
     /// Folder of the result.
     pub folder: PathBuf,
-    /// Contents of the file summary.json.
+    /// Content of summary.json.
     pub summary: Value,
-    /// Columns of the table law.csv.
+    /// Columns of law.csv.
     pub law: Columns,
-    /// Columns of the table profile.csv.
+    /// Columns of profile.csv.
     pub profile: Columns,
 }
 
@@ -44,7 +44,7 @@ impl Design {
         })
     }
 
-    /// Whether the cam translates, so that θ is metres of travel.
+    /// Whether the cam translates, so that θ is a travel in metres.
     pub fn slides(&self) -> bool {
         self.summary["cam"]["follower"] == "translating-cam"
     }
@@ -70,7 +70,7 @@ impl Design {
             .is_some_and(|mean| mean != 0.0)
     }
 
-    /// Factor from θ to the abscissa: degrees, or mm.
+    /// Factor from θ to the abscissa in degrees or mm.
     pub fn across(&self) -> f64 {
         if self.slides() {
             1e3
@@ -80,7 +80,7 @@ impl Design {
     }
 }
 
-/// A table of numbers by column; empty fields are NaN.
+/// Table of numbers by column. Empty fields are NaN.
 #[derive(Default)]
 pub struct Columns {
     /// Names of the columns.
@@ -110,7 +110,7 @@ impl Columns {
         Ok(Columns { names, rows })
     }
 
-    /// (θ times `across`, value times `factor`) of the column whose name starts with `prefix`.
+    /// Points (θ times `across`, value times `factor`) of the column whose name starts with `prefix`.
     pub fn curve(&self, prefix: &str, across: f64, factor: f64) -> Vec<(f64, f64)> {
         let Some(k) = self.names.iter().position(|n| n.starts_with(prefix)) else {
             return Vec::new();

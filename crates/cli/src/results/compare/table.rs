@@ -1,4 +1,4 @@
-//! The table of several results: one column each, every cell with its unit.
+//! Table of several results with one column each. Every cell has its unit.
 
 use serde_json::Value;
 
@@ -7,13 +7,13 @@ use crate::console::table::{Side, table};
 use crate::console::{language, words};
 use gaitcam::synth::{FIGURES, Figure};
 
-/// Cell of a missing number.
+/// Content of a cell without a value.
 const NONE: &str = "—";
 
-/// Text of one cell.
+/// Function for the text of a cell.
 type Cell = fn(&Design) -> String;
 
-/// Keys of rows that are not figures.
+/// Keys and cells of the rows that contain no numbers.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -21,7 +21,7 @@ const WORDS: [(&str, Cell); 4] = [
     ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
 ];
 
-/// Figures with two extremes in summary.json by the cam's motion: column, table, keys, order of the derivative.
+/// Quantities with two extremes in summary.json, which depend on the cam's motion: column, table, keys, order of the derivative.
 const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     (
         "velocity_max_m_per_s",
@@ -66,7 +66,7 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     words.chain(figures).collect()
 }
 
-/// A figure of summary.json; that of a force only with a target force.
+/// Value of a quantity in summary.json. A force has a value only with a target force.
 fn value(figure: &Figure, d: &Design) -> Option<f64> {
     if let Some((_, section, keys, order)) = EXTREMES.iter().find(|row| row.0 == figure.column) {
         let ends = keys
@@ -95,7 +95,7 @@ fn outcome(value: &Value) -> String {
     }
 }
 
-/// A number of summary.json; `"inf"` is infinite.
+/// Number in summary.json; `"inf"` is infinite.
 fn number(value: &Value) -> Option<f64> {
     match value.as_str() {
         Some("inf") => Some(f64::INFINITY),
@@ -104,7 +104,7 @@ fn number(value: &Value) -> Option<f64> {
     }
 }
 
-/// The table as Markdown, for compare.md.
+/// Table as Markdown, for compare.md.
 pub fn markdown(designs: &[Design]) -> String {
     let names: Vec<&str> = designs.iter().map(|d| d.name.as_str()).collect();
     let mut out = format!("| | {} |\n", names.join(" | "));
@@ -115,7 +115,7 @@ pub fn markdown(designs: &[Design]) -> String {
     out
 }
 
-/// The table in columns, for the console.
+/// Table in columns, for the console.
 pub fn text(designs: &[Design]) -> String {
     let names = designs.iter().map(|d| d.name.clone());
     let mut lines = vec![std::iter::once(String::new()).chain(names).collect()];

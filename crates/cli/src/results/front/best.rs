@@ -1,4 +1,4 @@
-//! The design of the best row of a sweep.
+//! Design of the best row of a sweep.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use gaitcam_app::blocks::PLAN;
 use gaitcam_app::folder::Folder;
 use gaitcam_app::{read::read_bytes, scene::not_json};
 
-/// Rebuilds the scene of a row from the description of the sweep and the cells of the row, and designs it.
+/// Designs the scene of a row, rebuilt from the description of the sweep and the cells of the row.
 pub(super) fn open_best(
     args: &FrontArgs,
     folder: &Folder,

@@ -1,4 +1,4 @@
-//! Rows of a table kept for its pictures.
+//! Rows of a table that are kept for its pictures.
 
 use super::read::{Columns, Row};
 use crate::console::language;
@@ -14,7 +14,7 @@ const KEPT_ROWS: usize = 60_000;
 /// Values of one varied key in the rows kept.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
-    /// Column of the input table.
+    /// Index of the column in the table.
     pub column: usize,
     name: String,
     values: Vec<f64>,
@@ -22,7 +22,7 @@ pub struct Input {
     is_number: bool,
 }
 
-/// The label of a key's axis: a limit or another key in words where there are any, else the column.
+/// Label of a key's axis: a limit or another key in words if there are any, else the column.
 fn axis(column: &str) -> String {
     let typed = Key::of_column(column);
     let own = words::column(column);
@@ -38,12 +38,12 @@ fn axis(column: &str) -> String {
 }
 
 impl Input {
-    /// Whether it has more than one value.
+    /// Whether the key has more than one value.
     pub fn varies(&self) -> bool {
         self.values.windows(2).any(|w| w[0] != w[1])
     }
 
-    /// The values for a picture.
+    /// Values for a picture.
     pub fn quantity(&self) -> Quantity {
         Quantity {
             label: axis(&self.name),
@@ -81,16 +81,16 @@ impl Input {
     }
 }
 
-/// Every k-th candidate; k increases with the table.
+/// A sample of the rows: every k-th candidate, where k increases with the table.
 #[derive(Debug, Clone, Default)]
 pub struct Kept {
-    /// Rows of the table.
+    /// Number of rows of the table.
     pub seen: u64,
     /// Number of rows whose design may be on the front, kept or not.
     pub candidates: u64,
     /// Numbers of the rows kept.
     pub rows: Vec<u64>,
-    /// The keys that the sweep varies, each with its values in the rows kept.
+    /// Varied keys of the sweep, each with its values in the kept rows.
     pub inputs: Vec<Input>,
     /// Objectives of the rows kept.
     pub goals: Vec<Vec<f64>>,
@@ -98,7 +98,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Takes the next row of the table into account.
+    /// Takes the next row of the table into account. `good`: the row may be on the front.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;
@@ -132,7 +132,7 @@ impl Kept {
         }
     }
 
-    /// Drops every second row.
+    /// Drops every second kept row.
     fn thin_out(&mut self) {
         self.stride *= 2;
         let mut i = 0;

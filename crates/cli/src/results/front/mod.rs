@@ -1,4 +1,4 @@
-//! `gaitcam front`: the best designs of a sweep's table, pictures of it, and the winner as a normal result.
+//! `gaitcam front`: best designs of the table of a sweep, with pictures, and the best one as a normal result.
 
 mod best;
 mod kept;
@@ -67,7 +67,7 @@ const SHOWN: usize = 40;
 /// Maximum number of ranges of missing rows that are listed.
 const SHOWN_GAPS: usize = 6;
 
-/// The designs of a table, compared by the objectives.
+/// Designs of a table with their comparison by the objectives.
 struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,
@@ -79,7 +79,7 @@ struct Evaluation {
     front: Front,
 }
 
-/// Finds the front and writes its files; exit code 3 if no design of the table qualifies.
+/// Finds the front and writes its files. The exit code is 3 if no design of the table qualifies.
 pub fn run(args: &FrontArgs) -> Result<u8> {
     let evaluated = gather(args)?;
     report_missing(&evaluated.missing);
@@ -148,7 +148,7 @@ fn report_left_out(evaluated: &Evaluation) {
     }
 }
 
-/// Reads the table once: the front, and enough rows for pictures.
+/// Reads the table once and collects the front and enough rows for pictures.
 fn gather(args: &FrontArgs) -> Result<Evaluation> {
     let mut front = Front::default();
     let mut objectives: Vec<Objective> = Vec::new();

@@ -6,7 +6,7 @@ use gaitcam::error::Result;
 use gaitcam::sweep::Objective;
 use gaitcam_output::sweep_plots::unit_for_people;
 
-/// Objectives of both flags; the default ones without flags.
+/// Objectives of both flags, or the default ones without flags.
 pub fn of_flags(
     minimise: Option<&str>,
     maximise: Option<&str>,
@@ -29,12 +29,12 @@ pub fn of_flags(
     Ok(out)
 }
 
-/// Name of the objective with its customary unit.
+/// Name of an objective with its customary unit.
 pub fn label(objective: &Objective) -> String {
     unit_for_people(&words::column(&objective.name)).0
 }
 
-/// A cost in its customary unit.
+/// Cost in its customary unit as text.
 pub fn shown(objective: &Objective, cost: f64) -> String {
     let unit = unit_for_people(&words::column(&objective.name)).1;
     words::number(unit * objective.value(cost))

@@ -15,7 +15,7 @@ use gaitcam_output::Picture;
 use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
 use gaitcam_output::sweep_report;
 
-/// Maximum number of distinguishable lines and dots in a picture.
+/// Maximum number of lines and dots in a picture.
 const DRAWN: usize = 3000;
 
 /// A picture with its file name and heading.
@@ -48,7 +48,7 @@ fn fewer(mut q: Quantity) -> Quantity {
     q
 }
 
-/// Heat map for two parameters, parallel coordinates for more, the front for two objectives.
+/// Pictures: heat map for two parameters, parallel coordinates for more, front for two objectives.
 fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) -> Vec<Drawn> {
     let kept = &evaluated.kept;
     let varied: Vec<usize> = (0..kept.inputs.len())
@@ -87,7 +87,7 @@ fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) 
     drawn
 }
 
-/// The first two objectives of all designs, with the front.
+/// Picture of the first two objectives of all designs, with the front.
 fn plane(
     name: &str,
     evaluated: &Evaluation,

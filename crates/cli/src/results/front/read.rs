@@ -44,7 +44,7 @@ impl Columns {
     }
 }
 
-/// A row of either kind of table.
+/// Row of a CSV or Parquet table.
 pub enum Row<'a> {
     /// Row of a CSV file.
     Csv(&'a csv::StringRecord),
@@ -54,7 +54,7 @@ pub enum Row<'a> {
 }
 
 impl Row<'_> {
-    /// A number of the row; NaN if missing.
+    /// Number in a column of the row; NaN if missing.
     pub fn number(&self, column: usize) -> f64 {
         match self {
             Row::Csv(record) => record
@@ -68,7 +68,7 @@ impl Row<'_> {
         }
     }
 
-    /// A cell as text.
+    /// Text in a column of the row.
     pub fn word(&self, column: usize) -> String {
         self.text(column).into_owned()
     }
@@ -91,7 +91,7 @@ impl Row<'_> {
     }
 }
 
-/// Reads the table once, whatever its size; for a folder, all blocks of rows.
+/// Calls `each` for every row of the table, which is read once. A folder is read as all its blocks of rows.
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
     if path.is_dir() {
         let mut columns = None;

@@ -25,7 +25,7 @@ pub(super) fn csv(columns: &Columns, front: &[&Point]) -> String {
         .unwrap_or_default()
 }
 
-/// The front as JSON, SI.
+/// Front as JSON, SI.
 pub(super) fn object(
     args: &FrontArgs,
     evaluated: &Evaluation,
@@ -56,7 +56,7 @@ pub(super) fn object(
         "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
 }
 
-/// Label of a row: its recording where recordings vary, else its number.
+/// Label of a row: its recording if recordings vary, else its number.
 pub(super) fn row_name(columns: &Columns, point: &Point) -> String {
     let recording = columns.names.iter().position(|n| n == "gait.file");
     let file = recording.map(|c| Path::new(&point.cells[c]));

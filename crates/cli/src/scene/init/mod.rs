@@ -1,6 +1,6 @@
-//! `gaitcam init MACHINE`: a scene to begin with, in which a comment explains each key.
+//! `gaitcam init MACHINE`: writes a scene template in which a comment explains each key.
 //!
-//! One TOML file per machine; `#- key = value` is an optional key in a comment. The comments come from the key table, as in `gaitcam keys`.
+//! There is one TOML file per machine; `#- key = value` is an optional key in a comment. The comments come from the key table, as in `gaitcam keys`.
 
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Maximum length of a comment line.
 const WIDTH: usize = 100;
-/// Prefix of an optional key that the scene leaves out.
+/// Prefix of an optional key in a template.
 const OFFERED: &str = "#- ";
 
 /// Arguments of `gaitcam init`.
@@ -70,7 +70,7 @@ impl Machine {
     }
 }
 
-/// Writes the scene; never replaces an existing file.
+/// Writes the scene. An existing file is never replaced.
 pub fn run(args: &InitArgs) -> Result<u8> {
     let Some(machine) = args.machine else {
         for machine in Machine::value_variants() {
@@ -99,7 +99,7 @@ pub fn run(args: &InitArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// A template with the meaning of each key above it.
+/// Template with the meaning of each key above it.
 fn scene(heading: &str, template: &str, file: &Path, language: Language) -> String {
     let shown = if file == Path::new("-") {
         Path::new("scene.toml")
@@ -131,7 +131,7 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
     out
 }
 
-/// The row of the key table for the key in a line of a template.
+/// Row of the key table for the key in a line of a template.
 fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     let (key, _) = line.trim_start_matches(OFFERED).split_once(" = ")?;
     let path = if section.is_empty() {
@@ -143,7 +143,7 @@ fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.path == path || k.path == numbered)
 }
 
-/// A text as comment lines.
+/// Text as comment lines.
 fn wrapped(text: &str, before: &str) -> String {
     let mut out = String::new();
     let mut line = before.to_string();

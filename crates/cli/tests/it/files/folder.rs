@@ -1,4 +1,4 @@
-//! A folder holds one design: what an earlier one left there goes, and nothing else.
+//! A result folder contains one design. The files of an earlier design are removed, other files are kept.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,7 @@ fn names(folder: &Path) -> Vec<String> {
     all
 }
 
-/// 10 mm up and down in one second with less than the 16 h/T² of acceleration that it takes.
+/// Rise of 10 mm with an acceleration limit below the required 16 h/T², so that no cam exists.
 const IMPOSSIBLE: &str = r#"
 name = "impossible"
 drive = { kind = "moving-axis", mass = "1 kg", speed = "60 rpm" }

@@ -1,4 +1,4 @@
-//! Folders and inputs from somebody else: links, pipes, names and devices that lead elsewhere or never end.
+//! Foreign folders and inputs: links, pipes, names and devices that point elsewhere or never end.
 #![cfg(unix)]
 
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use crate::support::{command, gaitcam, run_in, stderr};
 
-/// Everything below a folder: contents of files, targets of links.
+/// Everything below a folder: contents of files and targets of links.
 fn state(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut out = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap().flatten() {
@@ -29,7 +29,7 @@ fn state(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     out
 }
 
-/// A folder that is no result, prepared to make a careless program remove or move files of `outside`.
+/// Prepares a folder that is not a result, for which a careless program would remove or move files of `outside`.
 type Trap = fn(result: &Path, outside: &Path);
 
 fn stale(result: &Path, names: &str) {
@@ -93,7 +93,7 @@ const TRAPS: [(&str, Trap); 9] = [
     }),
 ];
 
-/// Makes both folders anew: a copy of a good result with a note of the user's, and files outside of it.
+/// Makes both folders anew: a copy of a good result with a note of the user, and files outside of it.
 fn afresh(good: &Path, result: &Path, outside: &Path) {
     for folder in [result, outside] {
         let _ = fs::remove_dir_all(folder);
@@ -243,7 +243,7 @@ fn a_folder_in_the_place_of_a_file_costs_nothing_that_is_there() {
     assert_eq!(state(&result), before);
 }
 
-/// Ends a process with what it has left.
+/// Process that is killed when this value is dropped.
 struct Ended(Child);
 
 impl Drop for Ended {

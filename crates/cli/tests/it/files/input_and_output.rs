@@ -1,4 +1,4 @@
-//! What is read from where, and what is written only when it is asked for.
+//! Files and streams that are read, and files that are written only on request.
 
 use std::fs;
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! No verb replaces a file that it reads, whatever kind of input it is and whichever of the verb's files has its name.
+//! No verb replaces a file that it reads, for any kind of input and any name of an output file.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,10 +6,10 @@ use std::path::Path;
 
 use crate::support::{run_in, stderr, walk};
 
-/// A verb with one of its inputs: arguments, in which `IN` is the input and `OUT` where the verb writes.
+/// A verb with one of its inputs. In the arguments, `IN` is the input and `OUT` is the output path.
 struct Case {
     arguments: &'static str,
-    /// The file of the common folder that is the input.
+    /// File of the common folder that is the input.
     input: &'static str,
 }
 
@@ -163,7 +163,7 @@ fn prepare(at: &Path) {
     );
 }
 
-/// The arguments of a case for an input and a place of the results.
+/// Arguments of a case for an input path and an output path.
 fn arguments(case: &Case, input: &str, out: &str) -> Vec<String> {
     let words = case.arguments.replace('"', "");
     let mut joined: Vec<String> = Vec::new();
@@ -179,7 +179,7 @@ fn arguments(case: &Case, input: &str, out: &str) -> Vec<String> {
         .collect()
 }
 
-/// Every file below a folder, by its path from there.
+/// Collects every file below a folder, with its path relative to it.
 fn files(folder: &Path, from: &Path, out: &mut BTreeSet<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

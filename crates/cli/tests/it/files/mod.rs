@@ -1,4 +1,4 @@
-//! What is read and written: result folders, links and pipes, streams, and the numbers printed.
+//! Files that are read and written: result folders, links and pipes, streams, printed numbers.
 
 mod folder;
 mod foreign;

@@ -1,4 +1,4 @@
-//! Limits that the system sets to a process: the size of its files, the number of its threads.
+//! Limits of the system for a process: file size, number of threads.
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};

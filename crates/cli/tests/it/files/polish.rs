@@ -1,4 +1,4 @@
-//! Small things that users met once: numbers, streams and files of the command.
+//! Details of numbers, streams and files that have caused errors before.
 
 use std::fs;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! `gaitcam cover` and `gaitcam gait --against`: what they write belongs together, and is made again by `gaitcam synth`.
+//! `gaitcam cover` and `gaitcam gait --against`: the written files agree, and `gaitcam synth` reproduces the cams.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::support::{object, run_in, stderr, stdout, walk};
 
-/// A table of walkers of two kinds, in turn, and the rows of each.
+/// Writes a table of walkers of two alternating kinds, with the rows of each.
 fn table(path: &Path, count: usize) {
     let mut text = String::from("walker,speed_m_per_s,mass_kg,period_s");
     (0..=100).for_each(|i| write!(text, ",f_{i:03}").unwrap());
@@ -181,7 +181,7 @@ fn recordings_of_a_folder_are_covered_and_results_never_lie_among_them() {
     assert!(told.status.success(), "{}", stderr(&told));
 }
 
-/// The part of the worst that belongs to each cam is in its scene.
+/// The scene of each cam contains its share of the worst part.
 #[test]
 fn the_scenes_of_a_cover_of_the_worst_part_make_its_cams() {
     let folder = tempfile::tempdir().unwrap();
@@ -216,7 +216,7 @@ fn the_scenes_of_a_cover_of_the_worst_part_make_its_cams() {
     assert_eq!(compared, 12);
 }
 
-/// Rows that have no cycle are listed with their lines, all at once; they are left out by name or by line, and only then.
+/// Rows without a cycle are all listed with their lines. They are left out only if named by name or by line.
 #[test]
 fn rows_of_a_table_without_a_cycle_are_listed_by_line_and_left_out_when_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -270,7 +270,7 @@ fn rows_of_a_table_without_a_cycle_are_listed_by_line_and_left_out_when_said() {
     assert_eq!(rows(&at.join("out/assignment.csv")).len(), 9);
 }
 
-/// Errors in newtons: the tables say so, add up to the same errors, and a new walker is judged so.
+/// With errors in newtons, the tables state newtons, the sums agree, and a new walker is assessed in newtons.
 #[test]
 fn a_cover_of_errors_in_newtons_has_its_tables_in_newtons() {
     let folder = tempfile::tempdir().unwrap();

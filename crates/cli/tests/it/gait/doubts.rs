@@ -1,4 +1,4 @@
-//! What `gaitcam gait` says of recordings that are not what they seem, and of its own cycles.
+//! Messages of `gaitcam gait` on misleading recordings, and on cycles that it has written.
 
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -14,7 +14,7 @@ const WEIGHT: f64 = 70.0 * 9.81;
 const STRIDE: f64 = 1.1;
 const STANCE: f64 = 0.66;
 
-/// Force of one foot t s after a heel strike, N: two humps whose mean over a stride is half the weight.
+/// Force of one foot t s after heel strike, N: two peaks, with a mean over a stride of half the weight.
 fn foot(t: f64) -> f64 {
     let x = t.rem_euclid(STRIDE) / STANCE;
     if x >= 1.0 {
@@ -25,7 +25,7 @@ fn foot(t: f64) -> f64 {
     WEIGHT * scale * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
 }
 
-/// Left and right at 200 Hz for 8 s, after half a second beside the plates.
+/// Recording of both feet at 200 Hz for 8 s, after half a second beside the plates.
 fn walk() -> Vec<[f64; 3]> {
     (0..1600)
         .map(|i| {
@@ -63,7 +63,7 @@ fn json(arguments: &[&str]) -> Value {
     object(&output)
 }
 
-/// Whether a warning of this code is among those of a recording.
+/// Whether a recording has a warning with this code.
 fn warns(found: &Value, code: &str) -> bool {
     let warnings = found["warnings"].as_array().unwrap();
     warnings.iter().any(|w| w["code"] == code)

@@ -1,4 +1,4 @@
-//! Recordings: what is made of them, what is doubted, what is asked first.
+//! Recordings: cycles, doubts, and questions to the user.
 
 mod cover;
 mod doubts;

@@ -1,4 +1,4 @@
-//! Recordings about which something is open: refused with exit code 3 and the cure until the user answers.
+//! Recordings with an open question: exit code 3 with the correction until the user answers.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -11,7 +11,7 @@ use crate::support::{changed, gaitcam, stderr};
 const SCENE: &str = "scenes/measured_walk.toml";
 const STRIDE: f64 = 1.1;
 
-/// Exit code and summary of the cam for a recording, with more keys set.
+/// Exit code and summary of the cam for a recording, with further keys set.
 fn synth(file: &str, changes: &[&str]) -> (i32, Value) {
     let recording = format!("gait.file={file}");
     let output = gaitcam(&changed(
@@ -35,7 +35,7 @@ fn has_reason(json: &Value, code: &str) -> bool {
     reasons.iter().any(|r| r["code"] == code)
 }
 
-/// Force of one foot t s after a strike, N: 70 kg at two humps.
+/// Force of one foot t s after heel strike, N: 70 kg, two peaks.
 fn walking(t: f64) -> f64 {
     let x = t.rem_euclid(STRIDE) / 0.66;
     if x < 1.0 {
@@ -45,7 +45,7 @@ fn walking(t: f64) -> f64 {
     }
 }
 
-/// A runner of 70 kg: contacts of 0.25 s, every foot each 0.7 s.
+/// Force of a runner of 70 kg t s after a foot strike, N: contacts of 0.25 s, every 0.7 s for each foot.
 fn running(t: f64) -> f64 {
     let x = t.rem_euclid(0.7) / 0.25;
     // Over a step of 0.35 s the half sine carries the weight.
@@ -53,7 +53,7 @@ fn running(t: f64) -> f64 {
     if x < 1.0 { peak * (PI * x).sin() } else { 0.0 }
 }
 
-/// A file of 8 s at 1000 Hz; `row` writes sample, time, left and right force.
+/// Writes a file of 8 s at 1000 Hz. `row` makes the line of a sample from its number and time.
 fn write(path: &Path, head: &str, row: impl Fn(usize, f64) -> String) -> String {
     let rows = (0..8000).map(|i| row(i, i as f64 / 1000.0));
     let text = rows.fold(format!("{head}\n"), |text, row| text + &row + "\n");

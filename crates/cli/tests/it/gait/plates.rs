@@ -1,4 +1,4 @@
-//! Plates of one trial in one file each, as Qualisys writes them: read together they are one recording.
+//! Force plates of one trial in one file each, as Qualisys writes them. Together they are one recording.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -10,7 +10,7 @@ use crate::support::{gaitcam, object, stderr, stdout};
 
 const RATE_HZ: f64 = 300.0;
 
-/// A walk over a row of plates: steps on one after the other.
+/// A walk over a row of plates, one step on each.
 struct Walk {
     mass_kg: f64,
     stride_s: f64,
@@ -18,7 +18,7 @@ struct Walk {
 }
 
 impl Walk {
-    /// Force of a plate at a time, N: both feet together carry the weight over a stride.
+    /// Force of a plate at a time, N. The mean of both feet over a stride is the weight.
     fn force(&self, plate: usize, t: f64) -> f64 {
         let stance = 0.62 * self.stride_s;
         let x = (t - 0.4 - 0.5 * self.stride_s * plate as f64) / stance;
@@ -32,7 +32,7 @@ impl Walk {
         }
     }
 
-    /// The file of a plate; one that nobody steps on holds noise of a newton.
+    /// Text of the file of a plate. A plate without contact contains noise of 1 N.
     fn file(&self, stamp: &str, plate: usize) -> String {
         let seconds = 0.8 + 0.5 * self.stride_s * (self.plates + 1) as f64;
         let samples = (RATE_HZ * seconds) as usize;
@@ -58,7 +58,7 @@ impl Walk {
         text
     }
 
-    /// The files of all plates in a folder, an untouched one among them.
+    /// Writes the files of all plates into a folder, one plate without contact among them.
     fn write(&self, folder: &Path, name: &str, stamp: &str) -> Vec<PathBuf> {
         let write = |plate: usize| {
             let path = folder.join(format!("{name}_f_{}.tsv", plate + 1));
@@ -78,7 +78,7 @@ fn json(arguments: &[&str]) -> Value {
     object(&gaitcam(&[&["gait", "--json"], arguments].concat()))
 }
 
-/// Walks of two to five plates, in a random order of mass and stride.
+/// Random walks over two to five plates.
 fn walks() -> impl Iterator<Item = Walk> {
     (0..12u32).map(|k| Walk {
         mass_kg: 45.0 + 5.5 * f64::from(k),

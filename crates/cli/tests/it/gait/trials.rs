@@ -1,4 +1,4 @@
-//! `gaitcam gait` of a folder: every recording in one table, one joint mean, and why the others are left out.
+//! `gaitcam gait` of a folder: table of all recordings, joint mean, and reasons for exclusion.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
-/// Two walks, a person who stands, and a text about them.
+/// Writes two recordings of walking, one of standing, and a text file.
 fn trials(folder: &Path) {
     walk(&folder.join("trial1.csv"));
     walk(&folder.join("trial2.csv"));

@@ -1,11 +1,11 @@
-//! `gaitcam gait`: what it writes and where.
+//! `gaitcam gait`: written files and their paths.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::{gaitcam, object, run_in, stderr, walk, wobbling_walk};
 
-/// An empty folder of this test's own.
+/// Empty folder for one test.
 fn folder(name: &str) -> PathBuf {
     let path = std::env::temp_dir().join(format!("gaitcam_gait_{name}_{}", std::process::id()));
     let _ = fs::remove_dir_all(&path);

@@ -1,4 +1,4 @@
-//! Cams that cannot be, through the command: each is named with what would work.
+//! Infeasible cams of the command. Each message names the cause and a correction.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::support::{ROOT, both, changed, gaitcam};
 
-/// Exit code, standard output and error of a synthesis of `text` with changes.
+/// Exit code and both outputs of a synthesis of `text` with changes.
 fn synth(text: &str, changes: &[&str]) -> (i32, String) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
@@ -178,8 +178,8 @@ fn a_polynomial_whose_velocity_jumps_is_told_its_cure_and_no_relaxation() {
     );
 }
 
-/// Scenes that can be read and that no cam fits: exit code 3, a summary that names the key and says why, and nothing else
-/// of an earlier design in the folder; the same scene with a value that allows a cam is designed.
+/// Readable scenes without a feasible cam: exit code 3, a summary that names the key and the reason, and no other file of an earlier design in the
+/// folder. With a value that allows a cam, the same scene is designed.
 #[test]
 fn where_no_cam_fits_the_summary_is_written_and_names_the_key() {
     let demands = "name = \"demands\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"spline\"\n\

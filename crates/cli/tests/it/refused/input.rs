@@ -1,4 +1,4 @@
-//! Bad input is named, with its place and what would be right, and costs nothing that was there before.
+//! Invalid input is reported with its place and a correction. Existing files stay unchanged.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ fn with(changes: &[&str]) -> (i32, String) {
     (output.status.code().unwrap(), stderr(&output))
 }
 
-/// Changes to the default scene are refused in one line, at this place with this message.
+/// Asserts that changes to the default scene are rejected in one line, with this place and message.
 #[track_caller]
 fn refused(changes: &[&str], place: &str, code: &str) {
     let (status, message) = with(changes);

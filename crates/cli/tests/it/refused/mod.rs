@@ -1,4 +1,4 @@
-//! What cannot be: named with its place and with what would work.
+//! Rejected input: messages with the place and a correction.
 
 mod cams;
 mod input;

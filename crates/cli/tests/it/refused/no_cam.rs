@@ -1,5 +1,5 @@
-//! Random scenes of every kind that can be read and that no cam fits: exit code 3, a folder with its summary, and the key
-//! at fault, by `synth` and by `simulate`.
+//! Random readable scenes of every kind without a feasible cam. `synth` and `simulate` return exit code 3, a folder with the summary, and the
+//! responsible key.
 
 use std::fs;
 use std::path::Path;
@@ -10,10 +10,10 @@ use serde_json::Value;
 
 use crate::support::{both, gaitcam};
 
-/// Scenes of each kind.
+/// Number of random scenes of each kind.
 const CASES: u32 = 12;
 
-/// A programme that rises, rests and falls by given lifts, over given parts of the turn.
+/// Programme with a rise, a dwell and a return of given lifts over given parts of the turn.
 fn programme(motion: &str, unit: &str, lifts: [f64; 2], parts: [f64; 3]) -> String {
     let turn: f64 = parts.iter().sum();
     let [up, down] = lifts.map(|lift| format!("{lift} {unit}"));
@@ -34,7 +34,7 @@ fn programme(motion: &str, unit: &str, lifts: [f64; 2], parts: [f64; 3]) -> Stri
     )
 }
 
-/// Parts of the turn of the three segments.
+/// Strategy for the parts of the turn of the three segments.
 fn parts() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(1.0..3.0_f64)
 }
@@ -49,7 +49,7 @@ fn smooth() -> impl Strategy<Value = &'static str> {
     ])
 }
 
-/// Demands on a spline.
+/// Requirements for a spline.
 fn demands(rest: &str) -> String {
     format!(
         "name = \"no_cam\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"spline\"\ndegree = 5\n\
@@ -61,7 +61,7 @@ fn point(angle: f64, lift: f64) -> String {
     format!("[[law.point]]\nangle = \"{angle} deg\"\nlift = \"{lift} mm\"\n")
 }
 
-/// Runs a command on scenes of one kind, and expects the answer of verdict.md with one of these keys.
+/// Runs the command on scenes of one kind and asserts the output of verdict.md with one of these keys.
 fn no_cam_has_a_summary(scenes: impl Strategy<Value = String>, keys: &[&str]) {
     let mut runner = TestRunner::new(Config {
         cases: CASES,
@@ -142,7 +142,7 @@ fn a_lift_that_does_not_come_back() {
     no_cam_has_a_summary(scenes, &["law.segment"]);
 }
 
-/// An arm of a length, whose pivot is 100 mm from the camshaft; the roller's centre starts on a circle of 50 mm.
+/// Programme of an arm whose pivot is 100 mm from the camshaft. The roller's centre starts on a circle of 50 mm.
 fn arm(motion: &str, swing: f64, parts: [f64; 3], arm: f64) -> String {
     programme(motion, "deg", [swing, -swing], parts)
         + &format!(

@@ -1,4 +1,4 @@
-//! A cam that is cut stays the same: `simulate` and `inspect` of a result change the machine around it.
+//! A manufactured cam stays the same: `simulate` and `inspect` of a result change only the machine.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::support::{gaitcam, object, stderr, stdout};
 
-/// A force of two sines, so that the force of its cam at any speed is known: F = M g + (ω/ω₀)² f(θ).
+/// Scene with a force of two sines, so that the force of its cam is known at any speed: F = M g + (ω/ω₀)² f(θ).
 const SCENE: &str = "name = \"shaker\"
 [gait]
 file = \"one.csv\"
@@ -19,13 +19,13 @@ mass = \"auto\"
 speed = \"120 rpm\"
 ";
 
-/// The force over its mean at a share of the turn, N.
+/// Deviation of the force from its mean at a fraction of the turn, N.
 fn swing(turn: f64) -> f64 {
     let theta = 2.0 * PI * turn;
     210.0 * theta.sin() + 60.0 * (2.0 * theta).sin()
 }
 
-/// A folder with the scene `scene.toml`, its recording, and the result `made`.
+/// Folder with the scene `scene.toml`, its recording, and the result `made`.
 struct Shaker(tempfile::TempDir);
 
 impl Shaker {
@@ -49,7 +49,7 @@ impl Shaker {
     }
 }
 
-/// The largest swing, N.
+/// Largest deviation of the force from its mean, N.
 fn largest_swing() -> f64 {
     (0..10_000)
         .map(|i| swing(f64::from(i) / 1e4))

@@ -1,4 +1,4 @@
-//! `gaitcam ecam` and `synth --ecam`: the files of a result, and what is said of them.
+//! `gaitcam ecam` and `synth --ecam`: files of a result, and the printed text.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! `gaitcam front`, `gaitcam synth --front` and `gaitcam compare`: what counts as good, in which units, which exit code.
+//! `gaitcam front`, `gaitcam synth --front` and `gaitcam compare`: qualified designs, units, exit codes.
 
 use std::path::Path;
 
@@ -78,7 +78,7 @@ fn a_sweep_says_of_the_machine_what_the_single_design_says() {
     }
 }
 
-/// A parabolic rise, which is for low speed only.
+/// Scene with a parabolic rise, which is for low speed only.
 const PARABOLA: &str = "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"1 rad/s\"\n[law]\nfamily = \"program\"\n\
     [[law.segment]]\nmotion = \"parabolic\"\nlift = \"20 mm\"\nangle = \"120 deg\"\n\
     [[law.segment]]\nmotion = \"dwell\"\nangle = \"60 deg\"\n\

@@ -1,4 +1,4 @@
-//! `gaitcam identify` and `gaitcam recut`: a log of the machine, logs that are refused, and a cam that comes nearer to the force.
+//! `gaitcam identify` and `gaitcam recut`: a log of the machine, rejected logs, and a cam with a smaller force error.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::support::{gaitcam, object, stderr, stdout};
 
-/// A log of the machine of a result at 111 rpm: its force, a force that repeats, and ±3 N of scatter.
+/// Writes a log of the machine of a result at 111 rpm: its force with a repeatable error and ±3 N of scatter.
 fn log(folder: &Path, repeats: f64) -> String {
     let law = fs::read_to_string(folder.join("law.csv")).unwrap();
     let force = |row: &str| row.split(',').nth(5).unwrap().parse::<f64>().unwrap();

@@ -1,4 +1,4 @@
-//! `gaitcam inspect`: a measured cam against its design, and measurements that are refused.
+//! `gaitcam inspect`: a measured cam compared with its design, and rejected measurements.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -6,8 +6,8 @@ use std::path::Path;
 
 use crate::support::{gaitcam, object, stderr, stdout};
 
-/// The profile of a result, turned by 40° about (12, −7) mm, every 4th point, backwards: polar in degrees and
-/// mm, columns with a name of their own between them.
+/// Profile of a result, rotated by 40° about (12, −7) mm, every 4th point in reverse order. Polar coordinates in degrees and mm, with a further
+/// column between them.
 fn polar(folder: &Path) -> String {
     let profile = fs::read_to_string(folder.join("profile.csv")).unwrap();
     let rows: Vec<&str> = profile.lines().skip(1).collect();

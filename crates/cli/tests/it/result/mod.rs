@@ -1,4 +1,4 @@
-//! Results used again: run at other speeds, compared with a measured cam and with each other.
+//! Reuse of results: other speeds, comparison with a measured cam and with each other.
 
 mod as_made;
 mod ecam;

@@ -1,4 +1,4 @@
-//! Damage to what an interrupted sweep has left never reaches its table.
+//! Damage to the files of an interrupted sweep never reaches its table.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::{rows, start, sweep};
 use crate::support::{run_in, stderr};
 
-/// The next of a fixed sequence of numbers below `most` (Knuth's linear congruential generator).
+/// Next number below `most` of a fixed sequence (Knuth's linear congruential generator).
 fn next(seed: &mut u64, most: usize) -> usize {
     *seed = seed
         .wrapping_mul(6_364_136_223_846_793_005)
@@ -14,7 +14,7 @@ fn next(seed: &mut u64, most: usize) -> usize {
     (*seed >> 33) as usize % most
 }
 
-/// Damages that are drawn: each of the eight kinds is among them.
+/// Number of random damages. Each of the eight kinds is among them.
 const CASES: usize = 32;
 
 const QUICK: [&str; 4] = [
@@ -32,8 +32,7 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Changes a digit, a letter or any byte, cuts the end off, repeats or removes a line, exchanges two blocks or renames
-/// one.
+/// Damages the blocks: changes a digit, a letter or any byte, truncates, repeats or removes a line, exchanges two blocks or renames one.
 fn damage(blocks: &[PathBuf], seed: &mut u64) {
     let path = &blocks[next(seed, blocks.len())];
     let mut bytes = fs::read(path).unwrap();

@@ -1,4 +1,4 @@
-//! From the table of a sweep to its best design.
+//! Best design from the table of a sweep.
 
 use std::path::Path;
 use std::process::Output;
@@ -69,7 +69,7 @@ fn the_best_of_a_sweep_opens_as_the_design_that_its_row_describes() {
     assert!(out.join("best/profile.csv").exists() && out.join("best.toml").exists());
 }
 
-/// The scene of the best row names its recording as the swept scene does: beside that scene, not where the command runs.
+/// The scene of the best row refers to its recording like the swept scene: relative to that scene, not to the working directory.
 #[test]
 fn the_best_of_a_sweep_finds_the_recording_beside_its_scene() {
     let folder = tempfile::tempdir().unwrap();
@@ -132,7 +132,7 @@ fn front_refuses_what_is_no_sweep_and_unknown_objectives() {
     assert_eq!(front(&[table.to_str().unwrap()]).status.code(), Some(3));
 }
 
-/// The blocks of a sweep of which some are lost, in any place.
+/// Missing blocks of a sweep at any position are reported.
 #[test]
 fn rows_that_a_folder_of_blocks_lacks_are_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -33,7 +33,7 @@ const FAST: [&str; 8] = [
     "limits.curvature=1 mm:9 mm:50",
 ];
 
-/// Kills a sweep at random moments and resumes it until it ends by itself; returns how often it was killed.
+/// Kills a sweep at random moments and resumes it until it finishes. Returns the number of kills.
 fn killed_again_and_again(out: &Path, arguments: &[&str], kills: usize, longest_ms: u64) -> usize {
     let mut dice = Dice(u64::from(std::process::id()));
     let resume = [arguments, &["--resume"]].concat();
@@ -84,12 +84,12 @@ fn a_sweep_killed_twenty_times_ends_with_the_same_table() {
     assert!(kills >= 20, "{kills}");
 }
 
-/// The folder in which the table of a sweep grows.
+/// Folder of the unfinished table of a sweep.
 fn journal(out: &Path) -> PathBuf {
     PathBuf::from(format!("{}.partial", out.display()))
 }
 
-/// The files of a folder with their content, but for the lock.
+/// Files of a folder with their content, without the lock file.
 fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let paths = entries.map(|e| e.path()).filter(|p| !p.ends_with(".lock"));
@@ -98,13 +98,13 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         .collect()
 }
 
-/// The blocks that the table consists of so far, in order.
+/// Blocks of the unfinished table, in order.
 fn blocks(journal: &Path) -> Vec<PathBuf> {
     let is_block = |p: &PathBuf| p.extension().is_some_and(|e| e == "csv");
     files(journal).into_keys().filter(is_block).collect()
 }
 
-/// Waits until a running sweep has written so many blocks.
+/// Waits until a running sweep has written `count` blocks.
 fn wait_for_blocks(journal: &Path, count: usize) {
     for _ in 0..2000 {
         if blocks(journal).len() >= count {
@@ -114,7 +114,7 @@ fn wait_for_blocks(journal: &Path, count: usize) {
     }
 }
 
-/// The folder that a killed sweep leaves behind.
+/// Folder that a killed sweep leaves behind.
 fn interrupted(out: &Path, arguments: &[&str]) -> PathBuf {
     let journal = journal(out);
     let mut child = start(out, arguments);

@@ -1,4 +1,4 @@
-//! Sweeps from the outside: nothing is lost, whatever ends the process; bad input is refused in words.
+//! Sweeps of the command: no loss of rows after any kind of termination, messages for invalid input.
 
 mod damaged;
 mod front;
@@ -38,7 +38,7 @@ fn rows(table: &Path) -> Vec<String> {
         .collect()
 }
 
-/// Refused with this message before anything is written.
+/// Asserts that the arguments are rejected with this message before anything is written.
 fn refused(arguments: &[&str], code: &str) {
     let folder = tempfile::tempdir().unwrap();
     let output = sweep(

@@ -1,4 +1,4 @@
-//! Sweeps that cannot be: refused in words, before anything is written.
+//! Rejected sweeps: message before anything is written.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! One design, made many times within tolerances.
+//! One design, manufactured many times within tolerances.
 
 use super::{refused, rows, sweep};
 use crate::support::{object, stderr};

@@ -57,7 +57,7 @@ fn shards_fill_one_folder_that_front_reads() {
     assert_eq!(found["rows"], 10);
 }
 
-/// A folder, a list and a file as values of one axis: shares of the sweep have the rows of the whole.
+/// A folder, a list and a file are values of one axis. The shares of the sweep have the rows of the whole.
 #[test]
 fn walkers_of_folders_and_lists_are_an_axis_in_one_table_and_in_shares() {
     let folder = tempfile::tempdir().unwrap();

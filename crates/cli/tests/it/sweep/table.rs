@@ -1,4 +1,4 @@
-//! The rows of a sweep: their order, their faults, and the recordings that they are made of.
+//! Rows of a sweep: order, faults and recordings.
 
 use std::fs;
 use std::path::Path;

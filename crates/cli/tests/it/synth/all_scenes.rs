@@ -1,5 +1,4 @@
-//! Every scene in scenes/ is synthesised: through the library, and one through the command with all
-//! its files.
+//! Every scene in scenes/ is designed through the library, and one through the command with all its files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,7 +39,7 @@ fn designed(path: &Path) -> (Scene, Design) {
     )
 }
 
-/// A scene that leaves its recording to the command line gets a written cycle of the project.
+/// Sets a written cycle of the project in a scene that expects its recording from the command line.
 fn name_recording(table: &mut toml::Table) {
     let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);
     if let Some(gait) = gait.filter(|g| !g.contains_key("file") && !g.contains_key("model")) {
@@ -113,7 +112,7 @@ fn printed_numbers_of_camdas_come_out_of_its_scenes() {
     assert!((steepest.to_degrees() - 28.745).abs() < 1e-3);
 }
 
-/// What `--solid --tool` writes for a disc cam.
+/// Files of `--solid --tool` for a disc cam.
 const WRITTEN: [&str; 15] = [
     "law.csv",
     "profile.csv",
@@ -187,7 +186,7 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
     }
 }
 
-/// Names and values of the rows of two columns of a page.
+/// Names and values of the rows of a page's tables with two columns.
 fn facts(page: &str) -> Vec<(&str, &str)> {
     let rows = page.split("<th scope=\"row\">").skip(1);
     let pairs = rows.filter_map(|row| row.split_once("</th><td>"));

@@ -1,9 +1,9 @@
-//! `gaitcam synth --explain`: the models that were selected, and why others were passed over.
+//! `gaitcam synth --explain`: selected models, and reasons against others.
 
 use assert_cmd::Command;
 use serde_json::Value;
 
-/// `explain` of summary.json, and what the command printed.
+/// Field `explain` of summary.json, and the printed text.
 fn explained(changes: &[&str]) -> (Vec<Value>, String) {
     let out = tempfile::tempdir().unwrap();
     let mut command = Command::cargo_bin("gaitcam").unwrap();

@@ -1,4 +1,4 @@
-//! The main job on the ready scenes: numbers of theory §2, and what the command promises, from the outside.
+//! Main function on the built-in scenes: numbers of theory §2, and the documented behaviour of the command.
 
 use std::fs;
 use std::path::Path;

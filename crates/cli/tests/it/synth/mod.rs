@@ -1,4 +1,4 @@
-//! `gaitcam synth`: ready scenes, motions from files, verdicts, and what the accuracy stated means.
+//! `gaitcam synth`: built-in scenes, motions from files, verdicts, and the meaning of the stated accuracy.
 
 mod all_scenes;
 mod explain;

@@ -1,5 +1,4 @@
-//! Motions whose rows stand in a CSV file: the law is that of the rows written out, and faults name file, line and
-//! column.
+//! Motions from the rows of a CSV file. The law equals that of the same rows in the scene; faults name file, line and column.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -9,7 +8,7 @@ use serde_json::Value;
 
 use crate::support::{object, run_in, stderr};
 
-/// Rows of a 3-4-5 rise of 10 mm over 120 deg, angle and lift in degrees and millimetres.
+/// Rows of a 3-4-5 rise of 10 mm over 120°: angle in degrees and lift in millimetres.
 fn rise() -> Vec<(f64, f64)> {
     let row = |i: i32| {
         let x = f64::from(i) / 24.0;
@@ -26,7 +25,7 @@ fn csv(header: &str, rows: &[(f64, f64)]) -> String {
     })
 }
 
-/// A scene whose first segment is `segment`; the other two bring the follower back.
+/// Writes a scene whose first segment is `segment`. Two further segments return the follower.
 fn scene(folder: &Path, segment: &str) {
     let text = format!(
         "name = \"lift\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"program\"\n\
@@ -38,7 +37,7 @@ fn scene(folder: &Path, segment: &str) {
     fs::write(folder.join("scene.toml"), text).unwrap();
 }
 
-/// The law's rows, s to j, of a synthesis in the folder.
+/// Rows of the law, s to j, of a synthesis in the folder.
 fn law(folder: &Path, arguments: &[&str]) -> Vec<Vec<f64>> {
     let all = [&["synth"], arguments, &["--out", "out", "--no-png"]].concat();
     let output = run_in(folder, &all);
@@ -48,8 +47,8 @@ fn law(folder: &Path, arguments: &[&str]) -> Vec<Vec<f64>> {
     reader.records().map(|r| numbers(r.unwrap())).collect()
 }
 
-/// Asserts that two laws are the same: lifts to 1e-14 of the stroke, and every derivative by 24 times less, since the
-/// rounding of rows 1/24 apart shows so many times more in it.
+/// Asserts that two laws are equal: the lift to 1e-14 of the stroke, each derivative to a tolerance 24 times larger, since rounding errors of rows at
+/// a distance of 1/24 grow by this factor.
 fn same(a: &[Vec<f64>], b: &[Vec<f64>]) {
     assert_eq!(a.len(), b.len());
     for (column, order) in [(0, 0), (1, 0), (2, 1), (3, 2), (4, 3)] {
@@ -175,7 +174,7 @@ fn a_motion_file_is_never_written_over() {
     );
 }
 
-/// Exit code and error of a scene whose first segment is a table of this content.
+/// Exit code and error of a scene whose first segment is a table with this content.
 fn refused(content: &str, segment: &str) -> (Option<i32>, Value) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("lift.csv"), content).unwrap();
@@ -184,7 +183,7 @@ fn refused(content: &str, segment: &str) -> (Option<i32>, Value) {
     (output.status.code(), object(&output))
 }
 
-/// The file of `rise` with another text in a line.
+/// File of `rise` with another text in one line.
 fn line(number: usize, text: &str) -> String {
     let good = csv("angle_deg,lift_mm", &rise());
     let mut lines: Vec<&str> = good.lines().collect();
@@ -194,8 +193,7 @@ fn line(number: usize, text: &str) -> String {
 
 const TABLE: &str = "motion = \"table lift.csv\"";
 
-/// Asserts that a scene whose first segment is a table of this content is refused: the code, the line of the fault, and
-/// a word that the error has.
+/// Asserts that a scene whose first segment is a table with this content is rejected, with this code, line and word in the error.
 fn refuses(code: &str, content: &str, segment: &str, line: Option<usize>, named: &str) {
     let (exit, json) = refused(content, segment);
     let error = &json["error"];

@@ -1,4 +1,4 @@
-//! The file of a motor's torque curve: faults speak of the curve, with file and line.
+//! File of a motor's torque curve. Faults name the curve, the file and the line.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use crate::support::{run_in, stderr, stdout};
 const SCENE: &str = "[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n\
                      [machine]\ninertia = \"0.5 kg m^2\"\n[machine.motor]\ncurve = \"motor.csv\"\n";
 
-/// What the program says of the file's content, in a language; it must refuse it as bad input.
+/// Error message for the file content in a language. The program must reject it as invalid input.
 fn refusal(content: &str, language: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();

@@ -1,11 +1,11 @@
-//! `--time-limit` holds where designs are costly.
+//! `--time-limit` is kept when designs take long.
 
 use std::fs;
 use std::path::Path;
 
 use crate::support::{ROOT, limited, object};
 
-/// Refused designs whose relaxations take seconds to a minute, and a sequence of many spans.
+/// Infeasible designs whose relaxations take seconds to a minute, and a sequence with many spans.
 const COSTLY: [&[&str]; 4] = [
     &["heel_tester_fitted", "limits.prime_radius=45 mm"],
     &[
@@ -27,7 +27,7 @@ const COSTLY: [&[&str]; 4] = [
     ],
 ];
 
-/// The system ends the command after 2 s of processor time.
+/// Limit of the system: the command is ended after 2 s of processor time.
 const TWO_SECONDS: &str = "--cpu=2";
 
 #[test]
@@ -55,7 +55,7 @@ fn a_time_limit_ends_every_costly_design_with_what_is_known() {
     }
 }
 
-/// A snap without a bound on an arm that no base radius carries.
+/// Scene with an unlimited snap and an arm for which no base radius is large enough.
 const ARM: &str = r#"
 name = "arm"
 [drive]

@@ -1,4 +1,4 @@
-//! What users tried and were told wrongly once: the verdict, its exit code, and what the console says of it.
+//! Verdicts that were wrong before: verdict, exit code and printed text.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ fn code(json: &Value, k: usize) -> &str {
     json["reasons"][k]["code"].as_str().unwrap_or("")
 }
 
-/// A scene of a parabolic rise, a dwell and a parabolic return under a roller.
+/// Writes a scene of a parabolic rise, a dwell and a parabolic return with a roller follower.
 fn parabolic(folder: &Path) -> String {
     let text = "name = \"parabolic\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"program\"\n\
         [[law.segment]]\nmotion = \"parabolic\"\nlift = \"20 mm\"\nangle = \"120 deg\"\n\
@@ -165,7 +165,7 @@ fn an_offset_is_chosen_only_where_the_scene_says_so_and_then_told() {
     assert!(text.contains("offset 3.183 mm"), "{text}");
 }
 
-/// One stance of one foot, two-peaked, with rest before and after it.
+/// Writes a recording of one stance of one foot with two peaks, and rest before and after it.
 fn one_stance(folder: &Path) -> String {
     let rows = (0..1300).map(|i| {
         let t = f64::from(i) * 1e-3;

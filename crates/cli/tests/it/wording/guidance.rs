@@ -1,4 +1,4 @@
-//! What leads a newcomer: `init`, `doctor`, help and faults of the command line.
+//! Guidance for new users: `init`, `doctor`, help and errors of the command line.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What is said: in which language, in which unit, and to lead a newcomer.
+//! Texts of the command: language, units, guidance for new users.
 
 mod guidance;
 mod spanish;

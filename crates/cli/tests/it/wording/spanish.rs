@@ -1,10 +1,10 @@
-//! A run in Spanish says nothing in English.
+//! A run in Spanish prints no English words.
 
 use std::path::Path;
 
 use crate::support::{both, gaitcam, walk};
 
-/// Frequent words of the English messages that are no Spanish words and no words of a scene file.
+/// Frequent words of the English messages that are neither Spanish words nor words of a scene file.
 const ENGLISH: &[&str] = &[
     "acceptable",
     "active",
@@ -61,7 +61,7 @@ const ENGLISH: &[&str] = &[
     "within",
 ];
 
-/// What a run in Spanish prints, on both streams; the exit code has to be `code`.
+/// Text of a run in Spanish on both streams. Asserts the exit code `code`.
 fn said(arguments: &[&str], code: i32) -> String {
     let run = gaitcam(&[&["--lang", "es"], arguments].concat());
     let text = both(&run);
@@ -70,7 +70,7 @@ fn said(arguments: &[&str], code: i32) -> String {
     text
 }
 
-/// Words of a text without the punctuation around them; what is quoted, a path or a key stays whole.
+/// Words of a text without the surrounding punctuation. A quoted text, a path or a key is one word.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     // What begins with a colon is typed as it stands: `force_error:jerk`, or `:jerk`.
     text.split_whitespace()
@@ -78,8 +78,8 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
 }
 
-/// A text without what is typed as it stands: the choices of an argument, `[valores: walking, running]`, lists of texts,
-/// `["0.4", "0.1 at -90 deg"]`, and the default of a key.
+/// Text without literal values: the choices of an argument, `[valores: walking, running]`, lists of texts, `["0.4", "0.1 at -90 deg"]`, and the
+/// default of a key.
 fn without_typed(mut text: String) -> String {
     for begin in ["[valores:", "[\""] {
         while let Some(from) = text.find(begin) {
@@ -93,7 +93,7 @@ fn without_typed(mut text: String) -> String {
     rests.collect()
 }
 
-/// Fails on an English word.
+/// Asserts that a run in Spanish prints no English word.
 fn assert_spanish(arguments: &[&str], code: i32) {
     let text = without_typed(said(arguments, code));
     // Choices of a key, `both | one | left`, are typed as they stand.
@@ -103,7 +103,7 @@ fn assert_spanish(arguments: &[&str], code: i32) {
     }
 }
 
-/// Whether a line shows a number with a decimal point.
+/// Whether a line contains a number with a decimal point.
 fn has_decimal_point(line: &str) -> bool {
     words(line).any(|word| {
         let digits = |part: &str| part.chars().all(|c| c.is_ascii_digit());

@@ -1,4 +1,4 @@
-//! Every quantity is shown in the unit of its follower, and nothing given goes unsaid.
+//! Every quantity is shown in the unit of its follower, and all given values are reported.
 
 use std::fs;
 
@@ -207,7 +207,7 @@ fn what_changes_nothing_is_said() {
     assert!(both.err.contains("cam.prime_radius"), "{}", both.err);
 }
 
-/// Follower trains that move no mass: every drive, on slides and on arms.
+/// Scenes whose follower has no mass: every drive, with slides and arms.
 const WEIGHTLESS: [(&str, &[&str]); 6] = [
     ("heel_tester", &[]),
     ("heel_tester_fitted", &["law.spans=16"]),
