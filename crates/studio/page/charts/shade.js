@@ -2,12 +2,17 @@
 
 const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
-/** The colour of a part of the scale. @param {number} u From 0 to 1. */
-export function shade(u) {
+function colour(u) {
   const x = Math.max(0, Math.min(0.9999, u)) * (STOPS.length - 1);
   const [a, b, f] = [STOPS[Math.floor(x)], STOPS[Math.floor(x) + 1], x % 1];
-  return `rgb(${a.map((c, k) => Math.round(c + f * (b[k] - c))).join(" ")})`;
+  return a.map((c, k) => Math.round(c + f * (b[k] - c)));
 }
 
-/** Whether white text is read best on the colour. @param {number} u From 0 to 1. */
-export const isDark = (u) => u < 0.45;
+/** The colour of a part of the scale. @param {number} u From 0 to 1. */
+export const shade = (u) => `rgb(${colour(u).join(" ")})`;
+
+/** Whether white text is read better than black text on the colour. @param {number} u From 0 to 1. */
+export function isDark(u) {
+  const [r, g, b] = colour(u).map((c) => (c <= 10 ? c / 3295 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.179;
+}

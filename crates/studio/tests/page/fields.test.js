@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 const { differing, given, nameOf, nearest, valuesAbout } = await import("../../page/panels/fields.js");
 const { ticks, tickText } = await import("../../page/charts/ticks.js");
-const { shade } = await import("../../page/charts/shade.js");
+const { isDark, shade } = await import("../../page/charts/shade.js");
 const { load } = await import("../../page/core/words.js");
 load({ en: { "studio-key-limits-stroke": "Stroke" }, es: {} });
 
@@ -46,4 +46,13 @@ test("ticks are round, inside the axis, and two at least", () => {
 test("a scale of colours has two ends", () => {
   assert.equal(shade(0), "rgb(68 1 84)");
   assert.match(shade(1), /^rgb\(253 231 37\)$/);
+});
+
+test("black or white text is read on every colour of the scale", () => {
+  const light = (text) => text.match(/\d+/g).map((c) => (c <= 10 ? c / 3295 : ((c / 255 + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, c, k) => sum + c * [0.2126, 0.7152, 0.0722][k], 0);
+  for (let u = 0; u <= 1; u += 0.01) {
+    const ground = light(shade(u)) + 0.05;
+    assert.ok((isDark(u) ? 1.05 / ground : ground / 0.05) >= 4.5, `${u}`);
+  }
 });
