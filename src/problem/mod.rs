@@ -126,7 +126,8 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// Number of steps in a cycle of force: two for the strides of a recording or of a single-foot load model; `None` for a file that contains one cycle.
+/// Number of steps in a cycle of force: two for the strides of a recording or of a single-foot load model; `None` for a file that contains one cycle
+/// and does not state it.
 fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
     match &gait.source {
         Source::Model(name) => {
@@ -136,7 +137,10 @@ fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
             Some(if is_stride { 2 } else { 1 })
         }
         Source::Harmonics(_) => Some(1),
-        Source::File(_) => force?.recording.as_ref().map(|_| 2),
+        Source::File(_) => {
+            let force = force?;
+            force.recording.as_ref().map_or(force.steps, |_| Some(2))
+        }
     }
 }
 

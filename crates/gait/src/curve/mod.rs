@@ -48,6 +48,9 @@ pub struct ForceCurve {
     pub mass_kg: Option<f64>,
     /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
+    /// Number of steps of a walker in the cycle, where a file states it.
+    #[serde(skip)]
+    pub steps: Option<usize>,
     /// Notes on a file that contains one cycle, or a part of one.
     #[serde(skip)]
     pub notes: Vec<Note>,
@@ -92,6 +95,7 @@ impl ForceCurve {
             spread_n: None,
             mass_kg: None,
             noise_n: None,
+            steps: None,
             notes: Vec::new(),
             recording: None,
             population: None,

@@ -116,6 +116,9 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     curve.mass_kg = mass_kg;
     curve.notes.extend(samples.notes);
     curve.noise_n = options.noise_n.or(keys.noise_n);
+    curve.steps = keys.steps;
+    let open = |question| Note::LeftOpen { question };
+    curve.notes.extend(keys.open.into_iter().map(open));
     let differs = |clock| Note::ClockDiffers {
         clock: seconds(clock),
         period: seconds(curve.period_s),

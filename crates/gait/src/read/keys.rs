@@ -1,6 +1,7 @@
 //! Keys in the lines above a table: sampling rate, mass of the walker, announced number of rows.
 
 use super::number::value;
+use crate::recording::OpenQuestion;
 use crate::units::G;
 
 /// Values found above a table.
@@ -12,6 +13,10 @@ pub(super) struct Keys {
     pub noise_n: Option<f64>,
     /// Number of rows announced in the header.
     pub rows: Option<usize>,
+    /// Number of steps of a walker in the cycle.
+    pub steps: Option<usize>,
+    /// Questions that are open about the recording of which the table is the mean cycle.
+    pub open: Vec<OpenQuestion>,
 }
 
 /// Words that denote a sampling rate, lower case.
@@ -41,6 +46,9 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
         let Some((key, value)) = split(bare) else {
             continue;
         };
+        if key == "open" {
+            keys.open = OpenQuestion::list(value).unwrap_or_default();
+        }
         let Some(x) = number(value, comma) else {
             continue;
         };
@@ -54,6 +62,8 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
             keys.mass_kg = keys.mass_kg.or(mass(key, value, x));
         } else if key == "noise_n" && x >= 0.0 {
             keys.noise_n = Some(x);
+        } else if key == "steps_per_turn" && x > 0.0 {
+            keys.steps = Some(x as usize);
         } else if says("nrows datarows numberofsamples") {
             keys.rows = (x >= 0.0).then_some(x as usize);
         }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use strum::{IntoStaticStr, VariantNames};
 
 use super::feet::Foot;
+use super::kind::OpenQuestion;
 use super::unit::ForceUnit;
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
@@ -200,6 +201,8 @@ pub enum Note {
         low: Quantity,
         high: Quantity,
     },
+    /// The file is the mean cycle of a recording about which a question is open.
+    LeftOpen { question: OpenQuestion },
     /// Most contacts of a steady walk are partial, or include both feet.
     FewAlike { used: usize, stances: usize },
     /// The stances or feet differ more than those of one walker with whole contacts.

@@ -50,6 +50,7 @@ impl Note {
             Note::StancesDiffer { .. } | Note::FewAlike { .. } => {
                 (Mass, &["gait.force", "gait.feet"])
             }
+            Note::LeftOpen { question } => (*question, &["gait.file"]),
             Note::InsoleMass { .. } | Note::UnloadedDiffers { .. } => (Mass, &["gait.mass"]),
             _ => return None,
         })

@@ -153,9 +153,18 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
         return Ok(chosen);
     }
     let mut chosen = columns_by_numbers(columns, time)
-        .ok_or_else(|| ReadError::NamelessColumns.at_line(file.path, table.start.line))?;
+        .ok_or_else(|| no_force_among(table).at_line(file.path, table.start.line))?;
     chosen.read = Some(read);
     Ok(chosen)
+}
+
+/// The fault of a table in which no column resembles a force.
+fn no_force_among(table: &Table) -> ReadError {
+    let columns = listed(&table.names);
+    match columns.is_empty() {
+        true => ReadError::NamelessColumns,
+        false => ReadError::NoForceColumn { columns },
+    }
 }
 
 /// Time and force columns of a table without names, by the numbers in the columns; `None` without a force. `stated` is the index of the time column,

@@ -133,6 +133,7 @@ note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass w
 note-clock-differs = according to its time column the file lasts { $clock }, but the given period is { $period }: the time is scaled to the given period
 note-count-or-milliseconds = the time column increases by 1 and has no unit; in milliseconds a stride would take { $stride }, but the column may also count samples: give the sampling rate (option rate)
 note-kind-differs = kind { $typed } is given, but the contacts show { $movement ->
+note-left-open = the file is the mean cycle of a recording about which this question is open
         [running] { kind-running }
         [standing] { kind-standing }
         [jumping] { kind-jumping }
