@@ -77,7 +77,8 @@ pub struct Design {
     pub infeasible: Option<Infeasible>,
     /// Single changes of one limit for which the whole design passes. `relaxed` computes them for a design that fails.
     pub relaxations: Vec<Relaxation>,
-    /// A common relative change of several limits for which the design passes, if no single change is sufficient.
+    /// A common relative change of several limits for which the design passes, if no single change,
+    /// or only one of the force error, is sufficient.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,

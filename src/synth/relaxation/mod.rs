@@ -82,8 +82,16 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
     let relaxing = Relaxing::of(problem, search, &design);
     let found = relaxing.each(&numbers, &design);
+    let is_goal = |number: &Relaxable| Relaxation::of(number.criterion(), 0.0, None).is_goal();
     let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
         relaxing.several(&numbers, &design.reasons)
+    } else if found.iter().all(Relaxation::is_goal) {
+        // Several limits together may keep the goal.
+        let limits: Vec<_> = numbers.iter().copied().filter(|n| !is_goal(&n.0)).collect();
+        (
+            vec![relaxing.cure(&found)],
+            relaxing.several_limits(&limits),
+        )
     } else {
         (vec![relaxing.cure(&found)], Vec::new())
     };

@@ -31,6 +31,14 @@ impl Relaxing<'_> {
         }
     }
 
+    /// The smallest common relative change of several limits that suffices; empty if there is none.
+    pub fn several_limits(&self, limits: &Values) -> Vec<Relaxation> {
+        if limits.len() < 2 || self.search.halt.is_asked() {
+            return Vec::new();
+        }
+        self.together(limits).unwrap_or_default()
+    }
+
     /// Changes if some limits are infeasible even without the others. These limits, or all, are relaxed together from their feasible values.
     fn with_those_out_of_reach(
         &self,

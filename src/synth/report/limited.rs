@@ -247,6 +247,14 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
+    /// Whether the change gives up a part of the goal: it allows a larger force error.
+    pub fn is_goal(&self) -> bool {
+        matches!(
+            self.limit,
+            Criterion::Accuracy | Criterion::RmsError | Criterion::Band
+        )
+    }
+
     pub(in crate::synth) fn of(limit: Criterion, from: f64, to: Option<f64>) -> Relaxation {
         let key = key_of(limit);
         Relaxation {
