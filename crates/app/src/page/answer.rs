@@ -4,8 +4,16 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::page::fault::StudioError;
-use crate::page::words;
+use crate::page::{plain, remedies, words};
 use gaitcam::error::{Error, Place, ReadError, Result};
+
+/// Pairs of columns that hold a contour, by the first words of their names.
+const CONTOURS: [[&str; 2]; 4] = [
+    ["x", "y"],
+    ["angle", "radius"],
+    ["theta", "radius"],
+    ["theta", "r"],
+];
 
 /// Content of an answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,22 +70,54 @@ impl Answer {
 /// Error as data for the page.
 pub fn fault_json(error: &Error) -> Value {
     let language = words::current();
+    if let Some(contour) = contour(error) {
+        return fault_json(&contour);
+    }
     let key = match &error.place {
-        Place::Key(key) => Some(key.clone()),
+        Place::Key(key) => Some(key.as_str()),
         _ => None,
     };
-    let place = error.place.to_string();
-    // What can be chosen under `gait.force`.
-    let columns: &[String] = match error.fault() {
-        Some(ReadError::NoForceColumn { columns }) => columns,
-        _ => &[],
+    let code = error.code();
+    let section = match key.and_then(|key| key.split_once('.')) {
+        Some((section, _)) => section,
+        None if code.starts_with("force-") || code.starts_with("read-") => "gait",
+        None => "",
+    };
+    let place = match key {
+        Some(key) => plain::label(key, language),
+        None => error.place.before(language),
     };
     json!({"error": {
-        "code": error.code(),
+        "code": code,
         "key": key,
         "place": place.trim_end_matches(": "),
-        "message": error.what(language),
-        "help": error.help(language),
-        "columns": columns,
+        "message": plain::plain(&error.what(language), section, language),
+        "help": error.help(language).map(|help| plain::plain(&help, section, language)),
+        "remedies": remedies::of(error),
     }})
+}
+
+/// The fault of a table whose columns are the coordinates of a contour, not a force.
+fn contour(error: &Error) -> Option<Error> {
+    let Some(ReadError::NoForceColumn { columns }) = error.fault() else {
+        return None;
+    };
+    let names = columns.iter().map(|c| c.to_lowercase());
+    let stems: Vec<String> = names
+        .map(|c| {
+            c.split(['_', ' ', '[', '('])
+                .next()
+                .unwrap_or("")
+                .to_string()
+        })
+        .collect();
+    let has = |name: &&str| stems.iter().any(|stem| stem == name);
+    // Three components are those of a force.
+    let is_flat = columns.len() <= 4 && !has(&"z");
+    let is_contour = is_flat
+        && CONTOURS
+            .iter()
+            .any(|pair| pair.iter().all(|name| has(&name)));
+    let columns = columns.join(", ");
+    is_contour.then(|| Error::from(StudioError::Contour { columns }).placed(error.place.clone()))
 }

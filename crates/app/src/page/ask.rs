@@ -58,6 +58,7 @@ impl Engine {
             "front" => asked(object, |q| variation::front(files, q)),
             "sweep" => asked(object, |q| runs::sweep(files, q)),
             "force" => asked(object, |q| recording::points(files, q)),
+            "cycle" => asked(object, |q| recording::mean_cycle(files, q)),
             _ if cfg!(feature = "cad") => self.whole(files, route, object),
             _ => Answer::bad(route.to_string()),
         }

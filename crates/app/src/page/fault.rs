@@ -33,6 +33,10 @@ pub enum StudioError {
     NoEntry { list: String, number: usize },
     /// The port is in use.
     Port { port: u16, fault: String },
+    /// A force without one mean cycle.
+    NoCycle,
+    /// A contour of a cam in place of a recording.
+    Contour { columns: String },
     /// The times of the points of a force are not increasing.
     FewPoints,
 }

@@ -8,7 +8,8 @@
 //! questions/  one file per kind of question          form.rs     fields and sliders of a scene
 //! answer.rs   answers and errors as data             kept.rs     files, curves and designs kept between questions
 //! edit.rs     changes of a scene's table             curves/     what the diagrams show
-//! abi.rs      the functions that a browser calls
+//! abi.rs      the functions that a browser calls    remedies.rs  what can be done about a fault
+//! plain.rs    sentences with labels in place of keys
 //! ```
 
 #[cfg(target_family = "wasm")]
@@ -21,8 +22,10 @@ pub mod fault;
 mod form;
 mod hash;
 mod kept;
+mod plain;
 mod questions;
 mod recent;
+mod remedies;
 mod sources;
 mod words;
 

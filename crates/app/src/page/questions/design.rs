@@ -14,7 +14,7 @@ use crate::page::form::{Field, fields};
 use crate::page::hash::Hash;
 use crate::page::kept::Made;
 use crate::page::sources::Files;
-use crate::page::{lock, table, words};
+use crate::page::{lock, plain, remedies, table, words};
 use gaitcam::Problem;
 use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
@@ -62,7 +62,9 @@ pub struct Answer {
     notes: Vec<String>,
     infeasible: bool,
     conflict: Vec<String>,
-    relaxations: Vec<Remedy>,
+    /// Answers to the open questions about the recording.
+    asks: Vec<remedies::Remedy>,
+    relaxations: Vec<Change>,
     easing: Vec<Eased>,
     figures: Vec<Figure>,
     checks: Vec<Checked>,
@@ -87,8 +89,12 @@ pub struct Answer {
 
 /// A change that would make a scene pass.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-struct Remedy {
+struct Change {
     key: &'static str,
+    /// `goal` where the change gives up a part of what the cam is for, else `limit`.
+    kind: &'static str,
+    /// Cost of a changed goal: the force error that it allows, in per cent; null for a limit.
+    cost: Option<f64>,
     from: String,
     /// Value for display; null if no value of this key alone helps.
     to: Option<String>,
@@ -146,13 +152,19 @@ pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
 /// The scene and its form without a design: for one whose force is still missing.
 ///
 /// # Errors
-/// Faults of the changes and of the scene.
+/// Faults of the changes, and of the scene with them.
 pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let table = changed(files, &ask.scene, &ask.changes)?;
-    let (scene, _) = files.scene(&table)?;
+    let scene = match files.scene(&table) {
+        Ok((scene, _)) => scene,
+        Err(fault) if !ask.changes.is_empty() => return Err(fault),
+        // What is written in a scene with a fault is shown all the same.
+        Err(_) => Scene::default(),
+    };
+    let name = table.get("name").and_then(toml::Value::as_str);
     Ok(json!({
         "scene": toml::to_string(&table).unwrap_or_default(),
-        "name": scene.name,
+        "name": name.unwrap_or(&scene.name),
         "fields": fields(&table, &scene, None),
     }))
 }
@@ -297,13 +309,16 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         scene: toml::to_string(&kept.table).unwrap_or_default(),
         fields: fields(&kept.table, scene, Some(design)),
         verdict: design.verdict.name(),
-        reasons: reasons(design, language),
-        notes: design.notes.iter().map(|n| n.sentence(language)).collect(),
+        reasons: shown(&reasons(design, language), language),
+        notes: (design.notes.iter())
+            .map(|n| shown(&n.sentence(language), language))
+            .collect(),
         infeasible: design.infeasible.is_some(),
         conflict: conflict
             .iter()
-            .map(|limit| limit.sentence(language))
+            .map(|limit| shown(&limit.sentence(language), language))
             .collect(),
+        asks: remedies::of_open_questions(design),
         relaxations: first_remedies(design, scene),
         easing: easing(design, language),
         figures: parts::figures(design, language),
@@ -338,6 +353,11 @@ fn reasons(design: &Design, language: Language) -> String {
     });
     let facts: Vec<String> = facts.map(|reason| reason.sentence(language)).collect();
     facts.join(" ")
+}
+
+/// A sentence of the program as the page shows it.
+fn shown(sentence: &str, language: Language) -> String {
+    plain::short(&plain::plain(sentence, "", language))
 }
 
 /// The files of a design by group, its scene among the tables.
@@ -387,7 +407,7 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
 }
 
 /// Suggestions from the conflict alone, before each value is tried on the full design.
-fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
+fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
         _ => &design.relaxations,
@@ -395,17 +415,23 @@ fn first_remedies(design: &Design, scene: &Scene) -> Vec<Remedy> {
     remedies(design, scene, own)
 }
 
-fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Remedy> {
+fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Change> {
     let measures = design.cam.follower.measures();
     let shown = |r: &Relaxation, x: f64| in_units(measures, r.limit, x, words::current());
-    list.iter()
-        .map(|r| Remedy {
+    let mut changes: Vec<Change> = list
+        .iter()
+        .map(|r| Change {
             key: r.key,
+            kind: if r.is_goal() { "goal" } else { "limit" },
+            cost: r.to.filter(|_| r.is_goal()).map(|to| 100.0 * to),
             from: shown(r, r.from),
             to: r.to.map(|to| shown(r, to)),
             value: r.to.and_then(|to| value(r.key, scene, to)),
         })
-        .collect()
+        .collect();
+    // What gives up a part of the goal comes last.
+    changes.sort_by_key(|change| change.kind == "goal");
+    changes
 }
 
 /// A number as written in a scene file under a key.
@@ -434,7 +460,7 @@ pub fn relax(files: &Files, which: &Which) -> Result<Value> {
     let tried = made.design.clone().relaxed_with(&search);
     let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list);
     Ok(json!({
-        "reasons": reasons(&tried, language),
+        "reasons": shown(&reasons(&tried, language), language),
         "relaxations": list(&tried.relaxations),
         "together": list(&tried.together),
     }))

@@ -9,10 +9,14 @@ use serde_json::{Value, json};
 use crate::page::fault::StudioError;
 use crate::page::hash::Hash;
 use crate::page::sources::Files;
-use crate::page::words;
+use crate::page::{self, words};
+use gaitcam::Problem;
 use gaitcam::error::Result;
-use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};
-use gaitcam::scene;
+use gaitcam::force::{
+    self, Feet, ForceCurve, Interpretation, Note, OpenQuestion, ReadOptions, Stances,
+};
+use gaitcam::scene::{self, Source};
+use gaitcam::units::G;
 use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
@@ -157,9 +161,101 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     found["without"] = json!(without);
     let picture = recording::recording(&understood, Some(&cycle.curve), language);
     found["picture"] = picture.svg().into();
-    let source = cycle.source.to_string();
-    found["csv"] = cycle.curve.to_csv(&[name, &source]).into();
+    let mut said = vec![name.to_string(), cycle.source.to_string()];
+    said.extend(open_line(understood.doubts()));
+    said.push("steps_per_turn = 2".to_string());
+    let said: Vec<&str> = said.iter().map(String::as_str).collect();
+    found["csv"] = cycle.curve.to_csv(&said).into();
     Ok(found)
+}
+
+/// Keys of `gait` that describe how a recording is read; its mean cycle needs none of them.
+const READER: [&str; 9] = [
+    "time", "force", "unit", "rate", "mass", "kind", "period", "span", "noise",
+];
+
+/// The line of a cycle's file that names the questions open about its recording.
+fn open_line(mut open: Vec<OpenQuestion>) -> Option<String> {
+    open.retain(|question| question.is_acceptable());
+    let names: Vec<&str> = open.into_iter().map(OpenQuestion::name).collect();
+    (!names.is_empty()).then(|| format!("open = {}", names.join(" ")))
+}
+
+/// A scene whose recording is to be replaced by its mean cycle.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Whole {
+    /// TOML text of the scene.
+    pub scene: String,
+}
+
+/// The scene with the mean cycle of its recording as a small file in place of the recording. Its design is the same.
+///
+/// # Errors
+/// Faults of the scene and of its recording; several walkers.
+pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
+    let mut table = page::table(&asked.scene)?;
+    let (scene, _) = files.scene(&table)?;
+    let target = files.target(&scene)?;
+    let (Some((curve, _)), Some(gait)) = (target, &scene.gait) else {
+        return Err(StudioError::NoCycle.into());
+    };
+    let Source::File(file) = &gait.source else {
+        return Err(StudioError::NoCycle.into());
+    };
+    if curve.population.is_some() {
+        return Err(StudioError::NoCycle.into());
+    }
+    let notes = curve
+        .recording
+        .as_ref()
+        .map_or(&curve.notes, |r| &r.warnings);
+    let problem = Problem::resolve(&scene, Some(&curve)).ok();
+    let is_open = |question: &OpenQuestion| {
+        let left = problem.iter().flat_map(|p| &p.open_questions);
+        let mut left = left.map(|(question, _)| question).chain(&gait.accept);
+        problem.is_none() || left.any(|other| other == question)
+    };
+    let open: Vec<OpenQuestion> = Note::doubts(notes).into_iter().filter(is_open).collect();
+    if open.iter().any(|question| !question.is_acceptable()) {
+        return Err(StudioError::NoCycle.into());
+    }
+    let is_open = !open.is_empty();
+    let mut said = vec![format!("file: {}", file.display())];
+    said.extend(open_line(open));
+    let steps = curve.recording.as_ref().map_or(curve.steps, |_| Some(2));
+    said.extend(steps.map(|steps| format!("steps_per_turn = {steps}")));
+    // The weight of the walker is that of the recording.
+    let weighed = match gait.period {
+        Some(_) => None,
+        None if curve.recording.is_some() => curve
+            .mass_kg
+            .or(Some(curve.mean_n() / gait.feet.share() / G)),
+        None => curve.mass_kg,
+    };
+    let curve = ForceCurve {
+        mass_kg: weighed,
+        ..curve
+    };
+    let said: Vec<&str> = said.iter().map(String::as_str).collect();
+    let csv = curve.to_csv(&said);
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let name = format!("{}_cycle.csv", plain(stem.trim_end_matches("_cycle")));
+    scene::set(
+        &mut table,
+        &format!("gait.file={}", toml::Value::from(name.as_str())),
+    )?;
+    for key in READER {
+        scene::unset(&mut table, &format!("gait.{key}"));
+    }
+    if !is_open {
+        scene::unset(&mut table, "gait.accept");
+    }
+    let hash = files.engine.keep(csv.clone().into_bytes());
+    Ok(json!({
+        "scene": toml::to_string(&table).unwrap_or_default(),
+        "file": file, "use": name, "hash": hash, "csv": csv,
+    }))
 }
 
 /// A force drawn by hand: points of one cycle.
