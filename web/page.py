@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """The page as static files and as one file.
 
-    python3 web/page.py MODULES ESBUILD OUT
+    python3 web/page.py MODULES ESBUILD OUT [--url https://example.org/gaitcam/]
+
+`--url` is the address that the files will have. Previews of posted links need it: most sites read no relative address of a picture.
 """
 
+import argparse
 import base64
 import gzip
 import hashlib
+import html
 import shutil
 import subprocess
 import sys
@@ -17,6 +21,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "crates" / "studio" / "page"
 # The report's script of a moving cam, which the page has too.
 MOTION = ROOT / "crates" / "output" / "src" / "report" / "motion.js"
+# Picture of the page for previews of posted links.
+PREVIEW = ROOT / "docs" / "pictures" / "studio-page.png"
 # Most bytes, packed, before the first design.
 FIRST_LOAD = 1_500_000
 # A page in one file reaches nothing but itself.
@@ -52,9 +58,22 @@ def without_custom_sections(module):
     return bytes(out)
 
 
-def index():
+def index(url=""):
     text = (PAGE / "index.html").read_text()
-    return text.replace("{language}", "").replace("{engine}", "wasm")
+    return text.replace("{language}", "").replace("{engine}", "wasm").replace("<!--preview-->", preview(url))
+
+
+def preview(url):
+    """The picture and the address of the page for previews of posted links."""
+    picture = html.escape(url + "preview.png")
+    tags = [
+        f'<meta property="og:image" content="{picture}">',
+        '<meta property="og:image:alt" content="A cam with its follower, its force and its diagrams on the page of gaitcam">',
+        '<meta name="twitter:card" content="summary_large_image">',
+    ]
+    if url:
+        tags.insert(0, f'<meta property="og:url" content="{html.escape(url)}">')
+    return "\n".join(tags)
 
 
 def inline(tag, text, **attributes):
@@ -93,7 +112,14 @@ def service_worker(out, files, later):
 
 
 def main():
-    modules, esbuild, out = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("modules", type=Path)
+    parser.add_argument("esbuild")
+    parser.add_argument("out", type=Path)
+    parser.add_argument("--url", default="", help="address that the files will have, with a slash at its end")
+    given = parser.parse_args()
+    modules, esbuild, out = given.modules, given.esbuild, given.out
+    url = given.url and given.url.rstrip("/") + "/"
     shutil.rmtree(out, ignore_errors=True)
     (out / "engine").mkdir(parents=True)
     for name in ["engine", "whole"]:
@@ -103,7 +129,8 @@ def main():
     bundle(esbuild, out / "app.js")
     for style in ["style.css", "panels.css"]:
         shutil.copy(PAGE / style, out / style)
-    (out / "index.html").write_text(index().replace("{base}", "./"))
+    shutil.copy(PREVIEW, out / "preview.png")
+    (out / "index.html").write_text(index(url).replace("{base}", "./"))
     files = ["app.js", "style.css", "panels.css", "engine/worker.js", "engine/engine.wasm.gz"]
     later = "engine/whole.wasm.gz"
     (out / "service_worker.js").write_text(service_worker(out, files, later))
