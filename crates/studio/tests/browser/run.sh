@@ -27,5 +27,5 @@ if ! "$venv/bin/python" -c "import playwright, axe_playwright_python" 2>/dev/nul
     { echo "studio in the browser: SKIPPED, Playwright cannot be installed"; exit 0; }
 fi
 cd "$here"
-[ $# -gt 0 ] || set -- test_studio test_access test_looks test_speed test_state test_direct test_class test_values test_engine test_model test_programme test_dialogs test_layout test_compare
+[ $# -gt 0 ] || set -- test_studio test_access test_looks test_speed test_state test_direct test_class test_values test_engine test_model test_programme test_dialogs test_layout test_compare test_sharing test_recordings
 GAITCAM=$binary CHROMIUM=$chromium GAITCAM_ROOT=$root "$venv/bin/python" -m unittest -v "$@"
