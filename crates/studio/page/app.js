@@ -2,13 +2,15 @@
 
 import { $, hide, notice } from "./core/dom.js";
 import * as words from "./core/words.js";
+import { t } from "./core/words.js";
 import { engine, Fault } from "./core/net.js";
 import * as versions from "./core/versions.js";
 import * as designs from "./core/designs.js";
 import * as autosave from "./core/autosave.js";
 import * as units from "./core/units.js";
 import * as status from "./core/status.js";
-import { unpack } from "./core/packing.js";
+import { hasScene, unpack } from "./core/packing.js";
+import * as answers from "./core/answers.js";
 import * as form from "./panels/form.js";
 import * as clock from "./core/clock.js";
 import * as stage from "./panels/stage.js";
@@ -27,6 +29,8 @@ import * as paper from "./panels/paper.js";
 let anew = true;
 
 let lastGesture = null;
+// What stays to be read after the first design.
+let told = "";
 
 // Changes values of the scene and asks for its design. Changes of one gesture are one version.
 function edit(changes, gesture = null, more = {}) {
@@ -65,6 +69,8 @@ function elsewhere(isOther) {
 
 async function show(answer, since, more) {
   if ($("notice").dataset.lasting === "true") hide($("notice"));
+  if (told) notice(told, true);
+  told = "";
   clock.load(answer.motion);
   if (anew) {
     anew = false;
@@ -131,15 +137,22 @@ function working(on, since) {
 }
 
 async function first(start) {
-  if (!view.embedded && versions.restore()) {
+  if (!view.embedded && await autosave.restore()) {
     designs.ask();
     return;
   }
   // A page in one file may carry a scene.
   const inside = document.getElementById("packed")?.textContent;
-  const held = await unpack(location.hash) ?? (inside ? await unpack(`s=${inside}`) : null);
+  const held = await linked() ?? (inside ? await unpack(`s=${inside}`) : null);
   if (held) openScene(held.scene, held);
   else openScene(start.scene);
+}
+
+// The scene of the address; a damaged one is said.
+async function linked() {
+  const held = await unpack(location.hash);
+  if (!held && hasScene(location.hash)) told = t("studio-link-broken");
+  return held;
 }
 
 async function boot() {
@@ -157,6 +170,7 @@ async function boot() {
   view.tabs();
   view.dialogs();
   keyboard();
+  answers.load(start.scenes.map((scene) => scene.name));
   force.load(edit, openScene);
   programme.load(edit);
   compare.load({ start, edit, openScene });
@@ -170,7 +184,9 @@ async function boot() {
   words.onLanguage(() => designs.ask());
   units.watch(() => designs.ask());
   window.addEventListener("hashchange", async () => {
-    const other = await unpack(location.hash);
+    const other = await linked();
+    if (told) notice(told, true);
+    told = "";
     if (other && other.scene !== versions.now().scene) openScene(other.scene, other);
   });
   await first(start);
@@ -179,5 +195,5 @@ async function boot() {
 
 boot().catch((error) => {
   if (!(error instanceof Fault)) throw error;
-  notice(words.t("studio-lost"), true);
+  notice(t("studio-lost"), true);
 });

@@ -1,6 +1,7 @@
 // The address and the browser's memory follow the versions: for a reload, for a link, for the next visit.
 
-import { pack } from "./packing.js";
+import * as blobs from "./blobs.js";
+import { pack, used } from "./packing.js";
 import * as versions from "./versions.js";
 
 const LAST = "gaitcam-last";
@@ -28,14 +29,19 @@ async function write() {
   try { localStorage.setItem(LAST, JSON.stringify({ name: v.name, packed: text })); } catch { /* private windows keep nothing */ }
 }
 
+// Restores the versions of before a reload, where the files of the one shown are still at hand.
+export async function restore() {
+  return versions.restore() && blobs.hasAll(used(versions.now()));
+}
+
 // The last scene of an earlier visit, packed; null where there is none.
 export function last() {
   try { return JSON.parse(localStorage.getItem(LAST)); } catch { return null; }
 }
 
-// What is copied: a page that others can reach has an address, one on this machine has none.
-export async function link() {
-  const { text, shortened } = await pack(versions.now());
-  const own = /^(localhost|127\.|\[::1\]|$)/.test(location.hostname) || location.protocol === "file:";
-  return { text: own ? `#s=${text}` : `${location.origin}${location.pathname}#s=${text}`, shortened, own };
+// The link of a version: a page that others can reach has an address, one on this machine has none. `inside` as in `pack`.
+export async function link(v = versions.now()) {
+  const { text, inside } = await pack(v);
+  const isOwn = /^(localhost|127\.|\[::1\]|$)/.test(location.hostname) || location.protocol === "file:";
+  return { text: isOwn ? `#s=${text}` : `${location.origin}${location.pathname}#s=${text}`, inside, isOwn };
 }

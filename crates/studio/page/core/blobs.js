@@ -2,13 +2,13 @@
 
 import { engine } from "./net.js";
 
-const cycles = new Map();
 // Those that were looked for in the browser's store without success.
 const absent = new Set();
 
 // Takes contents in and returns their hash.
 export async function put(bytes) {
   const hash = await engine.keep(bytes);
+  absent.delete(hash);
   store(hash, engine.bytes(hash));
   return hash;
 }
@@ -28,12 +28,14 @@ export function ensure(files) {
   return missing.length === 0 ? null : Promise.all(missing.map(get));
 }
 
+// Whether the contents of all these files are at hand.
+export async function hasAll(files) {
+  const all = await Promise.all(Object.values(files).filter(Boolean).map(get));
+  return all.every(Boolean);
+}
+
 // The files of a version as a question carries them.
 export const listed = (files) => Object.entries(files).filter(([, hash]) => hash).map(([name, hash]) => ({ name, hash }));
-
-// The mean cycle of a recording that is too large for a link.
-export const cycleOf = (hash) => cycles.get(hash) ?? null;
-export const addCycle = (hash, csv) => cycles.set(hash, csv);
 
 // --- the browser's store -------------------------------------------------------------------------
 

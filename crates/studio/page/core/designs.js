@@ -21,14 +21,18 @@ let size = null;
 let retry = 0;
 // Fields of the form: those of the last design or, where the scene has none, those that could be read of it.
 let fields = {};
+/** @type {Record<string, (...all: any[]) => any>} */
 const handlers = { show: () => {}, state: () => {}, working: () => {}, lost: () => {}, colour: () => "none" };
 
 export function on(more) {
   Object.assign(handlers, more);
 }
 
-// The answer on the screen, with the version that it belongs to.
-export const present = () => shown;
+// The answer on the screen, with the version that it belongs to; null where that is a version of another scene.
+export const present = () => (isForeign() ? null : shown);
+
+// Whether the picture on the screen is that of another scene.
+export const isForeign = () => shown !== null && shown.line !== versions.now()?.line;
 
 export const known = () => fields;
 
@@ -89,7 +93,8 @@ async function run(since) {
     const outcome = await settle(v, control.signal, quick);
     if (running !== control) return;
     versions.settle(v.id, outcome);
-    fields = outcome.answer?.fields ?? outcome.fields ?? (outcome.same ? shown.answer.fields : fields);
+    const known_ = outcome.answer?.fields ?? outcome.fields;
+    fields = known_ ?? (outcome.same ? shown.answer.fields : outcome.fault ? {} : fields);
     const more = waiting !== null;
     if (outcome.answer) {
       const { quick: held, numbers } = outcome.answer;
@@ -97,7 +102,7 @@ async function run(since) {
       slow = held || outcome.answer.server_ms > LONG;
       rests = held && !more;
       if (rests) retry = setTimeout(refine, REST);
-      shown = { version: v.id, answer: outcome.answer, files: v.files };
+      shown = { version: v.id, line: v.line, answer: outcome.answer, files: v.files };
       // A long answer is on its way while the last one is drawn; a short one is asked for with the value of the moment.
       if (more && slow) next();
       await handlers.show(outcome.answer, since, more);
@@ -137,13 +142,14 @@ async function tried(route, v, groups, signal, quick = false) {
     if (quick) question.quick = size;
     return { answer: await engine.ask(route, question, { signal }) };
   } catch (error) {
-    if (route === "read" && error.code === "http") return {};
-    if (!(error instanceof Fault) || error.code === "lost" || error.code === "http") throw error;
-    return { fault: plain(error) };
+    if (route === "read" && /** @type {any} */ (error).code === "http") return {};
+    const { code } = /** @type {any} */ (error);
+    if (!(error instanceof Fault) || code === "lost" || code === "http") throw error;
+    return { fault: plain(/** @type {any} */ (error)) };
   }
 }
 
-const plain = ({ code, key, place, message, help, columns }) => ({ code, key, place, message, help, columns });
+const plain = ({ code, key, place, message, help, remedies }) => ({ code, key, place, message, help, remedies });
 
 // The version with all its changes; where that is refused, with those that can be taken.
 async function settle(v, signal, quick) {
@@ -168,10 +174,11 @@ async function settle(v, signal, quick) {
 
 // Nothing can be taken: the picture is that of the scene before the changes.
 async function base(v, left, signal) {
-  const same = shown?.answer.scene === v.scene && JSON.stringify(shown.files) === JSON.stringify(v.files);
+  const same = present()?.answer.scene === v.scene && JSON.stringify(shown.files) === JSON.stringify(v.files);
   if (same) return { scene: v.scene, name: v.name, pending: left, same };
   const { answer, fault } = await tried("design", v, [], signal);
-  return { scene: v.scene, name: answer?.name ?? v.name, pending: left, answer, fault };
+  const read = answer ?? (await tried("read", v, [], signal)).answer;
+  return { scene: v.scene, name: read?.name ?? v.name, fields: read?.fields, pending: left, answer, fault };
 }
 
 // The scene itself cannot be designed yet: what can be read of it is taken.

@@ -1,7 +1,8 @@
 // What the page says about the version shown: designed, on its way, refused.
 
-import { $, make, clear, say, hide, notice } from "./dom.js";
-import { t, number } from "./words.js";
+import { $, hide, html, notice, nothing, render as draw, say } from "./dom.js";
+import { language, number, t } from "./words.js";
+import * as designs from "./designs.js";
 import * as versions from "./versions.js";
 import * as view from "./view.js";
 
@@ -9,6 +10,7 @@ import * as view from "./view.js";
 const REST = 400;
 const PATIENCE = 1000;
 let longest = 60;
+/** @type {(...all: any[]) => any} */
 let remedies = () => [];
 let resting = 0;
 let said = "";
@@ -22,6 +24,7 @@ export function load(seconds, more) {
 export function render(v) {
   const refused = versions.refused(v);
   $("design").classList.toggle("stale", refused);
+  $("design").classList.toggle("foreign", designs.isForeign() && Boolean(v?.fault));
   $("undo").disabled = !versions.canUndo();
   $("redo").disabled = !versions.canRedo();
   say($("scene-name"), v?.name ?? "");
@@ -30,32 +33,35 @@ export function render(v) {
   faults(v);
 }
 
+// Faults appear when the hand rests, and go at once.
 function faults(v) {
   clearTimeout(resting);
-  const list = [...(v?.fault ? [{ fault: v.fault }] : []), ...(v?.pending ?? []).filter((p) => p.fault)];
-  const seen = JSON.stringify(list.map((p) => [p.fault, p.edits, document.documentElement.lang]));
-  if (list.length === 0) {
-    hide($("fault"));
-    said = "";
-  } else if (seen !== said) {
+  const own = v?.fault ? [v.fault] : [];
+  const list = [...own, ...(v?.pending ?? []).map((p) => p.fault).filter(Boolean)];
+  const seen = JSON.stringify([list, language()]);
+  hide($("fault"), list.length === 0 || seen !== said);
+  if (list.length === 0) said = "";
+  else if (seen !== said) {
     resting = setTimeout(() => {
       said = seen;
-      clear($("fault")).append(...list.map(line));
-      $("fault").hidden = false;
+      draw(list.map(line), $("fault"));
+      hide($("fault"), false);
     }, REST);
   }
 }
 
-function line(change) {
-  const { fault } = change;
+const button = ([text, action]) => html`<button type="button" @click=${action}>${text}</button>`;
+
+function line(fault) {
   const broken = { broken: "studio-broken", silent: "studio-silent" }[fault.code];
   const message = broken ? t(broken, { fault: fault.message }) : fault.message;
-  const box = make("div", {}, make("p", {}, make("strong", {}, fault.place ? `${fault.place}: ` : ""), message,
-    fault.help ? make("span", { class: "help" }, ` – ${fault.help}`) : null));
-  const button = (text, action) => make("button", { type: "button", onclick: action }, text);
-  for (const [text, action] of remedies(fault)) box.append(button(text, action));
-  if (fault.key === "gait.file" || /(cannot-read|not-dropped)$/.test(fault.code)) box.append(button(t("studio-to-force"), () => view.tab("force")));
-  return box;
+  const isOfFile = fault.key === "gait.file" || /(cannot-read|not-dropped)$/.test(fault.code);
+  const toForce = [t("studio-to-force"), () => view.tab("force")];
+  return html`<div>
+    <p>${fault.place ? html`<strong>${fault.place}: </strong>` : nothing}${message}${
+      fault.help ? html`<span class="help"> – ${fault.help}</span>` : nothing}</p>
+    ${[...remedies(fault), ...isOfFile ? [toForce] : []].map(button)}
+  </div>`;
 }
 
 // The engine does not answer: said once, taken back when it does.

@@ -7,7 +7,9 @@
 //   pending    changes that no design has answered yet, or that were refused: {edits, keys, gesture, fault}
 //   fault      why the scene itself cannot be designed; null where it can or where that is not known yet
 //   files      hash of the contents by the name that the scene gives to the file
-//   recording  {file, without}: the recording and the contacts that do not count
+//   line       number of the version at which this scene was opened: versions of one line are one scene that was changed
+//   recording  {file, without, cycle}: the recording, the contacts that do not count, and the file of the mean cycle where
+//              only that is at hand
 //   hand       {period_s, points}: the force drawn by hand
 //   programme  {locks, rest, last, former}: angles that are locked, the segment that takes the rest, the one typed last,
 //              and the values that the programme took the place of
@@ -35,7 +37,8 @@ function become(next) {
 
 function version(content) {
   number += 1;
-  return Object.freeze({ name: "", pending: [], fault: null, files: {}, recording: null, hand: null, gesture: null, title: "", made: [], ...content, id: number });
+  const empty = { name: "", pending: [], fault: null, files: {}, recording: null, hand: null, gesture: null, title: "", made: [] };
+  return Object.freeze({ ...empty, line: number, ...content, id: number });
 }
 
 // Adds a version after the present one; of the same gesture it takes the present one's place.
@@ -52,15 +55,18 @@ const keysOf = (edits) => edits.map(keyOf);
 const replaced = (keys) => (key) => keys.includes(key) || (keys.includes(SEGMENTS) && key.startsWith(`${SEGMENTS}.`));
 
 // Changes values; `more` are the files, the recording and the drawn force that come with them.
+/** @param {any[]} edits @param {string | null} gesture @param {any} more */
 export function edit(edits, gesture, { title = "", ...more } = {}) {
   const before = now();
   const keys = keysOf(edits);
   // A new value takes the place of one that waits or was refused under the same key.
   const others = before.pending.filter((p) => !p.keys.every(replaced(keys)));
   const next = Object.freeze({ edits, keys, gesture, fault: null });
+  const made = edits.filter((e) => e.set).map((e) => e.set);
   // A force chosen by its name is neither a recording with ticks nor a drawn one.
   if (keys.includes("gait.file") && !more.files) more = { recording: null, hand: null, ...more };
-  push(version({ ...before, ...more, pending: [...others, next], gesture, title, made: edits.filter((e) => e.set).map((e) => e.set), files: { ...before.files, ...more.files } }));
+  const files = { ...before.files, ...more.files };
+  push(version({ ...before, ...more, pending: [...others, next], gesture, title, made, files }));
 }
 
 // A step that changes no value of the scene.
@@ -123,7 +129,8 @@ export function written(address) {
 export function keep() {
   try {
     // Of the pins only what a design is made from: their pictures are asked again.
-    const pins = present.pins.map(({ scene, files, name, colour, hand, recording }) => ({ scene, files, name, colour, hand, recording }));
+    const plain = ({ scene, files, name, colour, hand, recording }) => ({ scene, files, name, colour, hand, recording });
+    const pins = present.pins.map(plain);
     sessionStorage.setItem(KEPT, JSON.stringify({ ...present, pins, addresses }));
   } catch { /* no room, or a private window: the address still holds the scene */ }
 }
@@ -132,7 +139,7 @@ export function keep() {
 export function restore() {
   try {
     const kept = JSON.parse(sessionStorage.getItem(KEPT));
-    const [entry] = performance.getEntriesByType("navigation");
+    const [entry] = /** @type {any[]} */ (performance.getEntriesByType("navigation"));
     if (!kept?.list?.length || entry.type === "navigate" || !kept.addresses.includes(location.hash)) return false;
     number = Math.max(...kept.list.map((v) => v.id));
     const { list, at, pins } = kept;

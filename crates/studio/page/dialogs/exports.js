@@ -97,7 +97,7 @@ function all(title, names, made) {
 
 // This page with the scene inside, and how another page shows it.
 function page(name) {
-  const made = async () => engine.page((await pack(versions.now())).text);
+  const made = async () => engine.page((await pack(versions.now(), true)).text);
   const frame = `<iframe src="${name}?embed=force,s" title="${name}" width="900" height="800"></iframe>`;
   return { item: html`<li>${link(name, made)}<small>${t("studio-file-page")}</small></li>`,
     more: html`<p class="lead">${t("studio-export-frame")}</p><code id="frame">${frame}</code>` };

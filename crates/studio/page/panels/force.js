@@ -1,227 +1,304 @@
-// The wanted force: recordings dropped on the page, with their contacts.
+// The wanted force: recordings dropped on the page, how they are read, and their contacts.
 
-import { $, make, clear, notice } from "../core/dom.js";
-import { t, number, onLanguage } from "../core/words.js";
+import { $, hide, html, live, notice, nothing, picture, render as draw } from "../core/dom.js";
+import { t, language, number } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
+import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
 import { dialog, embedded, enlarging, onTab, openTab, tab } from "../core/view.js";
-import { label, focus } from "./form.js";
+import { focus } from "./form.js";
+import { choice, label } from "./names.js";
+import * as answers from "../core/answers.js";
 import * as hand from "./hand.js";
 
 const LARGEST = 64 * 2 ** 20;
-// Most columns that are offered as buttons.
-const MOST = 12;
+const LARGE = 2 ** 20;
+const ENDINGS = ".c3d,.mot,.sto,.csv,.txt,.tsv,.asc,.mat,.toml";
+/** @type {(...all: any[]) => any} */
 let edit = () => {};
+/** @type {(...all: any[]) => any} */
 let openScene = () => {};
-// What the recording of the version holds, and the key of that version's recording.
-let found = null;
-let seen = null;
 let folderFiles = [];
+// What the engine has found in recordings, by question; null where it refuses one.
+const known = new Map();
 // The recordings of this visit, by their names.
 const read = new Map();
 
 export function load(onEdit, onScene) {
   edit = onEdit;
   openScene = onScene;
-  hand.load(onEdit);
+  hand.load(onEdit, show);
   if (!embedded) drops();
-  onTab("force", async () => {
-    try {
-      folderFiles = engine.folder ? (await engine.folder.list()).filter((f) => !f.scene) : [];
-    } catch {
-      folderFiles = [];
-    }
-    build();
-  });
-  onLanguage(() => { if (openTab() === "force") build(); });
+  onTab("force", listFolder);
 }
 
-// Follows the version: undo brings the recording and its ticks back.
-export function render(version, { answer }) {
-  const changed = hand.show(answer ?? undefined);
-  const recording = versions.now()?.recording ?? null;
-  const key = recording && JSON.stringify([recording.file, recording.without, versions.now().files[recording.file]]);
-  if (key !== seen) follow(recording, key);
-  if (changed && openTab() === "force") build();
-}
-
-async function follow(recording, key) {
-  seen = key;
-  if (recording && found?.key !== key) {
-    try {
-      found = { ...await described(recording, versions.now().files[recording.file]), key };
-    } catch {
-      found = null;
-    }
+async function listFolder() {
+  show();
+  try {
+    folderFiles = engine.folder ? (await engine.folder.list()).filter((f) => !f.scene) : [];
+  } catch {
+    folderFiles = [];
   }
-  if (!recording) found = null;
-  if (seen === key && openTab() === "force") build();
+  show();
 }
 
-async function described({ file, without }, hash) {
-  // After a reload the engine may not have it yet.
-  await blobs.get(hash);
-  return without.length > 0 ? engine.ask("contacts", { file, hash, without }) : engine.ask("recording", { file, hash });
+// Follows the version: undo brings the recording, its ticks and its answers back.
+export function render(version, { answer, fields }) {
+  hand.follow(answer);
+  answers.remember(version, fields);
+  accepted(version, fields);
+  find(version);
+  show();
+}
+
+function show() {
+  if (openTab() === "force") draw(page(versions.now()), $("force"));
+}
+
+// --- what a recording holds ----------------------------------------------------------------------
+
+// The question about the recording of a version; null where there is none or only its mean cycle.
+function question(version) {
+  const { recording, files } = version ?? {};
+  if (!recording || recording.cycle || !files[recording.file]) return null;
+  const fields = designs.known();
+  const options = recording.options ?? answers.options(fields);
+  const feet = fields["gait.feet"]?.text ?? "";
+  return { file: recording.file, hash: files[recording.file], without: recording.without, feet, options };
+}
+
+const keyOf = (asked) => JSON.stringify([asked, language()]);
+
+async function find(version) {
+  const asked = question(version);
+  if (!asked || known.has(keyOf(asked))) return;
+  const key = keyOf(asked);
+  known.set(key, null);
+  try {
+    // After a reload the engine may not have it yet.
+    await blobs.get(asked.hash);
+    const found = await engine.ask("contacts", asked);
+    known.set(key, found);
+    read.set(found.file, found);
+  } catch (error) {
+    // An engine that was lost is asked again.
+    if (error.code === "lost" || error.code === "http") known.delete(key);
+  }
+  show();
+}
+
+function foundIn(version) {
+  const asked = question(version);
+  return asked ? known.get(keyOf(asked)) ?? null : null;
 }
 
 // --- dropping ------------------------------------------------------------------------------------
 
 function drops() {
-  const page = document.body;
+  const page_ = document.body;
   let depth = 0;
-  const files = (event) => [...event.dataTransfer.types].includes("Files");
-  page.addEventListener("dragenter", (event) => { if (files(event)) { depth += 1; $("drop").hidden = false; event.preventDefault(); } });
-  page.addEventListener("dragover", (event) => { if (files(event)) event.preventDefault(); });
-  page.addEventListener("dragleave", (event) => { if (files(event)) { depth -= 1; if (depth <= 0) { depth = 0; $("drop").hidden = true; } } });
-  page.addEventListener("drop", (event) => {
-    if (!files(event)) return;
+  const over = (event, by) => {
+    if (!event.dataTransfer.types.includes("Files")) return false;
+    depth = Math.max(0, by === 0 ? 0 : depth + by);
+    hide($("drop"), depth === 0);
     event.preventDefault();
-    depth = 0;
-    $("drop").hidden = true;
-    const [file, ...others] = event.dataTransfer.files;
-    if (others.length > 0) notice(t("studio-one-file", { file: file.name }));
-    if (file) take(file);
-  });
+    return true;
+  };
+  page_.addEventListener("dragenter", (event) => over(event, 1));
+  page_.addEventListener("dragover", (event) => { if (event.dataTransfer.types.includes("Files")) event.preventDefault(); });
+  page_.addEventListener("dragleave", (event) => over(event, -1));
+  page_.addEventListener("drop", (event) => { if (over(event, 0)) take(...event.dataTransfer.files); });
 }
 
 const said = (error) => [error.place, error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost");
 
-async function take(file) {
+async function take(file, ...others) {
+  if (!file) return;
+  notice("");
+  const words = [await taken(file), others.length > 0 ? t("studio-one-file", { file: file.name }) : ""];
+  notice(words.filter(Boolean).join(" "));
+}
+
+// Takes a file; what there is to say about it.
+async function taken(file) {
   if (/\.toml$/i.test(file.name)) {
     openScene(await file.text());
-    return;
+    return "";
   }
   tab("force");
-  if (file.size > LARGEST) {
-    notice(t("studio-too-large"));
-    return;
+  if (file.size > LARGEST) return `${file.name}: ${t("studio-too-large")}`;
+  if (file.size > LARGE) notice(t("studio-reading", { file: file.name }), true);
+  try {
+    use(file.name, await blobs.put(file));
+    return "";
+  } catch (error) {
+    return said(error);
   }
-  if (file.size > 2 ** 20) notice(t("studio-reading", { file: file.name }), true);
-  const hash = await blobs.put(file);
-  await use(file.name, hash);
 }
 
 async function fromFolder(path) {
   try {
     const { name, hash } = await engine.folder.read(path);
-    await use(name, hash);
+    use(name, await blobs.put(engine.bytes(hash)));
   } catch (error) {
     notice(said(error));
   }
 }
 
-// The recording becomes the scene's force; of one that the reader refuses the scene says why and what can be chosen.
-async function use(file, hash) {
-  const recording = { file, without: [] };
-  const key = JSON.stringify([file, [], hash]);
-  try {
-    found = { ...await engine.ask("recording", { file, hash }), key };
-    // A link holds the recording; of a large or binary one the mean cycle, unless something about it is open.
-    if (found.csv && !found.doubts?.length) blobs.addCycle(hash, found.csv);
-    notice("");
-  } catch (error) {
-    found = null;
-    if (error.code === "lost" || error.code === "http") {
-      notice(t("studio-lost"), true);
-      return;
-    }
-  }
-  seen = key;
-  edit([{ set: { key: "gait.file", value: file } }], null, { files: { [file]: hash }, recording, hand: null, title: file });
-  build();
+const set = (key, value) => ({ set: { key, value } });
+
+// The recording becomes the scene's force, read with its own answers and none of another recording. Of one that the reader
+// refuses the scene says why and what can be chosen.
+function use(file, hash) {
+  const version = versions.now();
+  const named = answers.nameFor(file, version);
+  const edits = [set("gait.file", file), ...answers.changesFor(hash, version, designs.known())];
+  if (named) edits.push(set("name", named));
+  edit(edits, null, { files: { [file]: hash }, recording: { file, without: [] }, hand: null, title: file });
 }
 
-// What can be done about a fault of a recording: buttons with the value that the reader asks for, and ways to the
-// fields that it names without one.
-export function remedies(fault) {
-  const text = `${fault.message} ${fault.help ?? ""}`;
-  const given = [...text.matchAll(/\b(?:gait\.)?(kind|feet|period|accept|unit|force|time|span) = "([^"]+)"/g), ...(fault.columns ?? []).slice(0, MOST).map((column) => [column, "force", column])];
-  const out = given.map(([, name, value]) => [`${label(`gait.${name}`)}: ${value}`, () => edit([{ set: { key: `gait.${name}`, value } }], null, { title: label(`gait.${name}`) })]);
-  const named = [...text.matchAll(/\b(?:gait\.|option |opción )(kind|feet|period|accept|unit|force|time|span|rate|mass)\b(?! = ")/g)].map(([, name]) => name);
-  for (const name of new Set(named)) out.push([`${label(`gait.${name}`)} …`, () => focus(`gait.${name}`)]);
-  return out;
+// --- what the reader asks ------------------------------------------------------------------------
+
+// What can be done about a fault or an open question: buttons with the value that the engine offers, and ways to the fields
+// that need one.
+export function remedies({ remedies: offered = [] }) {
+  return offered.map(({ key, value }) => (value === undefined
+    ? [`${label(key)} …`, () => focus(key)]
+    : [`${label(key)}: ${wordOf(key, value)}`, () => choose(key, value)]));
+}
+
+const wordOf = (key, value) => (key === "gait.accept" ? t(`studio-force-question-${value}`) : choice(value));
+
+function choose(key, value) {
+  const version = versions.now();
+  const all = key === "gait.accept" ? [...acceptedOf(designs.known()), value].join(", ") : value;
+  answers.chosen(version, key, value);
+  edit([set(key, all)], null, { title: label(key) });
+}
+
+const acceptedOf = (fields) => (fields["gait.accept"]?.text ?? "").split(/[,\s]+/).filter(Boolean);
+
+// What the user has accepted about the recording stands with the verdict.
+function accepted(version, fields) {
+  const list = fields["gait.accept"]?.acts ? acceptedOf(fields) : [];
+  hide($("accepted"), list.length === 0);
+  draw(list.map((question_) => html`<p>${t("studio-force-accepted", { what: t(`studio-force-question-${question_}`) })}
+    <button type="button" data-accepted=${question_} @click=${() => takeBack(question_)}>${t("studio-force-take-back")}</button></p>`),
+  $("accepted"));
+}
+
+function takeBack(question_) {
+  const left = acceptedOf(designs.known()).filter((other) => other !== question_).join(", ");
+  edit([set("gait.accept", left)], null, { title: label("gait.accept") });
 }
 
 // --- the panel -----------------------------------------------------------------------------------
 
-function build() {
-  const root = clear($("force"));
-  const pick = make("input", { type: "file", id: "pick-file", accept: ".c3d,.mot,.sto,.csv,.txt,.tsv,.asc,.toml", onchange: () => { if (pick.files[0]) take(pick.files[0]); } });
-  root.append(make("h2", {}, t("studio-force-recording")), make("p", { class: "lead" }, t("studio-force-lead")),
-    make("label", { class: "pick", for: "pick-file" }, t("studio-force-pick")), pick);
-  if (folderFiles.length > 0) {
-    const select = make("select", { id: "folder-recording", onchange: () => { if (select.value) fromFolder(select.value); } },
-      make("option", { value: "" }, t("studio-force-folder")), ...folderFiles.map(({ path }) => make("option", { value: path }, path)));
-    root.append(make("label", { class: "stack", for: "folder-recording" }, t("studio-force-folder-label")), select);
-  }
-  if (found) {
-    read.set(found.file, found);
-    root.append(panel(found));
-    if (read.size > 1) root.append(make("button", { type: "button", id: "side-by-side", onclick: sides }, t("studio-force-sides")));
-  }
-  root.append(make("h2", {}, t("studio-force-hand")), make("p", { class: "lead" }, t("studio-force-hand-lead")));
-  root.append(hand.section(build));
+function page(version) {
+  const found = foundIn(version);
+  const { recording } = version ?? {};
+  return html`
+    <h2>${t("studio-force-recording")}</h2>
+    <p class="lead">${t("studio-force-lead")}</p>
+    <label class="pick" for="pick-file">${t("studio-force-pick")}</label>
+    <input type="file" id="pick-file" accept=${ENDINGS} @change=${picked}>
+    ${folderFiles.length > 0 ? folder() : nothing}
+    ${recording?.cycle ? html`<p class="fair" id="cycle-only">${t("studio-force-cycle-only", { file: recording.file })}</p>` : nothing}
+    ${found ? details(found, contacts(version, found)) : nothing}
+    ${found && read.size > 1 ? html`<button type="button" id="side-by-side" @click=${() => sides(found)}>${
+      t("studio-force-sides")}</button>` : nothing}
+    <h2>${t("studio-force-hand")}</h2>
+    <p class="lead">${t("studio-force-hand-lead")}</p>
+    ${hand.section()}`;
 }
 
-// What a recording holds; of the scene's own the contacts can be chosen, beside another one all is open.
-function panel(shown, isBeside = false) {
-  const box = make("div", { class: "found" });
-  box.append(make("h3", {}, shown.file));
-  if (shown.picture) {
-    box.append(isBeside ? figure(shown.picture) : enlarging(shown.picture, "studio-force-recording"));
-  }
-  if (!isBeside && shown.stances?.length > 0) box.append(contacts());
-  box.append(make("details", { open: isBeside }, make("summary", {}, t("studio-force-details")), make("pre", { tabindex: "0" }, shown.table)));
-  return box;
+function picked({ target }) {
+  const files = [...target.files];
+  // The same file may be chosen again.
+  target.value = "";
+  take(...files);
 }
 
-function figure(picture) {
-  const box = make("figure", {});
-  box.innerHTML = picture;
-  return box;
+function folder() {
+  const choose_ = ({ target }) => { if (target.value) fromFolder(target.value); };
+  return html`<label class="stack" for="folder-recording">${t("studio-force-folder-label")}</label>
+    <select id="folder-recording" @change=${choose_}>
+      <option value="">${t("studio-force-folder")}</option>
+      ${folderFiles.map(({ path }) => html`<option value=${path}>${path}</option>`)}
+    </select>`;
 }
+
+const figures = new WeakMap();
+// The picture of a recording as an element, made once.
+function figureOf(found) {
+  if (!figures.has(found)) figures.set(found, enlarging(found.picture, "studio-force-recording"));
+  return figures.get(found);
+}
+
+function details(found, ticks) {
+  return html`<div class="found">
+    <h3>${found.file}</h3>
+    ${found.picture ? figureOf(found) : nothing}
+    ${ticks}
+    <details><summary>${t("studio-force-details")}</summary><pre tabindex="0">${found.table}</pre></details>
+  </div>`;
+}
+
+// Beside another recording all is open.
+const beside = (found) => html`<div class="found">
+  <h3>${found.file}</h3>
+  ${found.picture ? html`<figure>${picture(found.picture)}</figure>` : nothing}
+  <details open><summary>${t("studio-force-details")}</summary><pre tabindex="0">${found.table}</pre></details>
+</div>`;
 
 // Two recordings of this visit side by side: the present one and one that is chosen.
-function sides() {
+function sides(found) {
   const others = [...read.values()].filter((r) => r.file !== found.file).reverse();
   dialog("studio-force-sides", (body) => {
     body.className = "sides";
-    const right = make("div", {});
-    const choose = make("select", { id: "other-recording", "aria-label": t("studio-force-other"), onchange: () => clear(right).append(panel(others[choose.selectedIndex], true)) },
-      ...others.map((r) => make("option", {}, r.file)));
-    right.append(panel(others[0], true));
-    body.append(panel(found, true), make("div", {}, others.length > 1 ? choose : null, right));
+    const [left, right] = [0, 1].map(() => body.appendChild(document.createElement("div")));
+    draw(beside(found), left);
+    const show_ = (i) => draw(html`
+      ${others.length > 1 ? html`<select id="other-recording" aria-label=${t("studio-force-other")}
+        @change=${({ target }) => show_(target.selectedIndex)}>${others.map((r) => html`<option>${r.file}</option>`)}</select>` : nothing}
+      ${beside(others[i])}`, right);
+    show_(0);
   });
 }
 
-function contacts() {
-  const without = new Set(versions.now().recording?.without ?? []);
-  const rows = found.stances.map((s, i) => {
-    const tick = make("input", { type: "checkbox", id: `contact-${i}`, checked: !without.has(i), onchange: () => {
-      if (tick.checked) without.delete(i);
-      else without.add(i);
-      leaveOut([...without].sort((a, b) => a - b));
-    } });
-    return make("tr", {}, make("td", {}, tick), make("th", { scope: "row" }, make("label", { for: `contact-${i}` }, `${i + 1} ${s.foot ? t(`studio-foot-${s.foot}`) : ""}`)),
-      make("td", {}, `${number(s.start_s, 4)}–${number(s.end_s, 4)} s`), make("td", {}, `${number(s.p1_n, 4)} N`));
-  });
-  return make("div", { class: "scroll short", tabindex: "0" }, make("table", {}, make("caption", {}, t("studio-contacts")), make("tbody", {}, ...rows)));
+function contacts(version, found) {
+  if (!(found.stances?.length > 0)) return nothing;
+  const without = new Set(version.recording.without);
+  const tick = (i, isOn) => {
+    if (isOn) without.delete(i);
+    else without.add(i);
+    leaveOut([...without].sort((a, b) => a - b));
+  };
+  const row = (s, i) => html`<tr>
+    <td><input type="checkbox" id="contact-${i}" .checked=${live(!without.has(i))} @change=${({ target }) => tick(i, target.checked)}></td>
+    <th scope="row"><label for="contact-${i}">${i + 1} ${s.foot ? t(`studio-foot-${s.foot}`) : ""}</label></th>
+    <td>${number(s.start_s, 4)}–${number(s.end_s, 4)} s</td><td>${number(s.p1_n, 4)} N</td></tr>`;
+  return html`<div class="scroll short" tabindex="0">
+    <table><caption>${t("studio-contacts")}</caption><tbody>${found.stances.map(row)}</tbody></table></div>`;
 }
 
-// The mean cycle of the contacts that stay is a file of its own, which the scene names.
+// The mean cycle of the contacts that stay is a file of its own, which the scene names. It needs no answers of the reader.
 async function leaveOut(without) {
-  const { file } = versions.now().recording;
-  const hash = versions.now().files[file];
-  const key = JSON.stringify([file, without, hash]);
+  const version = versions.now();
+  const { file } = version.recording;
+  const asked = { ...question(version), without };
   try {
-    found = { ...await described({ file, without }, hash), key };
-    seen = key;
-    const files = { [found.use]: found.use_hash ?? hash };
-    if (found.csv && found.use !== file) files[found.use] = await blobs.put(new TextEncoder().encode(found.csv));
-    edit([{ set: { key: "gait.file", value: found.use } }], null, { files, recording: { file, without }, title: t("studio-contacts") });
+    const found = await engine.ask("contacts", asked);
+    known.set(keyOf(asked), found);
+    read.set(file, found);
+    const files = { [found.use]: found.use_hash };
+    if (without.length > 0) await blobs.put(engine.bytes(found.use_hash));
+    const recording = without.length > 0 ? { file, without, options: asked.options } : { file, without };
+    const options = Object.entries(asked.options).map(([key, value]) => set(`gait.${key}`, without.length > 0 ? "" : value));
+    edit([set("gait.file", found.use), ...options], null, { files, recording, title: t("studio-contacts") });
   } catch (error) {
     notice(said(error));
+    show();
   }
-  build();
 }

@@ -1,43 +1,44 @@
 // A force drawn by hand: points of one cycle that are dragged, added and deleted.
 
-import { make, clear, notice, svg } from "../core/dom.js";
+import { html, nothing, notice, svg, svgTemplate } from "../core/dom.js";
 import { t, number } from "../core/words.js";
 import { engine } from "../core/net.js";
 import * as blobs from "../core/blobs.js";
 import * as versions from "../core/versions.js";
 
 const [WIDTH, HEIGHT, PAD] = [320, 190, 28];
+/** @type {(...all: any[]) => any} */
 let edit = () => {};
+/** @type {(...all: any[]) => any} */
+let redraw = () => {};
 let answer = null;
 let drawn = null;
 let chosen = 0;
 let scale = [0, 1];
 let asking = 0;
-let picture = null;
 let version = 0;
 let gesture = 0;
 // The version's force that the editor shows.
 let seen = null;
 const FILE = "force-by-hand.csv";
 
-export function load(onEdit) {
+export function load(onEdit, draw) {
   edit = onEdit;
+  redraw = draw;
 }
 
-// Follows the version: undo brings the points back. Returns whether the editor came or went.
-export function show(next) {
+// Follows the version: undo brings the points back.
+export function follow(next) {
   answer = next;
-  const { hand } = versions.now() ?? {};
-  if (hand === seen || asking > 0) return false;
+  const { hand = null } = versions.now() ?? {};
+  if (hand === seen || asking > 0) return;
   seen = hand;
-  const changed = Boolean(drawn) !== Boolean(hand);
-  if (!changed && JSON.stringify(hand) === JSON.stringify(plain())) return false;
+  if (hand && drawn && JSON.stringify(hand) === JSON.stringify(plain())) return;
   drawn = hand ? { period_s: hand.period_s, points: hand.points.map((p) => [...p]) } : null;
   chosen = Math.min(chosen, (drawn?.points.length ?? 1) - 1);
-  if (!drawn) return changed;
+  if (!drawn) return;
   fit();
   trace();
-  return changed;
 }
 
 const plain = () => ({ period_s: drawn.period_s, points: drawn.points.map((p) => [...p]) });
@@ -50,13 +51,13 @@ async function trace() {
     const { force_n } = await engine.ask("force", { file: FILE, ...plain() });
     if (mine === version && drawn && versions.now().files[FILE] === hash) drawn.curve = force_n;
   } catch { /* the points alone */ }
-  paint();
+  redraw();
 }
 
-// The button that begins, or the editor; `again` builds the panel anew.
-export function section(again) {
+// The button that begins, or the editor.
+export function section() {
   if (drawn) return editor();
-  return make("button", { type: "button", id: "draw-force", class: "main", onclick: () => { begin(); again(); } }, t("studio-force-draw"));
+  return html`<button type="button" id="draw-force" class="main" ?disabled=${!answer} @click=${begin}>${t("studio-force-draw")}</button>`;
 }
 
 // Begins with the present force.
@@ -72,6 +73,7 @@ function begin() {
   });
   drawn = { period_s: period, points };
   gesture += 1;
+  fit();
   keep();
 }
 
@@ -88,7 +90,7 @@ async function keep() {
     drawn.curve = kept.force_n;
     seen = hand;
     edit([{ set: { key: "gait.file", value: FILE } }], `drawn ${gesture}`, { files: { [FILE]: hash }, hand, title: t("studio-force-hand") });
-    paint();
+    redraw();
   } catch (error) {
     notice(error.message);
   } finally {
@@ -107,7 +109,8 @@ const y = (force) => HEIGHT - 18 - (force - scale[0]) / (scale[1] - scale[0]) * 
 
 // Time and force under the pointer.
 function under(event) {
-  const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+  const across = event.currentTarget.getScreenCTM().inverse();
+  const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(across);
   const time = (p.x - PAD) / (WIDTH - PAD - 8) * drawn.period_s;
   const force = scale[0] + (HEIGHT - 18 - p.y) / (HEIGHT - 26) * (scale[1] - scale[0]);
   return [Math.max(0, Math.min(drawn.period_s * 0.999, time)), Math.round(force * 10) / 10];
@@ -126,7 +129,7 @@ function add(point) {
   drawn.points.push(point);
   drawn.points.sort((a, b) => a[0] - b[0]);
   chosen = drawn.points.indexOf(point);
-  paint();
+  redraw();
   keep();
 }
 
@@ -135,37 +138,31 @@ function remove(i) {
   gesture += 1;
   drawn.points.splice(i, 1);
   chosen = Math.max(0, Math.min(i, drawn.points.length - 1));
-  paint();
+  redraw();
   keep();
 }
 
-function paint() {
-  if (!picture || !drawn) return;
-  clear(picture);
-  picture.append(svg("path", { class: "axis", d: `M${PAD} ${y(0)}H${WIDTH - 8}M${PAD} 8V${HEIGHT - 18}` }));
-  if (drawn.curve) {
-    const step = drawn.period_s / drawn.curve.length;
-    const d = drawn.curve.map((f, i) => `${i ? "L" : "M"}${x(i * step).toFixed(1)} ${y(f).toFixed(1)}`).join("");
-    picture.append(svg("path", { class: "line target", d }));
-  }
-  picture.append(...drawn.points.map(knot));
+/** @type {(point: number[], i: number) => string} */
+const named = ([time, force], i) => t("studio-point", { number: i + 1, time: number(time, 3), force: number(force, 4) });
+
+// The curve through the points as a path.
+function path() {
+  const step = drawn.period_s / drawn.curve.length;
+  return drawn.curve.map((f, i) => `${i ? "L" : "M"}${x(i * step).toFixed(1)} ${y(f).toFixed(1)}`).join("");
 }
 
-function knot(point, i) {
-  const dot = svg("circle", { class: i === chosen ? "knot chosen" : "knot", cx: x(point[0]), cy: y(point[1]), r: 6, tabindex: 0, role: "button",
-    "aria-label": t("studio-point", { number: i + 1, time: number(point[0], 3), force: number(point[1], 4) }) });
-  dot.addEventListener("pointerdown", (event) => {
-    chosen = i;
-    gesture += 1;
-    fit();
-    picture.setPointerCapture(event.pointerId);
-    event.stopPropagation();
-    paint();
-  });
-  dot.addEventListener("dblclick", () => remove(i));
-  dot.addEventListener("keydown", (event) => key(event, i));
-  return dot;
+function grasp(event, i) {
+  chosen = i;
+  gesture += 1;
+  fit();
+  event.currentTarget.ownerSVGElement.setPointerCapture(event.pointerId);
+  event.stopPropagation();
+  redraw();
 }
+
+const knot = (point, i) => svgTemplate`<circle class=${i === chosen ? "knot chosen" : "knot"} r="6" tabindex="0" role="button"
+  cx=${x(point[0])} cy=${y(point[1])} aria-label=${named(point, i)} @pointerdown=${(event) => grasp(event, i)}
+  @dblclick=${() => remove(i)} @keydown=${(event) => key(event, i)}></circle>`;
 
 function key(event, i) {
   const [up, along] = [(scale[1] - scale[0]) / 100, drawn.period_s / 100];
@@ -176,19 +173,21 @@ function key(event, i) {
     gesture += event.repeat ? 0 : 1;
     chosen = i;
     move(i, [drawn.points[i][0] + step[0], drawn.points[i][1] + step[1]]);
-    paint();
+    redraw();
     keep();
   } else remove(i);
-  picture.querySelectorAll(".knot")[chosen]?.focus();
+  /** @type {any} */ (document.querySelectorAll(".editor .knot")[chosen])?.focus();
 }
 
 // The points on the force diagram itself.
 export function overlay(chart) {
   if (!drawn) return [];
   const { start, length } = chart.curves;
-  const seen = drawn.points.map(([time, force], i) => [time, force, i]).filter(([time]) => chart.isSeen(start + length * time / drawn.period_s));
-  return seen.map(([time, force, i]) => svg("circle", { class: "knot", cx: chart.x(start + length * time / drawn.period_s), cy: chart.y(force), r: 5, "data-knot": i,
-    role: "img", "aria-label": t("studio-point", { number: i + 1, time: number(time, 3), force: number(force, 4) }) }));
+  const at = (time) => start + length * time / drawn.period_s;
+  const dot = (point, i) => svg("circle", { class: "knot", cx: chart.x(at(point[0])), cy: chart.y(point[1]), r: 5, "data-knot": i,
+    role: "img", "aria-label": named(point, i) });
+  const dots = drawn.points.map((point, i) => (chart.isSeen(at(point[0])) ? dot(point, i) : null));
+  return dots.filter(Boolean);
 }
 
 // A point of the force diagram goes where the pointer is.
@@ -196,36 +195,47 @@ export function place(i, part, force, begins) {
   if (begins) gesture += 1;
   chosen = i;
   move(i, [part * drawn.period_s, Math.round(force * 10) / 10]);
-  paint();
+  redraw();
+  keep();
+}
+
+function drag(event) {
+  if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+  move(chosen, under(event));
+  redraw();
+  keep();
+}
+
+// A new point halfway to the next one.
+function between() {
+  const [a, b] = [drawn.points[chosen], drawn.points[chosen + 1] ?? [drawn.period_s, drawn.points[0][1]]];
+  add([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
+}
+
+function stretch({ target }) {
+  const next = parseFloat(target.value.replace(",", "."));
+  if (!(next > 0)) return;
+  const factor = next / drawn.period_s;
+  for (const p of drawn.points) p[0] *= factor;
+  drawn.period_s = next;
+  gesture += 1;
   keep();
 }
 
 function editor() {
-  picture = svg("svg", { class: "editor", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "group", "aria-label": t("studio-force-hand") });
-  picture.addEventListener("pointermove", (event) => {
-    if (!picture.hasPointerCapture(event.pointerId)) return;
-    move(chosen, under(event));
-    paint();
-    keep();
-  });
-  picture.addEventListener("dblclick", (event) => { if (!event.target.classList.contains("knot")) add(under(event)); });
-  fit();
-  paint();
-  const between = () => {
-    const [a, b] = [drawn.points[chosen], drawn.points[chosen + 1] ?? [drawn.period_s, drawn.points[0][1]]];
-    add([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
-  };
-  const period = make("input", { type: "text", id: "hand-period", size: 8, value: String(Number(drawn.period_s.toPrecision(5))), onchange: () => {
-    const next = parseFloat(period.value.replace(",", "."));
-    if (!(next > 0)) return;
-    const factor = next / drawn.period_s;
-    for (const p of drawn.points) p[0] *= factor;
-    drawn.period_s = next;
-    gesture += 1;
-    keep();
-  } });
-  return make("div", { class: "hand" }, picture, make("div", { class: "buttons" },
-    make("button", { type: "button", onclick: between }, t("studio-point-add")),
-    make("button", { type: "button", onclick: () => remove(chosen) }, t("studio-point-remove")),
-    make("label", { for: "hand-period" }, t("studio-force-period")), period));
+  const double = (event) => { if (!event.target.classList.contains("knot")) add(under(event)); };
+  return html`<div class="hand">
+    <svg class="editor" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label=${t("studio-force-hand")}
+      @pointermove=${drag} @dblclick=${double}>
+      <path class="axis" d="M${PAD} ${y(0)}H${WIDTH - 8}M${PAD} 8V${HEIGHT - 18}"></path>
+      ${drawn.curve ? svgTemplate`<path class="line target" d=${path()}></path>` : nothing}
+      ${drawn.points.map(knot)}
+    </svg>
+    <div class="buttons">
+      <button type="button" @click=${between}>${t("studio-point-add")}</button>
+      <button type="button" @click=${() => remove(chosen)}>${t("studio-point-remove")}</button>
+      <label for="hand-period">${t("studio-force-period")}</label>
+      <input type="text" id="hand-period" size="8" .value=${String(Number(drawn.period_s.toPrecision(5)))} @change=${stretch}>
+    </div>
+  </div>`;
 }

@@ -1,30 +1,35 @@
 // The scene file as text.
 
-import { $, make, clear } from "../core/dom.js";
-import { t, onLanguage } from "../core/words.js";
+import { $, html, live, render as draw } from "../core/dom.js";
+import { t } from "../core/words.js";
 import { onTab, openTab } from "../core/view.js";
 import * as versions from "../core/versions.js";
 
+/** @type {(...all: any[]) => any} */
 let openScene = () => {};
+// What is typed and not applied yet; null where the text is that of the scene.
+let typed = null;
 
 export function load(open) {
   openScene = open;
-  build();
-  onTab("text", fill);
-  onLanguage(() => { build(); fill(); });
-}
-
-function build() {
-  const area = make("textarea", { id: "scene-text", spellcheck: "false", "aria-label": t("studio-text-label"), rows: 30 });
-  clear($("text")).append(make("p", { class: "lead" }, t("studio-text-lead")), area,
-    make("button", { type: "button", class: "main", onclick: () => openScene(area.value) }, t("studio-text-apply")));
-}
-
-function fill() {
-  const area = $("scene-text");
-  if (area && document.activeElement !== area) area.value = versions.now()?.scene ?? "";
+  onTab("text", () => show(versions.now()));
 }
 
 export function render(version, { moving }) {
-  if (!moving && openTab() === "text") fill();
+  if (!moving && openTab() === "text") show(version);
+}
+
+function apply() {
+  const scene = typed ?? versions.now()?.scene ?? "";
+  typed = null;
+  openScene(scene);
+}
+
+function show(version) {
+  draw(html`
+    <p class="lead">${t("studio-text-lead")}</p>
+    <textarea id="scene-text" spellcheck="false" rows="30" aria-label=${t("studio-text-label")}
+      .value=${live(typed ?? version?.scene ?? "")}
+      @input=${(event) => { typed = event.target.value; }}></textarea>
+    <button type="button" class="main" @click=${apply}>${t("studio-text-apply")}</button>`, $("text"));
 }

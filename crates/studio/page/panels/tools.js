@@ -4,7 +4,6 @@ import { $, notice } from "../core/dom.js";
 import { t, language, choose, onLanguage } from "../core/words.js";
 import * as versions from "../core/versions.js";
 import * as designs from "../core/designs.js";
-import * as autosave from "../core/autosave.js";
 import * as units from "../core/units.js";
 import { embedded } from "../core/view.js";
 import * as gallery from "../dialogs/gallery.js";
@@ -12,6 +11,7 @@ import * as exports from "../dialogs/exports.js";
 import * as files from "../dialogs/files.js";
 import * as exercise from "../dialogs/exercise.js";
 import * as history from "../dialogs/history.js";
+import * as share from "../dialogs/share.js";
 import * as compare from "./compare.js";
 import * as charts from "../charts/charts.js";
 
@@ -25,7 +25,7 @@ export function load({ start, move, openScene }) {
   $("open-files").addEventListener("click", () => files.open(openScene));
   $("open-save").addEventListener("click", files.save);
   $("open-export").addEventListener("click", exports.open);
-  $("link").addEventListener("click", copy);
+  $("link").addEventListener("click", share.open);
   $("language").addEventListener("click", () => choose(language() === "en" ? "es" : "en"));
   const name = () => {
     const other = language() === "en" ? "ES" : "EN";
@@ -81,16 +81,6 @@ function pin() {
   }
   compare.pin();
   notice(t("studio-pinned"));
-}
-
-async function copy() {
-  const { text, shortened, own } = await autosave.link();
-  try {
-    await navigator.clipboard.writeText(text);
-    notice([t(own ? "studio-linked-part" : "studio-linked"), shortened ? t("studio-linked-cycle", { file: shortened }) : ""].filter(Boolean).join(" "));
-  } catch {
-    notice(t("studio-linked-address"));
-  }
 }
 
 // On a phone the header has one row; a button shows the rest.

@@ -34,6 +34,7 @@ export function load(onApply, more, again) {
 export function render(version, { answer }) {
   const pending = pendingOf(version, answer);
   standing(pending, answer);
+  if (!answer) hide($("conflict"));
   if (!answer) return;
   draw(answer.figures.map(figure), $("figures"));
   changes(answer, pending);
@@ -43,6 +44,7 @@ export function render(version, { answer }) {
 
 // Why the verdict does not belong to the version shown; "" where it does.
 function pendingOf(version, answer) {
+  if (designs.isForeign() && version?.fault) return "studio-force-foreign";
   if (versions.refused(version)) return "studio-pending";
   return answer?.quick ? "studio-quick" : "";
 }
@@ -58,13 +60,7 @@ function standing(pending, answer) {
   draw(html`
     <button type="button" id="chip" class="chip" aria-expanded=${isOpen} aria-controls="standing" @click=${unfold}>
       <span class="light" aria-hidden="true"></span><strong id="verdict-name">${name}</strong></button>
-    <p id="verdict-reasons">${reasons}</p>
-    ${accepted(answer)}`, box);
-}
-
-function accepted(answer) {
-  const list = answer?.accepted ?? [];
-  return list.length > 0 ? html`<p id="accepted" class="quiet">${t("studio-accepted", { list: list.join(", ") })}</p>` : nothing;
+    <p id="verdict-reasons">${reasons}</p>`, box);
 }
 
 function unfold() {
@@ -108,7 +104,7 @@ function changes(answer, pending) {
   const { relaxations, together = [] } = tried.get(answer) ?? answer;
   const useful = relaxations.filter((r) => r.value);
   const all = together.filter((r) => r.value);
-  const asked = remedies({ message: answer.reasons });
+  const asked = remedies({ remedies: answer.asks });
   const isShown = answer.needs_relaxing && !answer.quick && !pending && useful.length + all.length + asked.length > 0;
   hide($("conflict"), !isShown);
   if (!isShown) return;
