@@ -198,6 +198,7 @@ class State(Pages):
         self.drop(page, "mine.csv", cycle(850))
         force = self.force_hash(page)
         page.page.click("#link")
+        page.page.click("#copy-link")
         page.until("it is copied", lambda: page.page.is_visible("#notice"))
         text = page.page.evaluate("navigator.clipboard.readText()")
         self.assertRegex(text, r"^#s=[\w-]+$")
