@@ -66,4 +66,4 @@ done
 
 [ -x "$page/node_modules/.bin/esbuild" ] || npm ci --silent --no-audit --no-fund --prefix "$page" > /dev/null ||
   fail "npm cannot install esbuild and the libraries of the page"
-python3 web/page.py "$web/modules" "$page/node_modules/.bin/esbuild" web/dist
+python3 web/page.py "$web/modules" "$page/node_modules/.bin/esbuild" web/dist ${GAITCAM_URL:+--url "$GAITCAM_URL"}
