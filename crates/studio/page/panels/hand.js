@@ -117,6 +117,7 @@ function under(event) {
 }
 
 // A point stays between its neighbours.
+/** @param {number} i @param {number[]} to */
 function move(i, [time, force]) {
   const gap = drawn.period_s / 200;
   const low = i > 0 ? drawn.points[i - 1][0] + gap : 0;
