@@ -298,3 +298,119 @@ pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let hash = files.engine.keep(csv.clone().into_bytes());
     Ok(json!({"use": name, "csv": csv, "hash": hash, "force_n": curve.map(|c| c.force_n)}))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::page::kept::{Engine, Host, Start};
+    use crate::page::sources::Named;
+    use gaitcam::error::Placed;
+    use gaitcam::halt::Halt;
+
+    /// A page without a folder.
+    struct Page;
+
+    impl Host for Page {
+        fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
+            Err(StudioError::NotDropped.in_file(path))
+        }
+
+        fn seconds(&self) -> f64 {
+            0.0
+        }
+
+        fn halt(&self) -> Halt {
+            Halt::never()
+        }
+
+        fn start(&self) -> Start {
+            Start::default()
+        }
+    }
+
+    const WALK: &str = include_str!("../../../../../data/recordings/made_walk.csv");
+
+    /// The problem of a scene and its packed one, whose only file is the mean cycle.
+    fn packed(recording: &str, gait: &str) -> [Problem; 2] {
+        let engine = Engine::default();
+        let mut scene = format!(
+            "[gait]\nfile = \"walk.csv\"\n{gait}\n[drive]\nmass = \"auto\"\nspeed = \"auto\"\n[law]\nfamily = \"spline\"\n"
+        );
+        let mut named = Named {
+            name: "walk.csv".to_string(),
+            hash: engine.keep(recording.as_bytes().to_vec()),
+        };
+        let problem = |scene: &str, named: &Named| {
+            let files = Files::new(&engine, &Page, vec![named.clone()]);
+            let scene = files.scene(&page::table(scene).unwrap()).unwrap().0;
+            let target = files.target(&scene).unwrap().unwrap().0;
+            Problem::resolve(&scene, Some(&target)).unwrap()
+        };
+        let whole = problem(&scene, &named);
+        let files = Files::new(&engine, &Page, vec![named.clone()]);
+        let asked = Whole { scene };
+        let made = mean_cycle(&files, &asked).unwrap();
+        scene = made["scene"].as_str().unwrap().to_string();
+        named = Named {
+            name: made["use"].as_str().unwrap().to_string(),
+            hash: engine.keep(made["csv"].as_str().unwrap().as_bytes().to_vec()),
+        };
+        [whole, problem(&scene, &named)]
+    }
+
+    #[test]
+    fn the_mean_cycle_is_the_same_problem_as_its_recording() {
+        for gait in [
+            "",
+            "feet = \"one\"",
+            "mass = \"71 kg\"\nkind = \"walking\"",
+            "force = \"Left Fz\"\nfeet = \"one\"",
+            "noise = \"3 N\"",
+        ] {
+            let [whole, cycle] = packed(WALK, gait);
+            assert_eq!(
+                whole.target.as_ref().unwrap().force_n,
+                cycle.target.as_ref().unwrap().force_n,
+                "{gait}"
+            );
+            assert_eq!(whole.drive.mass, cycle.drive.mass, "{gait}");
+            assert_eq!(whole.drive.speed, cycle.drive.speed, "{gait}");
+            assert_eq!(whole.accuracy, cycle.accuracy, "{gait}");
+            assert_eq!(whole.steps_per_turn, cycle.steps_per_turn, "{gait}");
+            let [one, other] = [&whole, &cycle].map(|p| p.weight_n.unwrap());
+            assert!((one / other - 1.0).abs() < 1e-12, "{gait}: {one} {other}");
+        }
+    }
+
+    #[test]
+    fn what_is_open_about_a_recording_stays_open_for_its_mean_cycle() {
+        // Without a unit the forces of a child: the mass is asked for.
+        let rows = WALK.lines().filter(|l| !l.starts_with('#'));
+        let light = rows.map(|row| {
+            let fields = row.split(',').map(|x| {
+                x.parse()
+                    .map_or(x.to_string(), |f: f64| (0.2 * f).to_string())
+            });
+            let mut fields: Vec<String> = fields.collect();
+            if let Some(time) = row.split(',').next() {
+                fields[0] = time.to_string();
+            }
+            fields.join(",") + "\n"
+        });
+        let light: String = light.collect();
+        let open = |problem: &Problem| {
+            problem
+                .open_questions
+                .iter()
+                .map(|(q, _)| *q)
+                .collect::<Vec<_>>()
+        };
+        let [whole, cycle] = packed(&light, "");
+        assert_eq!(open(&whole), [OpenQuestion::Mass]);
+        assert_eq!(open(&cycle), open(&whole));
+        let [whole, cycle] = packed(&light, "accept = \"mass\"");
+        assert!(open(&whole).is_empty() && open(&cycle).is_empty());
+    }
+}

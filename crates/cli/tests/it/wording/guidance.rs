@@ -199,7 +199,10 @@ fn a_run_without_a_command_says_what_it_designs() {
     let folder = tempfile::tempdir().unwrap();
     let run = run_in(folder.path(), &[]);
     assert_eq!(run.status.code(), Some(0));
-    assert!(stderr(&run).starts_with("gaitcam: No command is given; the built-in footbridge is designed."));
+    assert!(
+        stderr(&run)
+            .starts_with("gaitcam: No command is given; the built-in footbridge is designed.")
+    );
 }
 
 #[test]
