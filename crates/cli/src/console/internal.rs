@@ -17,6 +17,7 @@ use crate::console::words;
 
 /// Last scene read.
 static SCENE: Mutex<Option<Table>> = Mutex::new(None);
+/// Text and source location of the first panic.
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
 
 /// Keeps a scene for a possible error report.
