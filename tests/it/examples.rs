@@ -1,4 +1,4 @@
-//! Every example runs to its end.
+//! Every example finishes without an error.
 
 #[path = "../../examples/custom_force.rs"]
 mod custom_force;

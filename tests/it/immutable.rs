@@ -1,11 +1,11 @@
-//! A problem is complete when it exists, a design when it is finished: nothing assigns to their fields afterwards.
+//! A problem and a design are complete when they are constructed: no later code assigns to their fields.
 
 use std::fs;
 use std::path::Path;
 
 use gaitcam_test_support::root;
 
-/// Sources of the product without tests, each with its path from the root.
+/// Collects the sources of the product without tests, each with its path relative to the root.
 fn sources(dir: &Path, out: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(dir).unwrap() {
         let path = entry.unwrap().path();
@@ -21,13 +21,13 @@ fn sources(dir: &Path, out: &mut Vec<(String, String)>) {
     }
 }
 
-/// What follows the path of fields with which a text begins.
+/// Rest of a text after the path of fields at its start.
 fn after_path(text: &str) -> Option<&str> {
     let end = text.find(|c: char| !(c.is_ascii_alphanumeric() || "._".contains(c)))?;
     Some(text[end..].trim_start())
 }
 
-/// Whether a line assigns to a field of a variable, or takes it by a mutable reference.
+/// Whether a line assigns to a field of a variable or borrows it mutably.
 fn changes(line: &str, variable: &str, kind: &str) -> bool {
     let assigns = line
         .match_indices(&format!("{variable}."))

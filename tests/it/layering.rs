@@ -1,10 +1,10 @@
-//! Layering: every module imports only from those below it.
+//! Layering: a module imports only from lower modules.
 
 use std::fs;
 use std::path::Path;
 
-/// Lowest floor first: a module may use those before it. The law stands before the drive, because a force
-/// is computed from a law. The first two are of the crate `gaitcam-base`.
+/// Modules from the lowest to the highest; a module may use the ones before it. The law precedes the drive, because a force is computed from a law.
+/// The first two belong to the crate `gaitcam-base`.
 const FLOORS: [&str; 17] = [
     "halt",
     "units",
@@ -85,10 +85,10 @@ fn imports_point_downwards_only() {
     }
 }
 
-/// A test that stands in no module of a file: the file holds nothing else.
+/// Start of a test outside any module. A file with such a test contains only tests.
 const TEST: &str = "\n#[test]\n";
 
-/// Parts of `src/synth`, lowest first: an attempt of one law stands below the design, machine and population above it.
+/// Parts of `src/synth` from the lowest to the highest. The attempt of one law is below the design, the machine and the population.
 const PARTS_OF_SYNTH: [&str; 20] = [
     "search",
     "qp",
@@ -112,7 +112,7 @@ const PARTS_OF_SYNTH: [&str; 20] = [
     "outcome",
 ];
 
-/// The first names of all paths in a text that begin with `prefix`, those in braces too.
+/// First names of all paths in a text that begin with `prefix`, including the names in braces.
 fn named_after(text: &str, prefix: &str) -> Vec<String> {
     let first = |path: &str| -> String {
         let is_word = |c: &char| c.is_alphanumeric() || *c == '_';
@@ -139,7 +139,7 @@ fn named_after(text: &str, prefix: &str) -> Vec<String> {
     names.collect()
 }
 
-/// Imports of a part of `src/synth` from parts that do not stand below it.
+/// Imports of a part of `src/synth` from parts that are not below it.
 fn upwards(part: &str, text: &str, is_top: bool) -> Vec<String> {
     let rank = |name: &str| PARTS_OF_SYNTH.iter().position(|p| *p == name);
     let own = rank(part).unwrap_or_else(|| panic!("{part} has no place in synth"));
@@ -190,8 +190,8 @@ fn an_import_upwards_is_seen() {
     assert!(upwards("population", text, true).is_empty());
 }
 
-/// The code of a file without comments (examples in the documentation are programs of users) and without the items that
-/// are compiled for tests only: from the attribute to the line that closes the item.
+/// Code of a file without comments and without test items, from the `cfg(test)` attribute to the line that closes the item. Comments are left out
+/// because examples in the documentation are programs of users.
 fn without_tests(text: &str) -> String {
     let mut out = String::new();
     let mut lines = text.lines();
@@ -208,7 +208,7 @@ fn without_tests(text: &str) -> String {
     out
 }
 
-/// Columns before the first word of a line.
+/// Number of columns before the first word of a line.
 fn indent(line: &str) -> usize {
     line.len() - line.trim_start().len()
 }
@@ -241,8 +241,7 @@ fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
     }
 }
 
-/// Folders of the code that words the messages of a crate, each with the English Fluent files of those messages; lowest crate
-/// first.
+/// Folders with the code for the messages of a crate, each with the English Fluent files of these messages; the lowest crate first.
 const WORDED: [[&str; 2]; 7] = [
     ["crates/base/src/wording", "crates/base/src/wording/en"],
     ["crates/gait/src/wording", "crates/gait/src/wording/en"],
@@ -253,10 +252,10 @@ const WORDED: [[&str; 2]; 7] = [
     ["crates/cli/src/console", "crates/cli/words/en"],
 ];
 
-/// Fields of a quantity, which every crate shows, and a unit that is also the name of a field.
+/// Fields of a quantity, which every crate shows, and a unit that is also a field name.
 const OF_QUANTITY: [&str; 3] = ["ratio", "unit", "value"];
 
-/// The texts of the files in a folder with this ending, one after another; of Fluent files, the English ones.
+/// Texts of the files in a folder with this ending, concatenated; of Fluent files only the English ones.
 fn texts(folder: &str, ending: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let paths = fs::read_dir(root)
@@ -284,7 +283,7 @@ fn fields_and_areas(fluent: &str) -> Vec<String> {
     named_after(fluent, "$").into_iter().chain(areas).collect()
 }
 
-/// Whole quoted words of a code: `known` of `as_typed: &["known"]`.
+/// Quoted words of code: `known` of `as_typed: &["known"]`.
 fn quoted(code: &str) -> Vec<&str> {
     let is_word = |text: &&str| !text.is_empty() && text.chars().all(|c| c.is_ascii_lowercase());
     code.split('"').skip(1).step_by(2).filter(is_word).collect()

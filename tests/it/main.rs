@@ -1,4 +1,4 @@
-//! The library against closed forms, tables and independent routes, by subject.
+//! Tests of the library against closed forms, tables and independent methods, by subject.
 
 mod cam;
 mod dynamics;

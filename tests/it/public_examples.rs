@@ -1,17 +1,17 @@
 //! Every public type of the library has an example in its documentation.
 //!
-//! Public is what `pub mod` and `pub use` lead to from `lib.rs`.
+//! Public types are reachable from `lib.rs` by `pub mod` and `pub use`.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A module: its file, and the folder of those inside it.
+/// Module: its file, and the folder of its submodules.
 #[derive(Debug, Clone)]
 struct Module {
     file: PathBuf,
     folder: PathBuf,
-    /// Sources of its crate.
+    /// Source folder of the crate.
     root: PathBuf,
 }
 
@@ -28,14 +28,14 @@ impl Module {
         }
     }
 
-    /// The root of a crate of the workspace.
+    /// Root module of a crate of the workspace.
     fn of_crate(name: &str) -> Option<Module> {
         let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates");
         let root = crates.join(name.trim_start_matches("gaitcam_")).join("src");
         root.exists().then(|| Module::root_of(root))
     }
 
-    /// The module of that name inside this one.
+    /// Submodule of this name.
     fn inner(&self, name: &str) -> Option<Module> {
         let folder = self.folder.join(name);
         let files = [folder.with_extension("rs"), folder.join("mod.rs")];
@@ -48,7 +48,7 @@ impl Module {
         fs::read_to_string(&self.file).unwrap()
     }
 
-    /// Statements of the module itself, each with what stands before it: attributes and documentation.
+    /// Statements of the module itself, each with the attributes and documentation before it.
     fn statements(&self) -> Vec<(String, String)> {
         let text = self.text();
         let mut out = Vec::new();
@@ -72,7 +72,7 @@ impl Module {
         out
     }
 
-    /// Where the type of that name is defined, and whether an example stands in its documentation.
+    /// File that defines the type of this name, and whether its documentation contains an example.
     fn type_named(&self, name: &str) -> Option<(PathBuf, bool)> {
         for (before, statement) in self.statements() {
             if type_name(&statement) == Some(name) {
@@ -90,7 +90,7 @@ impl Module {
         })
     }
 
-    /// The module that a path leads to, and its last name.
+    /// Module at the end of a path, and the last name of the path.
     fn followed(&self, path: &str) -> Option<(Module, String)> {
         let mut parts: Vec<&str> = path.split("::").collect();
         let last = parts.pop()?.to_string();
@@ -141,7 +141,7 @@ impl Module {
     }
 }
 
-/// The name of the type that a statement defines.
+/// Name of the type that a statement defines.
 fn type_name(statement: &str) -> Option<&str> {
     let rest = statement.strip_prefix("pub ")?;
     let kinds = ["struct ", "enum ", "trait ", "type "];
@@ -150,7 +150,7 @@ fn type_name(statement: &str) -> Option<&str> {
         .next()
 }
 
-/// Paths that a `use` brings in, each with the name that it is given.
+/// Paths that a `use` imports, each with the name it gets.
 fn used(statement: &str) -> Vec<(String, String)> {
     let Some((_, tree)) = statement.split_once(" use ") else {
         return Vec::new();

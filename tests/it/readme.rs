@@ -1,4 +1,4 @@
-//! The program of the page on Rust in a crate that depends on `gaitcam` alone.
+//! Runs the program of the page on Rust in a crate that depends on `gaitcam` only.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -6,13 +6,13 @@ use std::time::SystemTime;
 
 const PAGE: &str = include_str!("../../docs/guide/rust.md");
 
-/// The first block of a kind.
+/// First code block of a kind.
 fn block(kind: &str) -> &'static str {
     let text = PAGE.split_once(&format!("```{kind}\n")).expect("a block").1;
     text.split_once("```").expect("its end").0
 }
 
-/// The library that this test was built with: the newest beside it.
+/// Newest library in the folder, which this test was built with.
 fn library(folder: &Path) -> PathBuf {
     let entries = std::fs::read_dir(folder)
         .unwrap()

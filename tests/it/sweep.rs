@@ -1,4 +1,4 @@
-//! A row of a sweep is the design of its scene.
+//! A row of a sweep equals the design of its scene.
 
 use gaitcam::halt::Halt;
 use gaitcam::scene::keys::{KEYS, Key};
@@ -11,18 +11,18 @@ use toml::Table;
 
 use crate::scene::random::{Numbers, grow, typed};
 
-/// Rows differ from single designs by less than this part of the value, or of the mean force: a sweep scales the force of a
-/// walker of 1 N, and a solver of limits passes that rounding on.
+/// Maximum difference between rows and single designs, relative to the value or the mean force. A sweep scales the force of a walker of 1 N, and the
+/// solver propagates this rounding.
 const SAME: f64 = 1e-6;
 
-/// A scene of one change after another, and the last of them.
+/// Random scene after several changes, with the last change.
 struct Drawn {
     table: Table,
     last: String,
 }
 
-/// A built-in scene without a recording, changed in up to four keys that are drawn from the whole table, so that it can still be
-/// read; half of the scenes have harmonic laws.
+/// Built-in scene without a recording, with up to four changed keys from the whole table, so that it is still valid. Half of the scenes have harmonic
+/// laws.
 fn drawn(numbers: &mut Numbers) -> Option<Drawn> {
     let own = SCENES.iter().filter(|s| !s.toml.contains("file ="));
     let own: Vec<_> = own.collect();
@@ -44,7 +44,7 @@ fn drawn(numbers: &mut Numbers) -> Option<Drawn> {
     last.map(|last| Drawn { table, last })
 }
 
-/// A scene with a random value of a key, and that change; `None` where it is not a scene then.
+/// Scene with a random value of a key, and this change; `None` if the result is not a valid scene.
 fn changed(table: &Table, key: &Key, numbers: &mut Numbers) -> Option<(Table, String)> {
     let read = scene::read(table).ok()?;
     let text = typed(key, &read, numbers).filter(|_| key.exists(&read))?;
@@ -60,7 +60,7 @@ fn changed(table: &Table, key: &Key, numbers: &mut Numbers) -> Option<(Table, St
     (!is_recording).then_some((out, change))
 }
 
-/// The row of a sweep over the one value of the last change; over none where its text lists several.
+/// Row of a sweep over the single value of the last change, or over no value if its text is a list.
 fn swept(drawn: &Drawn) -> Records {
     let is_one = !drawn.last.contains([',', ':']);
     let sweep = |vary: &[&str]| {
@@ -73,7 +73,7 @@ fn swept(drawn: &Drawn) -> Records {
     runner.run(0..1, 1, &|| false)
 }
 
-/// The row of the scene's own design.
+/// Row of the single design of the scene.
 fn single(drawn: &Drawn) -> Row {
     let scene = scene::read(&drawn.table).unwrap();
     let force = scene.model_force();
@@ -115,7 +115,7 @@ fn compare(drawn: &Drawn, swept: &Records, single: &Row) {
     }
 }
 
-/// Compares so many drawn scenes.
+/// Compares `count` random scenes.
 fn rows_are_single_designs(count: usize) {
     let (mut built, mut spectral, mut met) = (0, 0, vec![false; KEYS.len()]);
     let mut numbers = Numbers(11);
@@ -156,7 +156,7 @@ fn rows_of_two_thousand_random_scenes_equal_single_designs() {
     rows_are_single_designs(2000);
 }
 
-/// A force of the machine beyond its drive once had no part in rows of the closed form.
+/// A force of the machine outside the drive was once missing in rows of the closed form.
 #[test]
 fn a_learned_force_counts_in_rows() {
     let mut table: Table = scene::DEFAULT.parse().unwrap();

@@ -1,4 +1,4 @@
-//! Geometry of every follower by a second route: closed forms and differences along the profile.
+//! Geometry of every follower compared with an independent method: closed forms and differences along the profile.
 
 use super::{oscillating, roller};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};

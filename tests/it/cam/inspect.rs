@@ -1,4 +1,4 @@
-//! Made cams with known centre, zero angle and deviation, measured and fitted back.
+//! Manufactured cams with known centre, zero angle and deviation. The fit of measured points must return these values.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use gaitcam::law::Law;
 use gaitcam::sweep::MadeCam;
 use gaitcam::synth::Design;
 
-/// Turn of the cam in the measuring frame, and its centre, m.
+/// Rotation of the cam in the measuring frame, rad, and its centre, m.
 const TURN: f64 = 2.1;
 const CENTRE: [f64; 2] = [0.123, -0.045];
 /// Number of measured points.
@@ -48,14 +48,14 @@ fn arms() -> [Cam; 2] {
     [roller, flat].map(|follower| Cam::new(law.clone(), follower).unwrap())
 }
 
-/// A point of the cam as the machine sees it.
+/// Point of the cam in the coordinates of the measuring machine.
 fn seen([x, y]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = TURN.sin_cos();
     [CENTRE[0] + cos * x - sin * y, CENTRE[1] + sin * x + cos * y]
 }
 
-/// Waves of 2 to 12 lobes that fall with the square of their number, as cams are made within a tolerance, less
-/// what a turn and a shift would explain: the fit is then the truth itself.
+/// Deviations of a cam manufactured within a tolerance: waves of 2 to 12 lobes whose amplitude falls with the square of their number. Rotation and
+/// shift are removed, so that the fit must return these deviations.
 fn made(cam: &Cam, size: f64) -> Vec<f64> {
     let profile = cam.profile(POINTS);
     let wave = |theta: f64| -> f64 {
@@ -84,7 +84,7 @@ fn made(cam: &Cam, size: f64) -> Vec<f64> {
     out
 }
 
-/// Where the machine's ball of radius `ball` stands on the made cam, in an order of its own.
+/// Centres of the probing ball of radius `ball` on the manufactured cam, in shuffled order.
 fn measured(cam: &Cam, deviations: &[f64], ball: f64) -> Vec<[f64; 2]> {
     let profile = cam.profile(POINTS);
     (0..POINTS)
@@ -197,7 +197,7 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
     assert!(matches!(fault(round), CamInputError::MeasuredCircle));
 }
 
-/// Cams without a mirror image of their own, on a slide and on an arm, under a roller and a flat face.
+/// Cams without mirror symmetry, on a slide and on an arm, with a roller and a flat face.
 fn lopsided() -> [Cam; 4] {
     let [roller_arm, flat_arm] = arms();
     [roller(), flat(0.04), roller_arm, flat_arm]

@@ -1,4 +1,4 @@
-//! Profiles, curvature, pressure angles, sizes, and cams that cannot be made.
+//! Profiles, curvature, pressure angles, sizes, and infeasible cams.
 
 mod geometry;
 mod inspect;
@@ -10,7 +10,7 @@ mod refused;
 use gaitcam::cam::{Cam, Follower};
 use gaitcam_test_support::turn;
 
-/// A roller on a straight path.
+/// Translating roller follower.
 fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
     Follower::RollerTranslating {
         prime_radius,
@@ -19,7 +19,7 @@ fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
     }
 }
 
-/// Every follower on an arm, its pivot on either side.
+/// Every oscillating follower, with its pivot on either side.
 fn oscillating() -> Vec<Cam> {
     let law = turn(&[
         ("cycloidal", 0.15, 90.0),

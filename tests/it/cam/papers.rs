@@ -1,4 +1,4 @@
-//! Cams against the papers' numbers, closed forms and finite differences.
+//! Cams compared with published numbers, closed forms and finite differences.
 
 use super::{oscillating, roller};
 use gaitcam::cam::{
@@ -10,7 +10,7 @@ use gaitcam::poly::PiecewisePoly;
 use gaitcam_test_support::{near, turn};
 use std::f64::consts::{PI, TAU};
 
-/// theory §2: the paper's law with its dwell, inches.
+/// Law of the paper with its dwell, inches (theory §2).
 fn heel_tester() -> Law {
     let k = 30.0 * (PI * 0.75 * 0.75_f64).powi(2);
     let end = 256.32_f64.to_radians();
@@ -140,7 +140,7 @@ fn conjugate_of_ejemplo8_has_a_base_of_80() {
     assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());
 }
 
-/// Rise and fall of 40 mm by Berzak's law D, a turn each, in a barrel of 30 mm with a groove to 21 mm.
+/// Barrel cam with a rise and a fall of 40 mm by Berzak's law D, one turn each: barrel of 30 mm with a groove to 21 mm.
 fn barrel_thesis() -> BarrelGroove {
     let rise = Segment {
         motion: Rise::BerzakD,
@@ -304,7 +304,7 @@ fn a_cam_that_never_comes_to_a_point_needs_no_base_radius() {
     near(smallest_base_radius(&law, 2.0), 0.0, 0.0);
 }
 
-/// A rise alone: an open law, so that no fall asks for anything.
+/// Law with a rise only. It is open, so that a fall has no influence.
 fn rise_only(beta: f64) -> Law {
     let up = Segment {
         motion: Rise::Poly345,
@@ -314,7 +314,7 @@ fn rise_only(beta: f64) -> Law {
     program(&[up], Extent::Length(beta.to_radians())).unwrap()
 }
 
-/// theory §6: lift 20 mm, quarter turns of rise, dwell, fall, dwell, cycloidal.
+/// Cycloidal law with a lift of 20 mm: rise, dwell, fall and dwell of a quarter turn each (theory §6).
 fn reference_law() -> Law {
     turn(&[
         ("cycloidal", 20.0, 90.0),

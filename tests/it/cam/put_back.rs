@@ -1,8 +1,8 @@
-//! The follower put back on the emitted profile: it must stand where the law says.
+//! Independent check of the profile: a follower placed on the emitted profile has the lift of the law.
 //!
-//! The profile is taken at 1440 points; between them it is interpolated by polynomials of degree 5 through
-//! six neighbours, because straight chords alone miss a 5 cm cam by 1e-7 m. The follower is placed half
-//! way between the samples by formulas of its own, from the conventions of the interface.
+//! The profile has 1440 points. Between them it is interpolated by polynomials of degree 5 through six neighbours, because the error of straight
+//! chords is 1e-7 m for a cam of 5 cm. The follower is placed half way between the samples by separate formulas from the conventions of the
+//! interface.
 
 use gaitcam::cam::{BarrelGroove, Cam, Closure, Conjugate, Follower, ProfilePoint, Rollers, Wall};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -10,7 +10,7 @@ use gaitcam_test_support::{segments, turn};
 use std::f64::consts::{PI, TAU};
 
 const POINTS: usize = 1440;
-/// Largest gap or overlap allowed, m.
+/// Maximum gap or overlap, m.
 const GAP: f64 = 1e-7;
 
 fn lopsided(lift: f64) -> Law {
@@ -58,7 +58,7 @@ impl Curve {
         out
     }
 
-    /// Least value of `f` over the curve: best sample, then golden section around it.
+    /// Minimum of `f` over the curve: best sample, then golden-section search around it.
     fn least(&self, f: impl Fn([f64; 2]) -> f64) -> f64 {
         let best = (0..self.points.len())
             .min_by(|&i, &j| f(self.points[i]).total_cmp(&f(self.points[j])))
@@ -81,13 +81,13 @@ impl Curve {
     }
 }
 
-/// Seen from the cam: R(−θ)·p.
+/// Point in the frame of the cam: R(−θ)·p.
 fn into_cam(theta: f64, p: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [cos * p[0] + sin * p[1], cos * p[1] - sin * p[0]]
 }
 
-/// Where circle centre (or face) stands in space for lift s: centre, or face normal with its distance.
+/// Position of the follower in space for a lift: centre of the circle, or normal of the face with its distance.
 enum Stand {
     Centre([f64; 2]),
     Face([f64; 2], f64),
@@ -292,7 +292,7 @@ fn constant_breadth_is_constant_over_all_directions() {
     }
 }
 
-/// The cam of constant breadth between two faces, from the law of its first half turn.
+/// Cam of constant breadth between two faces, from the law of its first half turn.
 fn between_faces(half: &[Segment], breadth: f64) -> Cam {
     let law = constant_breadth(half).unwrap();
     let base_radius = 0.5 * (breadth - law.stroke());

@@ -1,4 +1,4 @@
-//! Whatever motions and lengths are put together: a refusal with words, or a cam whose extremes hold.
+//! Random combinations of motions and lengths: an error message, or a cam with correct extremes.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::law::{Extent, Rise, Segment, program};

@@ -1,4 +1,4 @@
-//! Cams that cannot be, verdicts and interference.
+//! Infeasible cams, verdicts and interference.
 
 use gaitcam::cam::{
     Body, Cam, Closure, Conjugate, Continuity, Follower, SizeLimits, Verdict, smallest_for,

@@ -1,4 +1,4 @@
-//! Laws for a floor that moves, and the steady motion of that floor.
+//! Laws for a moving floor, and the steady motion of the floor.
 
 use std::f64::consts::TAU;
 
@@ -39,8 +39,8 @@ fn mode(mass: f64, frequency: f64, damping: f64) -> FloorMode {
     }
 }
 
-/// Velocity and acceleration over the last of many turns, from angle 0, by Runge and Kutta's method of the fourth order on the modes under the shaker's inertia and
-/// the others' force; F = M (g + d″ + z″) makes M φ² part of the modal mass.
+/// Velocity and acceleration over the last of many turns, from angle 0. The modes under the inertia of the shaker and the force of the others are
+/// integrated by the Runge-Kutta method of order 4. By F = M (g + d″ + z″), M φ² is part of the modal mass.
 fn integrated(
     modes: &[FloorMode],
     mass: f64,
@@ -92,7 +92,7 @@ fn the_steady_motion_is_that_of_an_integration_over_time() {
     moves_as(motion, &integrated(&floor.modes, mass, omega, still));
 }
 
-/// The peaks of two samplings of a turn by 4000 points differ by 1e-6.
+/// Asserts that the floor moves as in `rows`. The peaks of two samplings of a turn at 4000 points differ by 1e-6.
 fn moves_as(motion: FloorMotion, rows: &[[f64; 2]]) {
     let peak = rows.iter().fold(0.0_f64, |m, x| m.max(x[1].abs()));
     let rms = mean(rows, |x| x[1] * x[1]).sqrt();
@@ -137,7 +137,7 @@ fn limits_of_the_force_hold_for_the_true_force_on_the_moving_floor() {
     }
 }
 
-/// Harmonics of the force of a law of harmonics on the moving floor, N, by one response each.
+/// Harmonics of the force of a harmonic law on the moving floor, N, from one frequency response each.
 fn felt(floor: &Floor, mass: f64, omega: f64, law: &[(f64, f64)], count: usize) -> Vec<(f64, f64)> {
     let mut still = vec![(0.0, 0.0); count];
     for (n, (own, (a, b))) in (1..).zip(still.iter_mut().zip(law)) {
@@ -149,7 +149,7 @@ fn felt(floor: &Floor, mass: f64, omega: f64, law: &[(f64, f64)], count: usize) 
         .unwrap()
 }
 
-/// Largest value of a sum of harmonics.
+/// Maximum of a sum of harmonics.
 fn highest(terms: &[(f64, f64)]) -> f64 {
     let at = |i: i32| {
         let x = TAU * f64::from(i) / 1440.0;
@@ -162,7 +162,7 @@ fn highest(terms: &[(f64, f64)]) -> f64 {
     (0..1440).map(at).fold(f64::MIN, f64::max)
 }
 
-/// Among random laws of the family under the limit none has a smaller force error on the floor that it moves itself.
+/// None of the random harmonic laws within the limit has a smaller force error on the floor that it moves.
 #[test]
 fn the_best_law_is_that_on_the_floor_that_responds_to_it() {
     for (mass, frequency, damping, key, limit) in [
@@ -247,7 +247,7 @@ fn the_best_law_is_that_on_the_floor_that_responds_to_it() {
     }
 }
 
-/// The least jerk within an accuracy falls as the multiplier of the accuracy says, which counts that the floor responds.
+/// The minimum jerk at a given accuracy falls by the multiplier of the accuracy, which includes the response of the floor.
 #[test]
 fn easing_the_accuracy_on_a_floor_buys_what_its_multiplier_promises() {
     let of = |accuracy: &str| {

@@ -1,4 +1,4 @@
-//! The emitted cam on its machine.
+//! Simulation of the emitted cam on its machine.
 
 mod floor;
 mod on_shaft;

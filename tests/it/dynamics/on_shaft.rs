@@ -1,4 +1,4 @@
-//! Laws for the speed that the motor gives the shaft.
+//! Laws for the shaft speed that results from the motor.
 
 use gaitcam::cam::Verdict;
 use gaitcam::criterion::Criterion;
@@ -27,7 +27,7 @@ fn motor<'a>(slope: &'a str, inertia: &'a str) -> Vec<(&'a str, &'a str)> {
     ]
 }
 
-/// Force error over time, percent of the mean, of the emitted cam: simulate knows nothing of the rounds of the design.
+/// Force error of the emitted cam over time, percent of the mean. The simulation does not use the iterations of the design.
 fn emitted_error(design: &Design) -> f64 {
     let run = design
         .emitted(&design.problem.machine, design.problem.drive)
@@ -120,7 +120,7 @@ fn limits_by_time_hold_at_the_speed_that_the_shaft_has() {
     }
 }
 
-/// Differences of rows about each of them, over time or over the angle.
+/// Central differences of the rows over time or angle.
 fn slopes(values: &[f64], steps: impl Fn(usize) -> f64) -> Vec<f64> {
     let n = values.len();
     let slope = |i: usize| (values[(i + 1) % n] - values[(i + n - 1) % n]) / (2.0 * steps(i));
@@ -131,7 +131,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-/// What a machine adds to the scene.
+/// Keys that add a motor or a floor to the scene.
 fn machine(motor: bool, floor: bool) -> Vec<(&'static str, &'static str)> {
     let shaft = [
         ("machine.motor.slope", "10 N m s/rad"),
@@ -199,8 +199,8 @@ fn limits_on_the_loads_hold_at_the_speed_that_the_shaft_has_and_on_the_floor_tha
     }
 }
 
-/// Steady motion of shaft and floor by classical Runge and Kutta steps in time on θ, ω, q and q′, from the law itself: range of
-/// the force and of the speed, peak acceleration of the floor, and duration of the last turn.
+/// Steady motion of shaft and floor from the law, by classical Runge-Kutta steps in time for θ, ω, q and q′. Returns the ranges of force and speed,
+/// the peak acceleration of the floor and the duration of the last turn.
 fn in_time(
     design: &Design,
     no_load: f64,

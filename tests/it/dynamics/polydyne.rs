@@ -1,4 +1,4 @@
-//! A scene with a follower that gives: the cam is cut so that the follower's end moves as the law asks.
+//! Polydyne cams: with a compliant follower, the cam is designed so that the end of the follower moves by the law.
 
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
 use gaitcam::scene;
@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 const SOFT: [&str; 2] = ["machine.natural_frequency=12 Hz", "law.degree=7"];
 const POINTS: usize = 1440;
 
-/// RMS distance of the end's force from the one that law.csv states, N, by the follower's own transfer of
-/// every harmonic of the emitted lift: y = s (k₁ + i c₁ nω)/(k₁ − m n²ω² + i c₁ nω) (moving axis).
+/// RMS difference between the force at the end of the follower and the force in law.csv, N. Each harmonic of the emitted lift is multiplied by the
+/// transfer function of the follower: y = s (k₁ + i c₁ nω)/(k₁ − m n²ω² + i c₁ nω) (moving axis).
 fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
     let (m, w) = (s.problem.drive.mass, s.problem.drive.speed);
     let lifts: Vec<f64> = (0..POINTS)
@@ -52,7 +52,7 @@ fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
     (square / POINTS as f64).sqrt()
 }
 
-/// What `gaitcam simulate --model flexible` says of the emitted profile.
+/// Force error of the emitted profile in the flexible model, N RMS.
 fn run(s: &Design, scene: &scene::Scene) -> f64 {
     let target = s.target().unwrap();
     let run = Run {

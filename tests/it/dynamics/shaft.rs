@@ -1,4 +1,4 @@
-//! The shaft under its motor, against closed forms and an independent integration in time.
+//! The shaft under its motor, compared with closed forms and an independent integration in time.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::{Drive, Motor, TorqueLine};
@@ -17,7 +17,7 @@ fn motor(slope: f64, inertia: f64) -> Motor {
     }
 }
 
-/// A law of two harmonics under a block of 70 kg.
+/// Law of two harmonics with a block of 70 kg.
 fn shaker(follower: Follower) -> Run {
     let law = Law::harmonic(0.03, &[(0.004, 0.02), (0.002, -0.001)]);
     let cam = Cam::new(law, follower).unwrap();
@@ -36,8 +36,8 @@ fn run(run: &Run, motor: Motor) -> (Outcome, Shaft) {
     (out, shaft)
 }
 
-/// Steady force at equal angles by classical Runge and Kutta steps in time on θ and ω, from the law itself, and the mean
-/// speed: nothing of the product's integrator is in it.
+/// Steady force at equal angles and mean speed from the law, by classical Runge-Kutta steps in time for θ and ω. The integrator is independent of the
+/// product's.
 fn in_time(run: &Run, motor: &Motor, no_load: f64, mut omega: f64, rows: usize) -> (Vec<f64>, f64) {
     let (law, drive, mu) = (&run.cam.law, &run.drive, run.machine.friction);
     let reach = match run.cam.follower {

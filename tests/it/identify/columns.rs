@@ -1,4 +1,4 @@
-//! Columns of logs: units, names and layouts of every kind give the same machine; others are refused by name.
+//! Columns of logs: all kinds of units, names and layouts lead to the same machine. Other columns are rejected by name.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,11 +9,11 @@ use gaitcam::synth::Design;
 
 use super::{scatter, shaker};
 
-/// Encoder counts per turn, and from sample to sample.
+/// Encoder counts per turn, and between two samples.
 const COUNTS: usize = 7200;
 const STEP: usize = 13;
 
-/// The shaker with a motor, and a log of it in SI.
+/// The shaker with a motor, and its log in SI units.
 fn logged() -> ((Scene, Design), LogColumns) {
     let (scene, _) = shaker();
     let mut table = scene.to_table();
@@ -43,7 +43,7 @@ fn logged() -> ((Scene, Design), LogColumns) {
     ((scene, design), columns)
 }
 
-/// A layout of a log: header rows, the size of the unit of each column, the period of the angle in its unit, separator and decimal mark.
+/// Layout of a log: header rows, size of the unit of each column, period of the angle in its unit, separator and decimal mark.
 struct Layout {
     header: &'static str,
     units: [f64; 5],
@@ -220,7 +220,7 @@ fn the_same_log_in_every_unit_and_layout_gives_the_same_machine() {
     }
 }
 
-/// A log of 60 rows with three columns.
+/// Log of 60 rows with three columns.
 fn short(header: &str) -> String {
     let rows = (0..60).map(|i| format!("{},{},{}\n", 0.01 * f64::from(i), 3 * i, 700 + i));
     format!("{header}\n{}", rows.collect::<String>())

@@ -1,5 +1,5 @@
-//! Identification: logs that are no steady run of the machine are refused with what they show; what a log holds is found, what it
-//! does not hold is not told; the next cam cancels what repeats.
+//! Identification. Logs without steady running are rejected, with the reason. Parameters that a log determines are identified; others are reported as
+//! not identified. The next cam cancels the repeatable force.
 
 mod columns;
 mod several;
@@ -12,7 +12,7 @@ use gaitcam::identify::{Log, LogOptions, Parameter, identify, recut};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Search, synthesise};
 
-/// The footbridge shaker and its design.
+/// Footbridge shaker and its design.
 fn shaker() -> (Scene, Design) {
     let scene = scene::built_in("footbridge").unwrap().scene().unwrap();
     let force = scene.model_force().unwrap();
@@ -20,28 +20,28 @@ fn shaker() -> (Scene, Design) {
     (scene, design)
 }
 
-/// Scatter between -1 and 1 without pattern.
+/// Pseudo-random value between -1 and 1.
 fn scatter(i: usize) -> f64 {
     let mixed = (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     (mixed >> 40) as f64 / (1_u64 << 23) as f64 - 1.0
 }
 
-/// How a log differs from a faithful one: 20 cycles at 1 kHz, ±3 N of scatter.
+/// Deviations of a log from an exact one of 20 cycles at 1 kHz with ±3 N of noise.
 #[derive(Clone, Copy)]
 struct Made {
     mass: f64,
     cycles: f64,
     rate: f64,
     factor: f64,
-    /// Change of the speed over the log, part of it.
+    /// Relative change of the speed over the log.
     drift: f64,
-    /// Force above which the cell is at its end.
+    /// Force at which the load cell saturates, N.
     end: f64,
-    /// Mass from the middle of the log on.
+    /// Mass in the second half of the log, kg.
     second_mass: f64,
     has_angle: bool,
-    /// Force that repeats, N by cam angle.
+    /// Repeatable force by cam angle, N.
     extra: fn(f64) -> f64,
 }
 
@@ -285,7 +285,7 @@ fn every_kind_of_bad_log_is_refused_with_what_it_shows() {
     }
 }
 
-/// A text of a log with one damage of many kinds: a cell, a column, or rows.
+/// Text of a log with one of many kinds of damage: a cell, a column, or rows.
 fn damaged(rows: &[Vec<String>], k: usize) -> String {
     const CELLS: [&str; 11] = [
         "1e12", "-1e12", "1e300", "1e-300", "0", "", "inf", "1e9", "-1e9", "1e6", "x",
@@ -554,8 +554,8 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
     }
 }
 
-/// Machines with a spring whose guide rubs: the force of the next cam is as far from the wanted one as was predicted, although
-/// friction jumps where the new law turns.
+/// On machines with a spring and guide friction, the force error of the next cam is the predicted one, although friction jumps where the new law
+/// reverses.
 #[test]
 fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {
     // Of the first cuts, and of the second.

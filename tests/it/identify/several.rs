@@ -1,4 +1,4 @@
-//! Several logs together: a second speed separates mass and stiffness; copies and logs of another machine are refused.
+//! Several logs together. A second speed separates mass and stiffness; copies and logs of another machine are rejected.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use gaitcam::synth::{Design, Search, synthesise};
 
 use super::scatter;
 
-/// A bench whose follower a spring of 20 N/mm presses on the cam.
+/// Test bench with a spring of 20 N/mm that presses the follower on the cam.
 fn bench() -> (Scene, Design) {
     let changes = [
         "drive.kind=fixed-axis",
@@ -31,16 +31,16 @@ fn bench() -> (Scene, Design) {
     (scene, design)
 }
 
-/// The real machine: its parameters, a force that no parameter has, and its recorder.
+/// Simulated machine: its parameters, a force outside the model, and its recorder.
 #[derive(Clone, Copy)]
 struct Hidden {
     preload: f64,
     mass: f64,
     rate: f64,
     damping: f64,
-    /// Amplitude of the force without parameter, N, in harmonic 3.
+    /// Amplitude of the force outside the model, N, in harmonic 3.
     extra: f64,
-    /// Scatter of the load cell, ±N.
+    /// Noise of the load cell, ±N.
     noise: f64,
     has_angle: bool,
     seed: usize,
@@ -57,7 +57,7 @@ const MACHINE: Hidden = Hidden {
     seed: 0,
 };
 
-/// A log of 30 turns with 200 samples each at a multiple of the design's speed.
+/// Log of 30 turns with 200 samples each, at a multiple of the design speed.
 fn log(design: &Design, machine: Hidden, by: f64) -> Log {
     let speed = by * design.problem.drive.speed;
     let step = TAU / speed / 200.37;

@@ -1,9 +1,9 @@
-//! The formulas that the catalogue shows, evaluated as they are written, give the laws.
+//! The formulas in the catalogue are evaluated as written and agree with the laws.
 
 use gaitcam::law::Rise;
 use std::f64::consts::PI;
 
-/// A formula being read: the rest of the text, x, and the peak acceleration.
+/// Parser state of a formula: the rest of the text, x, and the peak acceleration.
 struct Reader<'a> {
     rest: &'a str,
     x: f64,
@@ -39,7 +39,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Factors beside each other are multiplied, `/` divides by the next factor.
+    /// Product of the next factors. Adjacent factors are multiplied; `/` divides by the next factor.
     fn product(&mut self) -> f64 {
         let mut value = self.power().expect("a factor");
         loop {
@@ -114,7 +114,7 @@ fn value(text: &str, x: f64, ca: f64) -> f64 {
     value
 }
 
-/// The piece of a formula that holds at x.
+/// Piece of a formula for x.
 fn piece(pieces: &str, x: f64) -> &str {
     for piece in pieces.split("; ") {
         match piece.split_once(" | x ≤ ") {

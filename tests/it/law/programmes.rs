@@ -1,4 +1,4 @@
-//! Programmes of motions against CAM-DAS's printed figures, and programmes that cannot be.
+//! Programmes of motions compared with the printed values of CAM-DAS, and invalid programmes.
 
 use gaitcam::error::{Fault, JoinCure, JoinError, LawError};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -10,7 +10,7 @@ fn turn(motions: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
     program(&segments(motions), Extent::TURN)
 }
 
-/// Largest and smallest of a derivative at whole degrees, as CAM-DAS samples.
+/// Maximum and minimum of a derivative at whole degrees, which CAM-DAS samples.
 fn sampled(law: &Law, order: usize) -> (f64, f64) {
     (0..360).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), i| {
         let at = law.svaj(f64::from(i).to_radians());
@@ -131,7 +131,7 @@ fn general_polynomials_take_their_ends_from_their_neighbours() {
     }
 }
 
-/// The fault of a programme that is refused.
+/// Fault of a rejected programme.
 fn fault<F: Fault + Clone>(segments: &[(&str, f64, f64)]) -> F {
     let error = turn(segments).unwrap_err();
     error.fault::<F>().cloned().expect("a fault of the law")
@@ -288,7 +288,7 @@ fn tables_become_laws() {
     ));
 }
 
-/// 12 mm in 90° as textbooks print it: rows each `step` degrees, lifts in mm with `decimals` decimals.
+/// Table of a rise of 12 mm in 90° as in textbooks: rows each `step` degrees, lifts in mm with `decimals` decimals.
 fn textbook_table(motion: &Rise, step: usize, decimals: usize) -> Vec<(f64, f64)> {
     let exact = motion.law().unwrap();
     let row = |degrees: usize| {
@@ -301,7 +301,7 @@ fn textbook_table(motion: &Rise, step: usize, decimals: usize) -> Vec<(f64, f64)
     (0..=90).step_by(step).map(row).collect()
 }
 
-/// A table as rise or fall of 12 mm, with a dwell and the other motion.
+/// Segments with the table as rise or fall of 12 mm, a dwell, and the opposite motion.
 fn with_table(table: Rise, is_rise: bool) -> [Segment; 3] {
     let segment = |motion, lift, degrees: f64| Segment {
         motion,

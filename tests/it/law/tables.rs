@@ -1,9 +1,9 @@
-//! Laws of motion against the tables of the papers and of the trade.
+//! Laws of motion compared with published and commercial tables.
 
 use gaitcam::law::{Condition, Extent, Law, Segment, assemble, hermite_birkhoff};
 use gaitcam::poly::bernstein;
 
-/// theory §2: Vargas and León (2024), critical points with unrounded s = F/k, at rest at both ends. Inches.
+/// Critical points of Vargas and León (2024) with unrounded s = F/k, at rest at both ends. Inches (theory §2).
 fn paper_rise() -> Law {
     let k = 30.0 * (std::f64::consts::PI * 0.75 * 0.75_f64).powi(2);
     let mut conditions = Vec::new();
@@ -86,7 +86,7 @@ fn near(value: f64, expected: f64, relative: f64) -> bool {
     (value - expected).abs() <= relative * expected.abs()
 }
 
-/// Published peak factors (theory §7, §12): Cv, Ca, Cj, Ct; 0 stands for a factor that the source does not give.
+/// Published peak factors (theory §7, §12): Cv, Ca, Cj, Ct. 0 means that the source does not state the factor.
 fn peak_factors() -> [(&'static str, f64, f64, f64, f64); 15] {
     let p = PI;
     [
@@ -163,7 +163,7 @@ fn every_peak_factor_is_that_of_the_table() {
     assert!(near(signed("4-5-6-7").j.1, 42.0, 1e-12));
 }
 
-/// The normalised fall, from 1 to 0, as a programme has it.
+/// Normalised fall from 1 to 0, as in a programme.
 fn fall(motion: Rise) -> Law {
     let fall = Segment {
         motion,

@@ -1,11 +1,11 @@
-//! Own load factors of the walking force: `gait.harmonics`.
+//! User-defined load factors of the walking force: `gait.harmonics`.
 
 use gaitcam::error::SceneError;
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::synthesise;
 use std::f64::consts::TAU;
 
-/// The factors and phases of SETRA 2006, section 3.2.1.
+/// Factors and phases of SETRA 2006, section 3.2.1.
 const SETRA: &str = r#"["0.4", "0.1 at -90 deg", "10 % at -0.25 rev"]"#;
 
 fn footbridge(change: &str) -> gaitcam::error::Result<Scene> {

@@ -1,4 +1,4 @@
-//! Scenes: the key table against the reader, the writer, changes, sweeps and the editors' schema.
+//! Scenes: key table compared with reader, writer, changes, sweeps and the schema for editors.
 
 mod harmonics;
 pub mod random;

@@ -1,10 +1,10 @@
-//! Random admissible scenes, made from the key table alone.
+//! Random admissible scenes, generated from the key table only.
 
 use gaitcam::scene::keys::{KEYS, Key, Kind, Range};
 use gaitcam::scene::{self, Scene};
 use toml::Table;
 
-/// Numbers by a fixed rule, so that a failure can be repeated.
+/// Deterministic random numbers, so that a failure can be repeated.
 pub struct Numbers(pub u64);
 
 impl Numbers {
@@ -16,18 +16,18 @@ impl Numbers {
         x ^ (x >> 31)
     }
 
-    /// A number in [0, 1).
+    /// Number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// In 0 … n − 1.
+    /// Integer from 0 to n − 1.
     pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
 }
 
-/// A value of a key as a user might type it; `None` where no random text means anything.
+/// Random value of a key as a user might type it; `None` if no random text is meaningful.
 pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> {
     let number = |numbers: &mut Numbers| {
         let (low, high) = match key.range {
@@ -67,7 +67,7 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
     }
 }
 
-/// A table of random values, entries of lists included.
+/// Table of random values, including entries of lists.
 pub fn table(numbers: &mut Numbers) -> Table {
     let mut table = Table::new();
     let mut scene = Scene::default();
@@ -118,7 +118,7 @@ pub fn table(numbers: &mut Numbers) -> Table {
     table
 }
 
-/// Leaves a motor one torque line and gives it the inertia of its shaft.
+/// Reduces a motor to one torque line and sets the inertia of its shaft.
 fn complete_motor(table: &mut Table) {
     let Some(machine) = table.get_mut("machine").and_then(|m| m.as_table_mut()) else {
         return;
@@ -137,7 +137,7 @@ fn complete_motor(table: &mut Table) {
     machine.entry("inertia").or_insert_with(inertia);
 }
 
-/// Leaves a floor its listed modes or one whole mode, and no motor or flexible follower beside it; phases are drawn, weights equal.
+/// Reduces a floor to its listed modes or to one complete mode, and removes motor and flexible follower. Phases are random, weights equal.
 fn complete_floor(table: &mut Table) {
     let Some(machine) = table.get_mut("machine").and_then(|m| m.as_table_mut()) else {
         return;
@@ -171,7 +171,7 @@ fn lookup(table: &Table, path: &str) -> Option<String> {
     Some(table.get(section)?.get(name)?.as_str()?.to_string())
 }
 
-/// Gives a list of the table at least `index + 1` entries.
+/// Extends a list of the table to at least `index + 1` entries.
 pub fn grow(table: &mut Table, list: &str, index: usize) {
     let empty = || toml::Value::Table(Table::new());
     let (sections, name) = list.rsplit_once('.').unwrap();

@@ -6,9 +6,9 @@ use toml::Table;
 
 use super::random::{Numbers, table, typed};
 
-/// Random tables that are read.
+/// Number of random tables to read.
 const TABLES: u64 = 4_000;
-/// At least this many of them have to be scenes.
+/// Minimum number of tables that are valid scenes.
 const SCENES_WANTED: usize = 120;
 
 #[test]
@@ -48,7 +48,7 @@ fn every_built_in_scene_reads_back_exactly() {
     }
 }
 
-/// Every key in a scene that has it: text, change and direct number all lead to the same scene.
+/// For every key in a scene that uses it, text, change and direct number lead to the same scene.
 #[test]
 fn a_file_a_change_and_a_sweep_set_the_same() {
     let mut met = vec![0; KEYS.len()];
@@ -185,7 +185,7 @@ fn a_derivative_that_a_degree_does_not_have_is_no_objective() {
     }
 }
 
-/// The schema is a list of patterns: enough of it is evaluated here to accept every scene and refuse slips.
+/// The schema is a list of patterns. The test evaluates enough of it to accept every scene and to reject typing errors.
 #[test]
 fn the_schema_accepts_every_built_in_scene_and_refuses_unknown_keys() {
     let schema = scene::keys::schema(Language::En);
@@ -208,7 +208,7 @@ fn the_schema_accepts_every_built_in_scene_and_refuses_unknown_keys() {
     }
 }
 
-/// Where a value breaks a schema, for the words of JSON Schema that ours uses.
+/// Position at which a value violates a schema, for the keywords of JSON Schema that the schema uses.
 fn fault(schema: &serde_json::Value, value: &serde_json::Value) -> Option<String> {
     if let Some(any) = schema["anyOf"].as_array() {
         return any
@@ -284,7 +284,7 @@ fn every_key_has_its_sentence_in_both_languages() {
     }
 }
 
-/// The program chooses no limit: every one is a number, or none.
+/// The program chooses no limit: every limit is a number or none.
 #[test]
 fn a_limit_is_a_number_or_none_and_never_auto() {
     let mut tried = 0;

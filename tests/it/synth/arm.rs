@@ -1,4 +1,4 @@
-//! A target force on a follower that swings: F·L is the moment about the pivot, s an angle.
+//! Target force on an oscillating follower: F·L is the moment about the pivot, s is an angle.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use gaitcam::synth::{self, Figures, Search};
 const MEAN: f64 = 60.0;
 const SWING: f64 = 25.0;
 
-/// F = 60 N + 25 N sin θ, 0.5 s per turn.
+/// Target force F = 60 N + 25 N sin θ with a period of 0.5 s.
 fn sine() -> ForceCurve {
     let at = |i| MEAN + SWING * (TAU * f64::from(i) / 720.0).sin();
     ForceCurve::from_samples("a sine", 0.5, (0..720).map(at).collect()).unwrap()
@@ -41,7 +41,7 @@ const FLAT: &str = r#"follower = "flat-oscillating"
 pivot_distance = "100 mm"
 "#;
 
-/// Lift mean + amplitude·sin θ, rad, and the force in N of the target.
+/// Asserts that the lift is mean + amplitude·sin θ, rad, and that the force in N equals the target.
 fn follows(design: &Design, mean: f64, amplitude: f64) {
     for i in 0..36 {
         let theta = TAU * f64::from(i) / 36.0;

@@ -1,4 +1,4 @@
-//! Several cams for many walkers, against every assignment there is.
+//! Several cams for many walkers, compared with all possible assignments.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::synth::Search;
 use gaitcam::{Scene, scene};
 
-/// Walkers of these step frequencies and load factors, in step, of different weights.
+/// Walkers with these step frequencies and load factors, in phase, with different weights.
 fn walkers(of: &[(&str, f64, [f64; 2])]) -> ForceCurve {
     let each = of.iter().enumerate().map(|(w, (name, f, [a, b]))| {
         let weight = 700.0 + 60.0 * ((3 * w) % 7) as f64;
@@ -21,7 +21,7 @@ fn walkers(of: &[(&str, f64, [f64; 2])]) -> ForceCurve {
     ForceCurve::of_walkers(each.collect()).unwrap()
 }
 
-/// Seven walkers, no two alike.
+/// Seven different walkers.
 fn seven() -> ForceCurve {
     walkers(&[
         ("A", 1.6, [0.30, 0.08]),
@@ -50,7 +50,7 @@ fn objective(scene: &Scene, each: &[Assigned]) -> f64 {
     }
 }
 
-/// The least objective over all 63 ways to give seven walkers to two cams.
+/// Minimum objective over all 63 assignments of seven walkers to two cams.
 fn least_of_all(scene: &Scene, force: &ForceCurve) -> f64 {
     let population = force.population.as_ref().unwrap();
     let group = |code: u32, value: u32| -> f64 {
@@ -153,7 +153,7 @@ fn walkers_of_three_kinds_have_three_cams_and_parts_of_an_error_add_up() {
     assert_eq!(again, found[2].each);
 }
 
-/// The same force at another speed is off by its size alone; another weight on a machine of one mass by the mean.
+/// The error of the same force at another speed is attributed to the size; that of another weight on a machine with fixed mass to the mean.
 #[test]
 fn an_error_is_attributed_to_what_causes_it() {
     let force = walkers(&[("slow", 1.6, [0.3, 0.1]), ("fast", 2.2, [0.3, 0.1])]);
@@ -183,7 +183,7 @@ fn an_error_is_attributed_to_what_causes_it() {
     }
 }
 
-/// Three equal cycles of each of twelve walkers: leaving out cycles would say that a cam for each is perfect for others too.
+/// Three equal cycles of each of twelve walkers. If cycles instead of walkers were left out, one cam per walker would seem perfect for new walkers.
 #[test]
 fn walkers_left_out_are_served_worse_than_those_designed_for() {
     let names: Vec<String> = (0..12).map(|i| format!("W{i:02}")).collect();
@@ -213,8 +213,8 @@ fn walkers_left_out_are_served_worse_than_those_designed_for() {
     }
 }
 
-/// The root of the least mean square of the worst part over all ways to give five walkers to two cams. For given walkers it is the
-/// largest of the sums m CVaR over the parts m of the worst that the cams have (convex duality), here by a ternary search.
+/// Root of the minimum mean square of the worst part over all assignments of five walkers to two cams. For given walkers it is the maximum of the
+/// sums m CVaR over the shares m of the cams in the worst part (convex duality). It is found by a ternary search.
 fn least_tail_of_all(scene: &Scene, force: &ForceCurve, part: f64) -> f64 {
     let walkers = &force.population.as_ref().unwrap().walkers;
     let all = walkers.len();

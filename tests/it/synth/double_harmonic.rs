@@ -1,7 +1,7 @@
-//! The fitted double harmonic against a search that shares no code with it: every angle of a grid, then refinement.
+//! The fitted double harmonic compared with an independent search: all angles of a grid, then refinement.
 //!
-//! Rise s = ½(1 − cos πx) − ⅛(1 − cos 2πx) over an angle β, x = θ/β, and the fall is its mirror image (theory §7). The force is
-//! linear in lift and level, which follow from a convex quadratic function of two bounded variables.
+//! The rise is s = ½(1 − cos πx) − ⅛(1 − cos 2πx) over an angle β with x = θ/β, and the fall is its mirror image (theory §7). The force is linear in
+//! lift and level, which minimise a convex quadratic function of two bounded variables.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,27 +11,27 @@ use rayon::prelude::*;
 
 use super::population::Random;
 
-/// Load models that are drawn.
+/// Number of random load models.
 const DRAWN: usize = 20;
-/// Of the forces, one in this many is compared.
+/// Only one in this many forces is compared.
 const THINNED: usize = if cfg!(debug_assertions) { 7 } else { 1 };
-/// Steps of the grid to a turn: 3°.
+/// Number of grid steps per turn; a step is 3°.
 const STEPS: usize = 120;
 const STEP: f64 = TAU / STEPS as f64;
-/// Samples of each step of the grid, at the middles of equal parts.
+/// Number of samples in each grid step, at the centres of equal parts.
 const EACH: usize = 6;
-/// Rise and fall last at least this long, rad, as in the product.
+/// Minimum duration of rise and fall, rad, as in the product.
 const SHORTEST: f64 = 0.2;
-/// Local minima of the grid that are refined.
+/// Number of local minima of the grid that are refined.
 const REFINED: usize = 6;
-/// Smallest step of the refinement, rad: the error there is quadratic in the angles.
+/// Smallest step of the refinement, rad. There the error is quadratic in the angles.
 const FINEST: f64 = 5e-5;
-/// Parts of rise, fall and rest over which the mean is taken in the refinement, and of what is compared.
+/// Numbers of parts of rise, fall and rest for the mean: in the refinement and in the comparison.
 const COARSE: usize = 100;
 const FINE: usize = 2000;
-/// Relative excess of the product's RMS force error over the one found here.
+/// Maximum relative excess of the product's RMS force error over the error found here.
 const EXCESS: f64 = 1e-6;
-/// Relative excess of the one found here, where recordings have corners.
+/// Maximum relative excess of the error found here, where recordings have corners.
 const CORNERS: f64 = 1e-5;
 
 /// Recordings of the project.
@@ -53,15 +53,15 @@ const MACHINES: [&str; 4] = [
     "kind = \"hydraulic\"\npressure_per_volume = \"30 psi/in^3\"\npiston_radius = \"0.75 in\"\nspeed = \"12.566 rad/s\"\n",
 ];
 
-/// A force over a turn without the part at rest, N, on a drive.
+/// Force over a turn without the static part, N, on a drive.
 struct Task<'a> {
     force: &'a dyn Fn(f64) -> f64,
-    /// Of lift, velocity and acceleration over the angle.
+    /// Weights of lift, velocity and acceleration by angle in the force.
     weights: [f64; 3],
     stroke: f64,
 }
 
-/// Means over a turn: of the shape's force p, its square, its product with the wanted force, of that force and its square.
+/// Means over a turn: force p of the shape, its square, its product with the target, the target and its square.
 #[derive(Default, Clone, Copy)]
 struct Means {
     p: f64,
@@ -87,7 +87,7 @@ impl Means {
         self
     }
 
-    /// Mean squares of the shapes that begin with a rise from the base circle and with a fall to it.
+    /// Minimum mean squares of the shapes that begin with a rise from the base circle and with a fall to it.
     fn square(&self, spring: f64, stroke: f64) -> f64 {
         let turned = Means {
             p: spring - self.p,
@@ -99,7 +99,7 @@ impl Means {
         both[0].min(both[1])
     }
 
-    /// Smallest mean square of lift·p + level·spring − t over 0 ≤ lift ≤ stroke, level ≥ 0: inside, or on an edge.
+    /// Minimum mean square of lift·p + level·spring − t for 0 ≤ lift ≤ stroke and level ≥ 0, in the interior or on an edge.
     fn above_base(&self, spring: f64, stroke: f64) -> f64 {
         let at = |lift: f64, level: f64| {
             let base = level * spring;
@@ -123,7 +123,7 @@ impl Means {
 }
 
 impl Task<'_> {
-    /// Force of a unit rise over an angle, N per m, at a part of it; of a fall where the sign is −1.
+    /// Force of a unit rise over an angle, N per m, at a fraction of it; for `sign` −1, of a unit fall.
     fn motion(&self, angle: f64, sign: f64, part: f64) -> f64 {
         let x = PI * if sign > 0.0 { part } else { 1.0 - part };
         let rate = PI / angle;
@@ -133,8 +133,8 @@ impl Task<'_> {
         self.weights[0] * s + self.weights[1] * v + self.weights[2] * a
     }
 
-    /// Calls with angle, weight and the unit shape's force at the points of Gauss's rule of three points, on `panels` parts of
-    /// rise, fall and rest each.
+    /// Calls a function with angle, weight and force of the unit shape at the Gauss points of order three, on `panels` parts each of rise, fall and
+    /// rest.
     fn nodes(
         &self,
         [start, rise, fall]: [f64; 3],
@@ -163,7 +163,7 @@ impl Task<'_> {
         }
     }
 
-    /// Smallest mean square error of these angles, N².
+    /// Minimum mean square error for these angles, N².
     fn square(&self, angles: [f64; 3], panels: usize) -> f64 {
         let mut means = Means::default();
         self.nodes(angles, panels, |theta, weight, p| {
@@ -172,7 +172,7 @@ impl Task<'_> {
         means.square(self.weights[0], self.stroke)
     }
 
-    /// Means of a rise or a fall of `length` steps that begins at each step, of the wanted force at the samples.
+    /// Means of a rise or a fall of `length` steps for each start step, from the target at the samples.
     fn rows(&self, sign: f64, length: usize, wanted: &[f64]) -> Vec<Means> {
         let (n, count) = (wanted.len(), length * EACH);
         let angle = STEP * length as f64;
@@ -190,7 +190,7 @@ impl Task<'_> {
         (0..STEPS).map(begun).collect()
     }
 
-    /// Start, rise and fall, rad, of the grid's local minima, the best first.
+    /// Start, rise and fall, rad, of the local minima of the grid, the best first.
     fn minima(&self) -> Vec<[f64; 3]> {
         let n = STEPS * EACH;
         let at = |i: usize| TAU * (i as f64 + 0.5) / n as f64;
@@ -234,7 +234,7 @@ impl Task<'_> {
         places.into_iter().map(angles).collect()
     }
 
-    /// The best of ever smaller steps in all 26 directions, rise and fall no shorter than allowed.
+    /// Angles refined by steps of decreasing size in all 26 directions. Rise and fall are not shorter than allowed.
     fn refined(&self, mut angles: [f64; 3]) -> [f64; 3] {
         let is_allowed =
             |[_, rise, fall]: [f64; 3]| rise.min(fall) >= SHORTEST && rise + fall <= TAU + 1e-12;
@@ -259,7 +259,7 @@ impl Task<'_> {
         angles
     }
 
-    /// Start, rise and fall, rad, of the best shape and its RMS error, N.
+    /// Start, rise and fall, rad, of the best shape, and its RMS error, N.
     fn best(&self) -> ([f64; 3], f64) {
         let minima = self.minima().into_iter().take(REFINED);
         let refined = minima.map(|angles| {
@@ -270,7 +270,7 @@ impl Task<'_> {
     }
 }
 
-/// Every step of −1, 0 or 1 in three angles.
+/// All steps of −1, 0 or 1 in three angles.
 fn directions() -> impl Iterator<Item = [isize; 3]> {
     let step = |i: isize, place: isize| i / place % 3 - 1;
     (0..27).map(move |i| [step(i, 1), step(i, 3), step(i, 9)])
@@ -307,7 +307,7 @@ fn forces() -> Vec<ForceCurve> {
         .collect()
 }
 
-/// Excess of the product's RMS force error over that of the search here, relative, and what was compared.
+/// Relative excess of the product's RMS force error over the error of this search, and a description of the case.
 fn excess(case: usize, curve: &ForceCurve) -> (f64, String) {
     let machine = MACHINES[case % MACHINES.len()];
     let stroke = if case % 3 == 2 { 0.01 } else { f64::INFINITY };

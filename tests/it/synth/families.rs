@@ -1,4 +1,4 @@
-//! What a scene gets that names no family: harmonics in closed form while they pass, a spline otherwise.
+//! Default family of a scene: harmonics in closed form if they satisfy the limits, otherwise a spline.
 
 use gaitcam::criterion::LimitKind;
 use gaitcam::scene::{Family, Scene};
@@ -83,7 +83,7 @@ fn what_only_splines_have_asks_for_a_spline() {
     assert_eq!(built(dwell).family.name(), "spline");
 }
 
-/// Of harmonics under a flat face, as of splines: a smaller wave always has a smaller cam.
+/// Harmonics with a flat face, like splines: a smaller amplitude always has a smaller cam.
 #[test]
 fn harmonics_keep_a_limit_on_the_size_as_splines_do() {
     const SPRING: &str = r#"

@@ -1,4 +1,4 @@
-//! A run is judged by the limits of its scene.
+//! A run is checked against the limits of its scene.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use gaitcam::scene::{self, MachineSpec};
 use gaitcam::synth::{Design, Reason};
 use gaitcam_test_support::{design_of, designed, designs, scene_file};
 
-/// The run of a cam on a drive.
+/// Run of a cam on a drive.
 fn run(design: &Design, drive: Drive) -> Outcome {
     let machine = MachineSpec::default();
     simulate(&design.emitted(&machine, drive).unwrap(), Model::Rigid).unwrap()
@@ -19,7 +19,7 @@ fn most(run: &Outcome, value: impl Fn(&Row) -> f64) -> f64 {
     run.rows.iter().map(value).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The largest value of each limit in a run by its rows alone; velocity and acceleration by differences of the lift.
+/// Largest value of each limit in a run, from its rows only. Velocity and acceleration are differences of the lift.
 fn shown(run: &Outcome) -> Vec<(&'static str, f64, &'static str)> {
     let rows = &run.rows;
     let n = rows.len();

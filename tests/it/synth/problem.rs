@@ -1,4 +1,4 @@
-//! What a problem settles once, and what is answered where its demands cannot be met.
+//! Values that a problem determines once, and results for demands that cannot be satisfied.
 
 use gaitcam::Problem;
 use gaitcam::force::{Feet, model};
@@ -33,7 +33,7 @@ degree = 4
 spans = 12
 "#;
 
-/// A flat face has no roller: its base and prime circles are one, whichever key gives it.
+/// A flat face has no roller. Base circle and prime circle are therefore equal, whichever key is given.
 #[test]
 fn base_and_prime_radius_of_a_flat_face_are_one_size() {
     let force = model("kerr", Some(1.986), 700.0, Feet::Both).unwrap();
@@ -51,7 +51,7 @@ fn base_and_prime_radius_of_a_flat_face_are_one_size() {
     assert_eq!(one.verdict, other.verdict);
 }
 
-/// A point on the base circle with a velocity goes below it, whatever the limits.
+/// Scene with a point on the base circle that has a velocity. The law goes below the base circle for any limits.
 const BELOW: &str = r#"
 name = "below"
 [drive]
@@ -92,8 +92,8 @@ fn demands_below_the_base_circle_are_an_infeasible_answer_that_names_them() {
     assert_eq!(design.verdict.name(), "unacceptable");
 }
 
-/// A hub is 1.5 times as thick as its shaft: an automatic base circle leaves that much around every bore, and a given one
-/// that leaves less is noted.
+/// The hub diameter is 1.5 times the shaft diameter. An automatic base circle leaves this wall around every bore; a smaller wall of a given base
+/// circle is reported.
 #[test]
 fn an_automatic_base_circle_leaves_the_wall_of_a_hub() {
     let text = gaitcam_test_support::scene_file("footbridge");

@@ -1,5 +1,5 @@
-//! Whatever a scene asks for: words, a cam that keeps every limit on a dense scan, or a conflict whose
-//! smallest relaxation does build.
+//! Random scenes lead to an error message, to a cam that satisfies every limit on a dense scan, or to a conflict whose smallest relaxation is
+//! feasible.
 
 use gaitcam::criterion::Criterion;
 use gaitcam::force::{Feet, ForceCurve, model};
@@ -10,9 +10,9 @@ use proptest::test_runner::{Config, TestRunner};
 use std::cell::RefCell;
 use std::f64::consts::TAU;
 
-/// Slack of the scan: what a certified law promises, and rounding of the samples.
+/// Tolerance of the scan: the tolerance of a certified law, and rounding of the samples.
 const SLACK: f64 = 1.01e-9;
-/// Points of the scan.
+/// Number of points of the scan.
 const SCANNED: u32 = 100_000;
 
 #[derive(Debug, Clone)]
@@ -72,20 +72,20 @@ fn design(changes: &[String], target: &ForceCurve) -> Result<Design, String> {
     synthesise(&scene, Some(target)).map_err(|e| e.to_string())
 }
 
-/// What became of a scene.
+/// Result of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Met {
-    /// Words instead of a design.
+    /// An error message instead of a design.
     Words,
-    /// Every check passes; whether the law is certified.
+    /// A design that passes every check; whether the law is certified.
     Built(bool),
-    /// Only the accuracy is missed, which the spans given cannot reach.
+    /// Only the accuracy is not reached, because of the number of spans.
     Inaccurate,
-    /// Refused, with so many relaxations that were tried and build.
+    /// No design; the number of tried relaxations, which are all feasible.
     Refused(usize),
 }
 
-/// Extremes of a dense scan: range of the lift, largest acceleration and jerk, least force.
+/// Extremes of a dense scan: range of the lift, maximum acceleration and jerk, minimum force.
 struct Scan {
     stroke: f64,
     acceleration: f64,
@@ -116,7 +116,7 @@ fn scan(design: &Design) -> Result<Scan, TestCaseError> {
     })
 }
 
-/// Every limit of the wish on the scan.
+/// Checks every limit of the case on the scan.
 fn limits_hold(wish: &Wish, scan: &Scan) -> Result<(), TestCaseError> {
     let under = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l * (1.0 + SLACK));
     let Scan {
@@ -141,7 +141,7 @@ fn limits_hold(wish: &Wish, scan: &Scan) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Each relaxation builds by itself; how many were tried.
+/// Checks that each relaxation is feasible by itself. Returns the number of tried relaxations.
 fn relaxations_build(
     relaxations: &[Relaxation],
     asked: &[String],
@@ -239,7 +239,7 @@ fn a_thousand_random_scenes_are_built_as_promised_or_refused_with_a_way_out() {
     run(1000);
 }
 
-/// Found by chance: two crests beside a break shared a row and stood 6·10⁻⁹ of the stroke too high.
+/// A former error: two maxima beside a break shared a row and exceeded the limit by 6·10⁻⁹ of the stroke.
 #[test]
 fn two_crests_beside_a_break_keep_the_stroke() {
     let wish = Wish {
@@ -254,7 +254,7 @@ fn two_crests_beside_a_break_keep_the_stroke() {
     holds(&wish).unwrap();
 }
 
-/// Found by chance: a law that stood 1.2·10⁻⁸ of its stroke above the limit was given.
+/// A former error: a law exceeded the limit by 1.2·10⁻⁸ of its stroke.
 #[test]
 fn a_stroke_beside_an_acceleration_is_kept_on_few_spans() {
     let wish = Wish {
@@ -276,7 +276,7 @@ fn a_hundred_thousand_random_scenes_are_built_as_promised_or_refused_with_a_way_
     run(scenes);
 }
 
-/// Scene files with bytes changed, doubled or lost: a scene or words, no panic.
+/// Scene files with changed, repeated or missing bytes lead to a scene or an error message, never to a panic.
 #[test]
 fn mutated_scene_files_are_read_or_refused() {
     let mut runner = TestRunner::new(Config {

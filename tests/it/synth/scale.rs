@@ -1,9 +1,9 @@
-//! A cam has no scale: a scene whose lengths are all multiplied, and whose speed and forces follow so that the
-//! equations stay what they are, has the same cam that many times larger.
+//! Scale invariance: if all lengths of a scene are multiplied, and speed and forces change so that the equations stay the same, the cam is the same,
+//! multiplied by this factor.
 
 use gaitcam::synth::Design;
 
-/// Lengths from an atom's to a crater's, beside 1.
+/// Length scales from an atom to a crater.
 const SCALES: [f64; 7] = [1e-9, 1e-6, 1e-4, 1e-2, 1e1, 1e2, 1e3];
 
 fn design(text: &str) -> Design {
@@ -12,12 +12,12 @@ fn design(text: &str) -> Design {
 
 const POINTS: &str = "minimise = \"jerk\"\n[[law.point]]\nangle = \"0 deg\"\nlift = \"0\"\nvelocity = \"0\"\n[[law.point]]\nangle = \"120 deg\"\nlift = \"{0.012} m\"\n[[law.point]]\nangle = \"230 deg\"\nlift = \"{0.005} m\"\n";
 
-/// `[law]` of a spline through the points with so many spans.
+/// Table `[law]` of a spline through the points with `spans` spans.
 fn law(spans: usize) -> String {
     format!("[law]\nfamily = \"spline\"\nspans = {spans}\n{POINTS}")
 }
 
-/// The law whose cam is to be smallest.
+/// Law for the smallest cam.
 fn sized() -> String {
     law(24).replace("minimise = \"jerk\"", "minimise = \"size\"")
 }
@@ -32,7 +32,7 @@ fn scene(law: &str, cam: &str) -> String {
     format!("name = \"scale\"\n{drive}{law}[cam]\n{cam}")
 }
 
-/// Scenes whose `{x}` stands for x metres at a scale of 1.
+/// Scenes in which `{x}` stands for x metres at a scale of 1.
 fn scenes() -> Vec<(&'static str, String)> {
     [rollers(), flat_faces()].concat()
 }
@@ -105,7 +105,7 @@ fn flat_faces() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The scene with every `{x}` written as x times the scale.
+/// Scene with every `{x}` replaced by x times the scale.
 fn scaled(text: &str, scale: f64) -> String {
     let mut out = String::new();
     for (k, part) in text.split(['{', '}']).enumerate() {

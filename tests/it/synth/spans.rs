@@ -1,4 +1,4 @@
-//! Many spans and few: proofs that keep their digits, and searches that do not end with the first few spans.
+//! Many and few spans: accurate proofs, and searches that do not end with the first few spans.
 
 use gaitcam::criterion::Criterion;
 use gaitcam::scene::{self, Minimise};
@@ -11,14 +11,14 @@ fn designed(changes: &[&str]) -> Design {
     design.relaxed()
 }
 
-/// The value that a refused design advises for a key.
+/// Value that an infeasible design suggests for a key.
 fn advised(design: &Design, key: &str) -> f64 {
     let told = design.relaxations.iter().find(|r| r.key == key);
     told.and_then(|r| r.to)
         .unwrap_or_else(|| panic!("{key}: {:?}", design.relaxations))
 }
 
-/// Nested spaces: more spans can only come nearer to the force, and each proof says how near.
+/// Nested spaces: more spans can only reduce the force error, and each proof states the distance to the optimum.
 #[test]
 fn limits_on_many_spans_are_proved_like_those_on_few() {
     let three = [
@@ -49,7 +49,7 @@ fn limits_on_many_spans_are_proved_like_those_on_few() {
     }
 }
 
-/// A plain fit is the best law of its spans whatever their number: its proof does not depend on what rounding leaves of it.
+/// A fit without limits is the best law for any number of spans. Its proof does not depend on rounding.
 #[test]
 fn a_law_without_limits_is_proved_on_any_number_of_spans() {
     for degree in [3, 5, 7] {
@@ -90,7 +90,7 @@ fn many_spans_name_as_few_contacts_as_the_limits_have() {
     );
 }
 
-/// Whatever is minimised, on few spans and on many: also objectives that follow no force have a proof in numbers.
+/// For any objective, with few and many spans, there is a numerical proof, also for objectives without a force.
 #[test]
 fn every_objective_has_a_proof_in_numbers_on_few_spans_and_on_many() {
     for (name, _) in Minimise::NAMES {
@@ -117,7 +117,7 @@ fn every_objective_has_a_proof_in_numbers_on_few_spans_and_on_many() {
     }
 }
 
-/// The error that is advised is that of the best spans, not of the first few.
+/// The suggested accuracy is that of the best number of spans, not of the first few.
 #[test]
 fn an_accuracy_is_advised_that_more_spans_reach() {
     for stroke in [35, 40, 44] {
@@ -130,7 +130,7 @@ fn an_accuracy_is_advised_that_more_spans_reach() {
     }
 }
 
-/// A torque that some number of spans keeps with the accuracy is no more than what is advised.
+/// The suggested torque is at least as large as the torque that some number of spans reaches with the accuracy.
 #[test]
 fn a_torque_is_advised_that_more_spans_keep() {
     let design = designed(&["law.family=spline", "limits.torque=14 N m"]);
@@ -146,8 +146,7 @@ fn a_torque_is_advised_that_more_spans_keep() {
     }
 }
 
-/// Least peaks whose optimum lies on its bound over arcs, with dwells and points. The first two once ended in a panic, the
-/// others in "no law".
+/// Minimum peaks whose optimum is at its bound over arcs, with dwells and points. The first two once caused a panic, the others "no law".
 #[test]
 fn least_peaks_under_dwells_and_points_have_a_law() {
     let head = |minimise: &str, law: &[String]| {
@@ -206,7 +205,7 @@ fn least_peaks_under_dwells_and_points_have_a_law() {
     }
 }
 
-/// The smallest cam under a roller on 120 spans comes out of a sequence of convex programs, no larger than on 40.
+/// The smallest cam with a roller on 120 spans is the result of a sequence of convex programs, and is no larger than on 40 spans.
 #[test]
 fn a_sequence_on_120_spans_ends_at_the_cam_of_40() {
     let radius = |spans: usize| {
@@ -236,7 +235,7 @@ fn more_than_400_spans_are_refused_with_the_reason() {
     assert!(said.contains("400") && said.contains("optimum"), "{said}");
 }
 
-/// A noisy force of one cycle is followed to its noise; without the noise many spans are taken, and the design says why.
+/// The law follows a noisy force of one cycle to its noise. Without noise, many spans are used, and the design states the reason.
 #[test]
 fn noise_is_part_of_the_accuracy_and_many_spans_have_a_reason() {
     let mut force = young();

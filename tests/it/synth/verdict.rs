@@ -1,4 +1,4 @@
-//! Every row of the verdict's table (docs/verdict.md) from both sides of its bound. Codes are compared, not words.
+//! Every row of the table of verdicts (docs/verdict.md) on both sides of its bound. Codes are compared, not texts.
 
 use gaitcam::Problem;
 use gaitcam::cam::{Continuity, Verdict};
@@ -9,7 +9,7 @@ use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 use gaitcam_test_support::{scene_of, young};
 
-/// A programme of two rises and a dwell under a follower.
+/// Design of a programme of two rises and a dwell with a follower.
 fn programme(motion: &str, cam: &str, changes: &[&str]) -> Design {
     let lift = if cam.contains("oscillating") {
         "10 deg"
@@ -93,7 +93,7 @@ fn a_jump_makes_the_next_derivative_infinite_and_no_limit_on_it_holds() {
     assert!(gaitcam::synth::Figures::of(&jerky).peaks[2].is_infinite());
 }
 
-/// A follower of 1 kg on a soft spring with this preload.
+/// Design with a follower of 1 kg on a soft spring with this preload.
 fn loaded(cam: &str, preload: &str) -> Design {
     let preload = format!("drive.preload={preload}");
     let changes = ["drive.mass=1 kg", "drive.spring_rate=100 N/m", &preload];
@@ -454,7 +454,7 @@ fn a_roller_larger_than_its_cam_is_noted() {
     assert!(!(mushroom.notes.iter()).any(|note| matches!(note, Note::LargeRoller { .. })));
 }
 
-/// A law without a stroke lies on its base circle to the rounding of the solver.
+/// A law without a stroke is on its base circle, up to rounding of the solver.
 #[test]
 fn a_wider_accuracy_keeps_a_law_that_needs_no_stroke() {
     let text = "name = \"still\"\n[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n\

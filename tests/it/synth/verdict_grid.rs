@@ -1,5 +1,5 @@
-//! Rows of the verdict's table that depend on the follower (docs/verdict.md), each from both sides of its bound:
-//! for followers that translate, for arms, for pairs closed by form and for barrels.
+//! Rows of the table of verdicts that depend on the follower (docs/verdict.md), on both sides of their bounds: translating followers, arms,
+//! form-closed pairs and barrels.
 
 use gaitcam::cam::Verdict;
 use gaitcam::scene;
@@ -20,13 +20,13 @@ fn swings(cam: &str) -> bool {
     cam.contains("oscillating")
 }
 
-/// A lift in the unit of the follower: 1 mm of a slide beside 1° of an arm.
+/// Lift in the unit of the follower: 1 mm of a slide corresponds to 1° of an arm.
 fn lift(cam: &str, size: f64) -> String {
     let unit = if swings(cam) { "deg" } else { "mm" };
     format!("{size} {unit}")
 }
 
-/// The design of a scene without force, its cam as given, on a base circle of so many mm.
+/// Design of a scene without force, with the given cam on a base circle of `base_mm` mm.
 fn design(law: &str, cam: &str, base_mm: f64, changes: &[&str]) -> Option<Design> {
     let (first, pair) = cam.split_once("\n[").unwrap_or((cam, ""));
     let pair = if pair.is_empty() {
@@ -41,7 +41,7 @@ fn design(law: &str, cam: &str, base_mm: f64, changes: &[&str]) -> Option<Design
     synthesise(&scene, None).ok()
 }
 
-/// Rise, dwell, return, dwell.
+/// Programme of rise, dwell, return, dwell.
 fn programme(motion: &str, cam: &str, size: f64) -> String {
     let up = lift(cam, size);
     format!(
@@ -88,8 +88,8 @@ fn a_velocity_that_jumps_is_unacceptable_for_every_follower_and_a_joined_one_is_
     }
 }
 
-/// Whether the verdict is that of the largest pressure angle of a design, and which class it is: 0 within the
-/// usual angle, 1 within 45°, 2 above. Beside a side too steep for any use the other may be steep too.
+/// Asserts the verdict for the largest pressure angle of a design and returns its class: 0 within the usual angle, 1 within 45°, 2 above. If one side
+/// is too steep for any use, the other may be steep too.
 fn judged_steep(built: &Design, usual: f64) -> usize {
     let second = built.conjugate.as_ref().map(|pair| &pair.second);
     let largest = std::iter::once(&built.cam).chain(second).map(|cam| {
@@ -147,8 +147,7 @@ fn the_pressure_angle_has_its_bounds_under_every_follower_that_rolls_or_points()
     assert_eq!(seen, [true; 3]);
 }
 
-/// Smallest convex radius of all that the cutter leaves: both cams of a pair, both walls of a groove at its
-/// floor.
+/// Smallest convex radius of curvature of all machined curves: both cams of a pair, both walls of a groove at its bottom.
 fn sharpest(built: &Design) -> f64 {
     use gaitcam::cam::Wall;
     if let Some(groove) = &built.groove {

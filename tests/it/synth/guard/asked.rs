@@ -1,10 +1,10 @@
-//! What a scene of the guard asks for, in SI units, and its scene file.
+//! Requirements of a random scene in SI units, and its scene file.
 
 use super::swing::Train;
 use gaitcam::force::ForceCurve;
 use std::fmt::Write;
 
-/// The quantity that is minimised.
+/// Minimised quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Objective {
     ForceError,
@@ -17,7 +17,7 @@ pub enum Objective {
     Size,
 }
 
-/// A range of the cycle whose force error counts more or less.
+/// Range of the cycle with its weight of the force error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     pub from: f64,
@@ -40,7 +40,7 @@ pub struct Dwell {
     pub lift: Option<f64>,
 }
 
-/// Limits by time, SI.
+/// Limits by time, SI units.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Limits {
     pub stroke: Option<f64>,
@@ -51,31 +51,31 @@ pub struct Limits {
     pub force_max: Option<f64>,
     pub curvature: Option<f64>,
     pub prime_radius: Option<f64>,
-    /// On the rise and on the fall, rad.
+    /// Maximum pressure angles of rise and fall, rad.
     pub pressure_angle: [Option<f64>; 2],
 }
 
-/// The follower with its lengths.
+/// Follower with its lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Follower {
-    /// A flat face, on a base circle where one is given, m.
+    /// Flat face, with the radius of the base circle, m, if given.
     Flat { base: Option<f64> },
-    /// A knife edge on a given prime circle with an offset, m.
+    /// Knife edge on a given prime circle with an offset, m.
     Knife { prime: f64, offset: f64 },
 }
 
-/// A random scene in numbers.
+/// Requirements of a random scene.
 #[derive(Debug, Clone)]
 pub struct Asked {
     pub degree: usize,
     pub spans: usize,
-    /// Force per lift, per v and per a: k, cω, mω².
+    /// Weights of s, v and a in the force: k, cω, mω².
     pub weights: [f64; 3],
     /// Force at lift 0, N.
     pub rest: f64,
     /// Speed of the cam, rad/s.
     pub speed: f64,
-    /// The wanted force as the drive scales it, and as the library is given it.
+    /// Target force as scaled by the drive, and as given to the library.
     pub target: Option<(ForceCurve, ForceCurve)>,
     pub objective: Objective,
     pub follower: Follower,
@@ -84,22 +84,22 @@ pub struct Asked {
     pub limits: Limits,
     /// Weights of the force error.
     pub ranges: Vec<Range>,
-    /// Half the width of the band in which the force stays, N.
+    /// Half-width of the band around the target for the force, N.
     pub band: Option<f64>,
-    /// A compliant follower whose vibration in rests is limited.
+    /// Compliant follower whose vibration in dwells is limited.
     pub train: Option<Train>,
-    /// `[gait]` and `[drive]` of the scene file.
+    /// Tables `[gait]` and `[drive]` of the scene file.
     pub machine: String,
 }
 
 impl Asked {
-    /// Whether spring, points or dwells fix the level of the law.
+    /// Whether spring, points or dwells determine the level of the law.
     pub fn level_is_known(&self) -> bool {
         let dwelt = self.dwells.iter().any(|d| d.lift.is_some());
         self.weights[0] != 0.0 || !self.points.is_empty() || dwelt
     }
 
-    /// Whether the law must be put on its base circle to say what its limits mean.
+    /// Whether the law must be placed on its base circle for its limits to have a meaning.
     pub fn touches(&self) -> bool {
         let sized = match self.follower {
             Follower::Flat { base } => {
@@ -110,7 +110,7 @@ impl Asked {
         sized && !self.level_is_known()
     }
 
-    /// Weight of the force error at an angle; the last range counts.
+    /// Weight of the force error at an angle. Where ranges overlap, the last one holds.
     pub fn weight(&self, theta: f64) -> f64 {
         let inside = |r: &&Range| {
             let (from, to) = (r.from, r.to);
@@ -127,7 +127,7 @@ impl Asked {
             .map_or(1.0, |r| r.weight)
     }
 
-    /// Largest lift that is written or that the force alone would need, m.
+    /// Largest lift that is given or that the force alone would need, m.
     pub fn length(&self) -> f64 {
         let dwelt = self.dwells.iter().filter_map(|d| d.lift);
         let written = self.points.iter().map(|p| p.lift).chain(dwelt);
@@ -143,7 +143,7 @@ impl Asked {
         written.fold(forced, |most, x| most.max(x.abs()))
     }
 
-    /// The scene as a TOML file.
+    /// Scene as a TOML file.
     pub fn toml(&self) -> String {
         let mut out = String::from("name = \"guard\"\n");
         self.write(&mut out).expect("text grows");
@@ -225,7 +225,7 @@ impl Asked {
         Ok(())
     }
 
-    /// Points, weights of the force and dwells.
+    /// Writes points, weights of the force and dwells.
     fn write_demands(&self, out: &mut String) -> std::fmt::Result {
         for p in &self.points {
             writeln!(out, "[[law.point]]\nangle = \"{} rad\"", p.angle)?;

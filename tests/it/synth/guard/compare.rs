@@ -1,4 +1,4 @@
-//! One scene by both routes.
+//! Comparison of one scene by both methods.
 
 use super::asked::Asked;
 use super::judge::{Judged, judge};
@@ -11,43 +11,41 @@ use gaitcam::synth::{Design, synthesise};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Part of the objective within which both routes agree.
+/// Maximum relative difference of the objectives of both methods.
 pub const AGREED: f64 = 1e-6;
-/// A force error below this part of the mean force, in RMS, is rounding: its square is the floor of a
-/// difference of two objectives.
+/// RMS force error, relative to the mean force, below which it is rounding. Its square is the floor for a difference of two objectives.
 const FORCE_FLOOR: f64 = 1e-6;
-/// Angles at which a law of open level is tried.
+/// Number of angles at which a law of open level is tested.
 pub const ANGLES: usize = 72;
 
-/// What became of a scene.
+/// Result of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Seen {
     Built(Built),
-    /// Both say that there is no law.
+    /// Both methods find no law.
     Refused,
-    /// The limits leave something that a millionth takes away.
+    /// The limits allow a law, but not if tightened by a millionth.
     Edge,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Built {
     pub certified: bool,
-    /// Objective above the reference's, as a part of it: where the law keeps no limit to better than 1e-9,
-    /// it may be below.
+    /// Relative excess of the objective over the reference. It may be negative if the law violates a limit by up to 1e-9.
     pub above: f64,
-    /// Largest excess of a limit.
+    /// Largest violation of a limit.
     pub excess: f64,
-    /// An objective below the floor.
+    /// Whether the objective is below the floor.
     pub is_rounding: bool,
     pub by: Judgement,
 }
 
-/// What was needed to agree.
+/// Criterion by which the methods agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Judgement {
-    /// Nothing: within 1e-6 of the sampled optimum.
+    /// Objective within 1e-6 of the sampled optimum.
     Sampled,
-    /// Within the interval that tolerances of 1e-9 in the limits open.
+    /// Objective within the interval for tolerances of 1e-9 in the limits.
     Interval,
 }
 
@@ -58,7 +56,7 @@ pub fn design(asked: &Asked) -> Result<Design, String> {
     synthesise(&scene, force).map_err(|e| e.to_string())
 }
 
-/// Compares an answer with the other route; the words say where they differ.
+/// Compares the result with the reference. The error text states the difference.
 pub fn compare(asked: &Asked, answer: Result<Design, String>) -> Result<Seen, String> {
     let reference = Reference::new(asked);
     let design = match answer {
@@ -93,7 +91,7 @@ pub fn compare(asked: &Asked, answer: Result<Design, String>) -> Result<Seen, St
     Ok(Seen::Built(Built { certified, ..built }))
 }
 
-/// The scene has no law.
+/// Checks a scene for which the product finds no law.
 fn refused(asked: &Asked, reference: &Reference) -> Result<Seen, String> {
     let angles: Vec<Option<f64>> = if asked.touches() {
         (0..ANGLES)
@@ -122,7 +120,7 @@ fn refused(asked: &Asked, reference: &Reference) -> Result<Seen, String> {
     Ok(seen)
 }
 
-/// Holds the law's objective against the reference's interval.
+/// Compares the objective of the law with the interval of the reference.
 fn within(
     reference: &Reference,
     space: &super::reference::Space,
@@ -148,7 +146,7 @@ fn within(
     against(reference, space, judged, bound)
 }
 
-/// Part of which a difference counts: the optimum, or the floor of a force error.
+/// Reference value of a relative difference, and whether it is the floor: the optimum, or the floor of a force error.
 fn size(reference: &Reference, value: f64) -> (f64, bool) {
     let mean = reference
         .asked
@@ -208,7 +206,7 @@ fn against(
     }
 }
 
-/// At its own touching angle the law is the optimum; at no other is there a better one.
+/// Checks that the law is the optimum for its touching angle, and that no other touching angle has a better law.
 fn touching(reference: &Reference, x: &[f64], judged: &Judged) -> Result<Built, String> {
     let lowest = lowest(reference, x);
     let space = reference
@@ -238,7 +236,7 @@ fn touching(reference: &Reference, x: &[f64], judged: &Judged) -> Result<Built, 
     Ok(built)
 }
 
-/// Where a law is lowest, to rounding of its slope.
+/// Angle of the lowest point of a law, to rounding of its slope.
 fn lowest(reference: &Reference, x: &[f64]) -> f64 {
     let lift =
         |place: &&super::reference::Place| reference.splines.law(place.span, place.theta, x)[0];
@@ -255,7 +253,7 @@ fn lowest(reference: &Reference, x: &[f64]) -> f64 {
     theta
 }
 
-/// The law over this test's own functions, which must hold it with its derivatives.
+/// Coefficients of the law in the reference's basis, which must reproduce the law and its derivatives.
 fn coefficients(reference: &Reference, design: &Design) -> Result<Vec<f64>, String> {
     let (n, law) = (reference.splines.count(), &design.cam.law);
     let mut matrix = DMatrix::<f64>::zeros(n, n);

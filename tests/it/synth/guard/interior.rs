@@ -1,4 +1,4 @@
-//! The reference's rows as Clarabel takes them, in units that suit them.
+//! Rows of the reference for Clarabel, scaled to suitable units.
 
 use super::judge::Judged;
 use super::solve::{Exchange, Row};
@@ -8,7 +8,7 @@ use clarabel::solver::{
 };
 use nalgebra::DVector;
 
-/// Units and tolerances: where rounding stops the solver under the first, others may do.
+/// Units and tolerances. If rounding stops the solver with the first pair, the others are tried.
 const TRIES: [(f64, f64); 6] = [
     (1.0, 1e-12),
     (1.0, 1e-10),
@@ -17,17 +17,16 @@ const TRIES: [(f64, f64); 6] = [
     (100.0, 1e-11),
     (1.0, 1e-9),
 ];
-/// Residuals and gap, in the solver's own units, with which an answer counts.
+/// Maximum residuals and gap of a valid result, in the solver's units.
 const GOOD: f64 = 1e-7;
-/// The same of the dual residual, by which the bound is lowered.
+/// Maximum dual residual, in the solver's units. The bound is reduced by it.
 const GOOD_DUAL: f64 = 1e-5;
 
-/// u, the variables beside the law, and the dual value. `Err(None)`: the rows leave nothing.
+/// u, the further variables, and the dual value. `Err(None)`: the rows allow no law.
 pub type Answer = Result<(DVector<f64>, Vec<f64>, f64), Option<String>>;
 
 impl Exchange<'_> {
-    /// The first answer; of a linear program, whose residuals lower the bound most, the highest bound of all tries
-    /// where the first is not enough.
+    /// First valid result. For a linear program, whose residuals reduce the bound most, the highest bound of all tries if the first is insufficient.
     pub fn solved(&self, unit: f64, from: &[f64]) -> Answer {
         let mut best: Answer = Err(Some(String::new()));
         for (times, tolerance) in TRIES {
@@ -46,7 +45,7 @@ impl Exchange<'_> {
         best
     }
 
-    /// How far u has to go: the farthest row that the law without limits breaks.
+    /// Initial unit of u: distance to the farthest row that the law without limits violates.
     pub fn first_unit(&self, start: &Judged) -> f64 {
         if !self.space.is_square {
             return 1.0;
@@ -64,8 +63,7 @@ impl Exchange<'_> {
         if far > 1e-9 * size { far } else { size }
     }
 
-    /// Lengths of the rows for laws of size `unit`, and the units of the variables beside the law: what moves
-    /// their rows as far as the law does.
+    /// Scales of the rows for laws of size `unit`, and units of the further variables, which move their rows as far as the law does.
     fn scales(&self, unit: f64) -> (Vec<f64>, Vec<f64>) {
         let longest = self.rows.iter().map(|r| r.own.norm()).fold(0.0, f64::max);
         let length = |r: &Row| {
@@ -89,7 +87,7 @@ impl Exchange<'_> {
         (lengths, units)
     }
 
-    /// The rows as Clarabel takes them, over u and the variables beside the law counted `from` where they are.
+    /// Constraint matrix for Clarabel over u and the further variables, which are measured relative to `from`.
     fn matrix(
         &self,
         unit: f64,

@@ -1,22 +1,22 @@
-//! What a law is, whoever made it: its objective and its largest excess, from samples sharpened by parabolas.
+//! Evaluation of a law, independent of its solver: objective and maximum excess, from samples refined by parabolas.
 
 use super::reference::{Place, Reference};
 use super::rows::Limit;
 use super::swing;
 
-/// What a law is, whoever made it: variables beside it at their best, and its largest excess.
+/// Evaluation of a law, independent of its solver: optimal further variables, objective and maximum excess.
 pub struct Judged {
     pub extras: Vec<f64>,
     pub value: f64,
     pub excess: f64,
-    /// The same, negative where every limit leaves room.
+    /// Largest excess; negative if the law is inside every limit.
     pub room: f64,
     pub worst: &'static str,
-    /// Part of the objective by which it may be above the optimum: what an uncertified law states of itself.
+    /// Relative excess over the optimum that an uncertified law states.
     pub stated: f64,
 }
 
-/// Left side less bound at the places of the scan.
+/// Left side minus bound at the sampled angles.
 fn samples(reference: &Reference, limit: &Limit, x: &[f64]) -> Vec<f64> {
     let sample = |place: &Place| {
         let mut sum = -reference.bound(limit, place.theta);
@@ -29,7 +29,7 @@ fn samples(reference: &Reference, limit: &Limit, x: &[f64]) -> Vec<f64> {
     reference.scan.iter().map(sample).collect()
 }
 
-/// Places where the limits are exceeded most, by local maxima of each span, sharpened by parabolas.
+/// Positions of the largest violations: local maxima in each span, refined by parabolas.
 pub fn crests(
     reference: &Reference,
     limit: &Limit,
@@ -85,7 +85,7 @@ pub fn crests(
     out
 }
 
-/// Largest left side less bound.
+/// Maximum of left side minus bound.
 fn largest(reference: &Reference, limit: &Limit, x: &[f64]) -> f64 {
     let samples = samples(reference, limit, x);
     let top = samples.iter().fold(f64::NEG_INFINITY, |m, s| m.max(*s));
@@ -93,7 +93,7 @@ fn largest(reference: &Reference, limit: &Limit, x: &[f64]) -> f64 {
     all.iter().fold(top, |m, c| m.max(c.2))
 }
 
-/// The law with the best variables beside it.
+/// Evaluates a law with optimal further variables.
 pub fn judge(reference: &Reference, x: &[f64]) -> Judged {
     let tops: Vec<f64> = (reference.limits.iter())
         .map(|l| largest(reference, l, x))

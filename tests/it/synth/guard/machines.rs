@@ -1,16 +1,16 @@
-//! Random machines with their wanted force, and the numbers that they are drawn from.
+//! Random machines with their target force, and the random numbers for them.
 
 use super::asked::{Asked, Follower, Limits, Objective};
 use super::scenes::Kind;
 use gaitcam::force::{Feet, ForceCurve, catalogue, model};
 use std::f64::consts::{PI, TAU};
 
-/// Spans that are drawn from, as often as they stand here …
+/// Numbers of spans for the random choice; a repeated number is more likely.
 const SPANS: [usize; 9] = [8, 9, 10, 12, 14, 16, 20, 24, 32];
-/// … and where few and many of them are asked for.
+/// Numbers of spans for scenes with few or many spans.
 const LONG: [usize; 9] = [4, 5, 6, 40, 64, 80, 100, 150, 200];
 
-/// Random numbers by SplitMix64.
+/// Random numbers by SplitMix64, with the numbers of spans for the choice.
 pub struct Random(u64, [usize; 9]);
 
 impl Random {
@@ -26,7 +26,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number in [0, 1).
+    /// Number in [0, 1).
     fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -68,7 +68,7 @@ pub fn bare(r: &mut Random) -> Asked {
     }
 }
 
-/// A load model with its `[gait]`.
+/// Load model with its table `[gait]`.
 fn force(r: &mut Random) -> (ForceCurve, String) {
     let info = &catalogue()[r.below(catalogue().len())];
     let (low, high) = info.frequency_hz;
@@ -150,7 +150,7 @@ pub fn hydraulic(r: &mut Random) -> Asked {
     }
 }
 
-/// A follower that makes no force worth speaking of.
+/// Requirements with a follower of negligible force.
 pub fn light(r: &mut Random) -> Asked {
     let speed = r.within(1.0, 30.0);
     Asked {

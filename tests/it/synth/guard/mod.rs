@@ -1,19 +1,16 @@
-//! Standing guard: random scenes against a second route that shares nothing with the first but the wanted
-//! force. Its own B-splines, its own quadrature, limits sampled at angles, Clarabel.
+//! Random scenes compared with an independent reference, which shares only the target force with the product. The reference has its own B-splines and
+//! quadrature, samples the limits at angles and uses Clarabel.
 //!
-//! Rows at some angles are fewer than the limits ask, so the reference's dual value is below every law that
-//! keeps them, wherever the rows lie. The first rows lie where the law that is tried touches its limits: where it is
-//! the optimum they prove it at once. Otherwise rows are added where the reference's own law exceeds a limit, until
-//! none is exceeded by 1e-9. What is asked of each scene:
+//! The rows of the reference are a subset of the limits. Its dual value is therefore a lower bound for all laws that satisfy the limits, whatever the
+//! positions of the rows. The first rows are at the contacts of the tested law. If this law is the optimum, they prove it at once. Otherwise rows are
+//! added where the law of the reference exceeds a limit, until no excess is above 1e-9. Requirements for each scene:
 //!
-//! - the law keeps every limit to 1e-9 on a fine grid, and its objective is within 1e-6 of the reference's. The floor of
-//!   a force error is an RMS of 1e-6 of the mean force; one law in 200 may be without a certificate, and is no further
-//!   above the reference's than the gap that it states;
-//! - where the objective is that sensitive to its limits, it lies in the interval between the optima under
-//!   limits eased and tightened by 1e-9;
-//! - a law of open level is the optimum at its own touching angle, and at none of 72 others is there a better one;
-//! - where the answer is that there is no law, the reference needs limits moved out to have one;
-//! - the answer, with its relaxations where there is none, takes 5 seconds of a processor at most.
+//! - The law satisfies every limit to 1e-9 on a fine grid, and its objective is within 1e-6 of the reference's. The floor of a force error is an RMS
+//!   of 1e-6 of the mean force. One law in 200 may have no certificate. Its excess over the reference is then within its stated gap.
+//! - If the objective is more sensitive to the limits, it is between the optima for limits relaxed and tightened by 1e-9.
+//! - A law of open level is the optimum for its touching angle, and none of 72 other angles has a better law.
+//! - If the product finds no law, the reference has a law only with relaxed limits.
+//! - The result, including the relaxations if there is no law, takes at most 5 seconds of processor time.
 
 mod asked;
 mod compare;
@@ -39,7 +36,7 @@ use scenes::{KINDS, Kind};
 use std::sync::LazyLock;
 use std::time::Instant;
 
-/// Scenes that are drawn, and those that have to be built, of each kind.
+/// Number of random scenes of a kind, and the minimum number of designed ones.
 fn share(kind: Kind) -> (usize, usize) {
     match kind {
         Kind::Moving => (620, 600),
@@ -59,24 +56,24 @@ fn share(kind: Kind) -> (usize, usize) {
     }
 }
 
-/// Of each kind one scene in this many is drawn in a usual run.
+/// A usual run contains one in this many scenes of each kind.
 const THINNED: usize = if cfg!(debug_assertions) { 40 } else { 10 };
-/// Scenes of each kind that a usual run draws at least.
+/// Minimum number of scenes of each kind in a usual run.
 const FEWEST: usize = if cfg!(debug_assertions) { 3 } else { 12 };
-/// Seconds of a processor that an answer may take.
+/// Maximum processor time of a result, s.
 const LONGEST: f64 = if cfg!(debug_assertions) { 100.0 } else { 5.0 };
-/// Seconds of a processor that the smallest cam of a roller takes where that limit holds, on a usual machine.
+/// Processor time of the smallest cam of a roller on a usual machine to which this limit applies, s.
 const USUAL: f64 = if cfg!(debug_assertions) { 0.5 } else { 0.02 };
-/// Factor by which machines, and what runs beside a test, may make an answer slower.
+/// Factor by which slow machines and other processes may increase the time.
 const SLOWEST: f64 = 4.0;
-/// Designs of which the median is taken.
+/// Number of designs for the median.
 const YARDSTICKS: usize = 11;
-/// One law in this many may be without a certificate.
+/// One law in this many may have no certificate.
 const UNCERTIFIED: usize = 200;
-/// From so many laws on that share is exact; of fewer, three standard deviations more may be.
+/// Number of laws from which on this share is exact. For fewer laws, three standard deviations more are allowed.
 const MANY: usize = 2000;
 
-/// How many have to be built where `least` of all `drawn` have to: three standard deviations fewer of one in `every`.
+/// Minimum number of designed scenes if `least` of all `drawn` are required: for one scene in `every`, reduced by three standard deviations.
 fn fewest(drawn: usize, least: usize, every: usize) -> usize {
     if every == 1 {
         return least;
@@ -97,12 +94,12 @@ fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
     compared(|_| 1, times());
 }
 
-/// How many times as many scenes the ignored tests draw: GAITCAM_GUARD=4 draws 10 000.
+/// Factor for the number of scenes in the ignored tests: GAITCAM_GUARD=4 compares 10 000.
 fn times() -> usize {
     std::env::var("GAITCAM_GUARD").map_or(1, |n| n.parse().expect("a number"))
 }
 
-/// Compares one scene in `every(drawn)` of each kind, of so many times as many as usual.
+/// Compares one scene in `every(drawn)` of each kind, with `times` times the usual number.
 fn compared(every: impl Fn(usize) -> usize, times: usize) {
     let mut disagreements = Vec::new();
     let (mut all, mut uncertified) = (0, 0);
@@ -157,7 +154,7 @@ fn compared(every: impl Fn(usize) -> usize, times: usize) {
     );
 }
 
-/// The counts of a kind.
+/// Summary line of a kind.
 fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> String {
     let count = |wanted: Seen| seen.iter().filter(|(_, s)| *s == Ok(wanted)).count();
     let of = |f: &dyn Fn(&Built) -> bool| built.iter().filter(|b| f(b)).count();
@@ -185,19 +182,19 @@ fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> 
     )
 }
 
-/// Whether the reference, not the program, gave up: its dense matrices do not resolve every law of up to 200 spans. How
-/// many of a kind have to be built leaves room for some of them.
+/// Whether the reference failed instead of the program. Its dense matrices cannot resolve every law of up to 200 spans. The minimum number of
+/// designed scenes allows for such cases.
 fn is_undecided(kind: Kind, words: &str) -> bool {
     kind == Kind::Long && words.starts_with("reference: ")
 }
 
-/// A panic is a disagreement like any other.
+/// Compares a scene; a panic counts as a difference.
 fn without_panic(kind: Kind, seed: usize) -> Result<Seen, String> {
     let seen = std::panic::catch_unwind(|| timely(&scenes::scene(kind, seed)));
     seen.unwrap_or_else(|_| Err("panic".to_string()))
 }
 
-/// The comparison of an answer that came in time.
+/// Compares a scene and checks its processor time.
 fn timely(asked: &Asked) -> Result<Seen, String> {
     let before = processor_seconds();
     let answer = design(asked).map(Design::relaxed);
@@ -250,8 +247,8 @@ fn a_refused_law_at_its_jerk_limit_nearly_everywhere_is_proved_and_in_time() {
     }
 }
 
-/// Whether an answer took longer than it may. An answer that seems too long is compared with a task of known time, of the same
-/// kind (most of both is an interior-point method), done at once on the same machine.
+/// Whether a result took too long. If it seems so, its time is compared with a task of known time and of the same kind (mostly an interior-point
+/// method) on the same machine.
 fn is_too_long(taken: f64) -> bool {
     taken > LONGEST && {
         let slower = yardstick() / USUAL;
@@ -260,7 +257,7 @@ fn is_too_long(taken: f64) -> bool {
     }
 }
 
-/// Median seconds of a processor of the smallest cam of a roller.
+/// Median processor time of the smallest cam of a roller, s.
 fn yardstick() -> f64 {
     let changes = [
         "cam.follower=roller-translating",
@@ -281,7 +278,7 @@ fn yardstick() -> f64 {
     all[YARDSTICKS / 2]
 }
 
-/// Seconds that this thread has had of a processor; on the wall where the system does not say.
+/// Processor time of this thread, s; elapsed time if the system does not provide it.
 fn processor_seconds() -> f64 {
     static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
     let own = std::fs::read_to_string("/proc/thread-self/schedstat").ok();

@@ -1,11 +1,11 @@
-//! Scenes that went wrong once, written out.
+//! Scenes that once had errors, given in full.
 
 use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point};
 use super::compare::{Built, Seen, compare, design};
 use gaitcam::force::{Feet, model};
 use std::f64::consts::TAU;
 
-/// The design agrees with the reference and is certified.
+/// Asserts that the design agrees with the reference and is certified.
 fn certified(asked: &Asked) -> Built {
     let solver = design(asked).map(|d| d.solver);
     let built = compare(asked, design(asked));
@@ -15,7 +15,7 @@ fn certified(asked: &Asked) -> Built {
     }
 }
 
-/// A fixed axis under one of the load models.
+/// Requirements for a fixed axis with one of the load models.
 fn fixed(name: &str, frequency: f64, [mass, spring, preload, damping]: [f64; 4]) -> Asked {
     let curve = model(name, Some(frequency), 700.0, Feet::Both).unwrap();
     let speed = TAU / curve.period_s;
@@ -40,7 +40,7 @@ fn fixed(name: &str, frequency: f64, [mass, spring, preload, damping]: [f64; 4])
     }
 }
 
-/// A law through points that presses with its mass alone.
+/// Law through points with a follower that presses by its mass only.
 fn light(speed: f64, points: Vec<Point>) -> Asked {
     Asked {
         degree: 5,
@@ -72,7 +72,7 @@ fn point(degrees: f64, lift: f64) -> Point {
     }
 }
 
-/// It has a law, and was refused for 10⁻¹¹ m.
+/// The scene has a law, but was once rejected for 10⁻¹¹ m.
 #[test]
 fn a_stroke_beside_a_peak_is_kept_to_its_last_digit() {
     let mut asked = fixed("setra", 1.519, [6.16, 12406.5, 53.6, 53.8]);
@@ -86,7 +86,7 @@ fn a_stroke_beside_a_peak_is_kept_to_its_last_digit() {
     certified(&asked);
 }
 
-/// It stands on the base circle at a point without a velocity; the gap stated was 0.7.
+/// The law touches the base circle at a point without a given velocity. The stated gap was once 0.7.
 #[test]
 fn a_point_on_the_base_circle_is_certified() {
     let points = vec![
@@ -99,7 +99,7 @@ fn a_point_on_the_base_circle_is_certified() {
     certified(&asked);
 }
 
-/// A stroke of open level binds; its stationarity was infinite.
+/// A stroke of open level is active. Its stationarity was once infinite.
 #[test]
 fn a_stroke_whose_place_is_free_is_certified() {
     let mut asked = fixed("sci-p354", 1.696, [4.69, 15407.6, 134.0, 131.0]);
@@ -107,7 +107,7 @@ fn a_stroke_whose_place_is_free_is_certified() {
     certified(&asked);
 }
 
-/// 1.68 % better where the law touches its base circle 5° later than the law without limits would.
+/// The objective is 1.68 % better if the law touches its base circle 5° later than the law without limits.
 #[test]
 fn the_touching_angle_is_the_best_of_all() {
     let curve = model("kerr", Some(1.986), 700.0, Feet::Both).unwrap();
@@ -138,7 +138,7 @@ fn the_touching_angle_is_the_best_of_all() {
     assert!(error < 74.2442, "{error}");
 }
 
-/// With s, v and a zero on the base circle the jerk is zero too, or the law would cut into it on one side.
+/// If s, v and a are zero on the base circle, the jerk is zero too. Otherwise the law would cross the base circle on one side.
 #[test]
 fn a_point_on_the_base_circle_without_acceleration_has_no_jerk() {
     let level = |p: Point| Point {
@@ -159,7 +159,7 @@ fn a_point_on_the_base_circle_without_acceleration_has_no_jerk() {
     assert!(built.excess < 1e-9, "{built:?}");
 }
 
-/// The dwell's coefficients lie at both ends of the turn: this was a panic.
+/// The coefficients of the dwell are at both ends of the turn. This once caused a panic.
 #[test]
 fn a_dwell_of_open_lift_may_go_over_the_end_of_the_turn() {
     let mut asked = light(1.23, vec![point(240.0, 0.01)]);

@@ -1,5 +1,4 @@
-//! The program of a scene as this test understands it: splines, quadrature, demands taken out by an
-//! orthogonal basis of what they leave, limits at angles.
+//! Optimisation problem of a scene in the reference: splines, quadrature, demands eliminated by an orthonormal basis, limits at angles.
 
 use super::asked::{Asked, Objective, Point};
 use super::rows::{Extra, Limit, limits, only};
@@ -8,23 +7,23 @@ use super::swing::{Swing, swings};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Jerk, in lifts per rad³, whose mean square weighs as much as one lift of radius where size is minimised.
+/// Jerk, in lifts per rad³, whose mean square has the weight of a radius of one lift when the size is minimised.
 const SIZE_JERK: f64 = 1e3;
-/// Parts of a span at whose ends limits are scanned …
+/// Number of parts of a span at whose ends limits are sampled.
 const SCANNED: usize = 20;
-/// … and of what lies between two samples of the wanted force, where a limit follows it.
+/// Number of parts between two samples of the target force, for a limit that follows it.
 const SCANNED_BETWEEN: usize = 3;
 
-/// A place with the functions that live there.
+/// Angle with the basis functions that are not zero there.
 pub struct Place {
     pub span: usize,
-    /// First and last angle of the piece on which limits are smooth.
+    /// First and last angle of the piece on which the limits are smooth.
     pub ends: [f64; 2],
     pub theta: f64,
     pub values: [Vec<f64>; ORDERS],
 }
 
-/// A place of the quadrature: the functions' force, the wanted value, the weight.
+/// Quadrature point: force of the basis functions, target value, weight.
 struct Node {
     span: usize,
     row: Vec<f64>,
@@ -32,7 +31,7 @@ struct Node {
     weight: f64,
 }
 
-/// x = origin + free·u, and f(x) = least + ½|u|² where the objective has a square part.
+/// Affine space x = origin + free·u, with f(x) = least + ½|u|² for an objective with a quadratic part.
 pub struct Space {
     pub origin: DVector<f64>,
     pub free: DMatrix<f64>,
@@ -86,8 +85,7 @@ impl<'a> Reference<'a> {
         }
     }
 
-    /// The square part of the objective: half the mean square of the force error or of a derivative, or what is
-    /// added to a size.
+    /// Quadratic part of the objective: half the mean square of the force error or of a derivative, or the term that is added to a size.
     pub fn square(&self, x: &[f64]) -> f64 {
         let of = |n: &Node| 0.5 * n.weight * (self.at(n, x) - n.wanted).powi(2);
         self.nodes.iter().map(of).sum()
@@ -98,7 +96,7 @@ impl<'a> Reference<'a> {
         columns.zip(&node.row).map(|(i, b)| b * x[i]).sum()
     }
 
-    /// Amplitude of a vibration, and the row along it.
+    /// Amplitude of a vibration, and the row in its direction.
     pub fn amplitude(&self, [q, p]: &Swing, x: &[f64]) -> (f64, DVector<f64>) {
         let x = DVector::from_column_slice(x);
         let state = [q.dot(&x), p.dot(&x)];
@@ -106,7 +104,7 @@ impl<'a> Reference<'a> {
         (length, q * (state[0] / length) + p * (state[1] / length))
     }
 
-    /// The gradient of the square part and, where asked, its matrix.
+    /// Gradient of the quadratic part. Its matrix is added to `matrix`, if given.
     fn pull(&self, x: &[f64], matrix: Option<&mut DMatrix<f64>>) -> DVector<f64> {
         let mut gradient = DVector::zeros(x.len());
         for node in &self.nodes {
@@ -127,8 +125,7 @@ impl<'a> Reference<'a> {
         gradient
     }
 
-    /// The laws that keep the demands; `None` where those contradict each other. `touching` is the angle at
-    /// which the lift is 0.
+    /// Laws that satisfy the demands; `None` if these are contradictory. The lift is 0 at the angle `touching`.
     pub fn space(&self, touching: Option<f64>) -> Option<Space> {
         let n = self.splines.count();
         let mut demands = self.demands();
@@ -209,8 +206,7 @@ impl<'a> Reference<'a> {
         out
     }
 
-    /// Where the law touches the base circle: −a ≤ 0 at a point; beside a dwell, where s, v and a are 0, the
-    /// jerk lifts it off.
+    /// Rows where the law touches the base circle: −a ≤ 0 at a point. Beside a dwell, where s, v and a are 0, the jerk has the sign of a rise.
     pub fn touched(&self) -> Vec<(usize, f64, [f64; ORDERS])> {
         let asked = self.asked;
         let mut out = Vec::new();
@@ -231,7 +227,7 @@ impl<'a> Reference<'a> {
         out
     }
 
-    /// Left side of a limit on a law, less what its bound allows without the variable beside it.
+    /// Left side of a limit for a law, minus its bound without the further variable.
     pub fn excess(&self, limit: &Limit, span: usize, theta: f64, x: &[f64]) -> f64 {
         let at = self.splines.law(span, theta, x);
         let sum: f64 = (0..ORDERS).map(|d| limit.weights[d] * at[d]).sum();
@@ -249,13 +245,12 @@ impl<'a> Reference<'a> {
     }
 }
 
-/// A point on the base circle is touched with no slope.
+/// Velocity at a point; zero on the base circle, which is touched without slope.
 fn velocity(p: &Point) -> Option<f64> {
     p.velocity.or((p.lift == 0.0).then_some(0.0))
 }
 
-/// Equal spans; with dwells each dwell is a span with two derivatives carried across its ends, and the others
-/// share the motion.
+/// Splines with equal spans. Each dwell is a span with two continuous derivatives at its ends, and the other spans divide the motion.
 fn splines(asked: &Asked) -> Splines {
     if asked.dwells.is_empty() {
         return Splines::equal(asked.degree, asked.spans);
@@ -296,7 +291,7 @@ fn splines(asked: &Asked) -> Splines {
     Splines::new(asked.degree, breaks, &multiplicity)
 }
 
-/// The breaks of the splines, of the weights and of the wanted force.
+/// Breaks of the splines, of the weights and of the target force.
 fn cut_at_samples(asked: &Asked, splines: &Splines) -> Vec<f64> {
     let mut cuts = splines.breaks().to_vec();
     cuts.extend(asked.ranges.iter().flat_map(|r| [r.from, r.to]));
@@ -309,8 +304,8 @@ fn cut_at_samples(asked: &Asked, splines: &Splines) -> Vec<f64> {
     cuts
 }
 
-/// Gauss points of the square part of the objective; for a force on every piece of span and target, where four
-/// are exact for the target's square.
+/// Gauss points of the quadratic part of the objective. For a force, each piece of span and target has four points, which are exact for the square of
+/// the target.
 fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
     let parts = match asked.objective {
         Objective::ForceError => vec![(None, 1.0)],
@@ -322,7 +317,7 @@ fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
     parts.into_iter().flat_map(one).collect()
 }
 
-/// Those of one part of it: the force, or a derivative.
+/// Gauss points of one term: the force, or a derivative.
 fn part(asked: &Asked, splines: &Splines, order: Option<usize>, factor: f64) -> Vec<Node> {
     let cuts = if order.is_none() {
         cut_at_samples(asked, splines)
@@ -361,7 +356,7 @@ fn part(asked: &Asked, splines: &Splines, order: Option<usize>, factor: f64) -> 
     out
 }
 
-/// A solution of the demands and an orthonormal basis of their rows; `None` where they contradict each other.
+/// Solution of the demands, and an orthonormal basis of their rows; `None` if they are contradictory.
 fn particular(
     n: usize,
     demands: Vec<(Vec<f64>, f64)>,
@@ -381,7 +376,7 @@ fn particular(
     Some((origin, rows))
 }
 
-/// What is orthogonal to orthonormal rows.
+/// Component of a vector that is orthogonal to orthonormal rows.
 fn off(rows: &[DVector<f64>], mut x: DVector<f64>) -> DVector<f64> {
     for _ in 0..2 {
         for r in rows {
@@ -391,7 +386,7 @@ fn off(rows: &[DVector<f64>], mut x: DVector<f64>) -> DVector<f64> {
     x
 }
 
-/// An orthonormal basis of all that is orthogonal to the rows.
+/// Orthonormal basis of the complement of the rows.
 fn complement(n: usize, rows: &[DVector<f64>]) -> DMatrix<f64> {
     let mut all = rows.to_vec();
     let mut left: Vec<DVector<f64>> = (0..n)

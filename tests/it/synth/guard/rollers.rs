@@ -1,7 +1,7 @@
-//! Rollers under limits on curvature, pressure angle and prime radius, which are not convex together: no second route finds the
-//! optimum. But the smallest cam that keeps them is a law for every larger prime radius, whatever is minimised there. So a little
-//! above it each objective has to have an answer in time, whose pitch curve keeps the limits at many angles by its own
-//! derivatives, and which is no worse than the smallest cam.
+//! Rollers with limits on curvature, pressure angle and prime radius. These limits are not jointly convex, so that no other method finds the optimum.
+//! The smallest cam is, however, feasible for every larger limit on the prime radius and for any objective. A little above it, each objective must
+//! have a result in time. Its pitch curve must satisfy the limits at many angles by its own derivatives, and it must not be worse than the smallest
+//! cam.
 
 use super::machines::{Random, fixed, hydraulic, moving};
 use super::scenes::Kind;
@@ -12,21 +12,21 @@ use gaitcam::synth::{Design, synthesise};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// A usual run draws one scene in this many.
+/// A usual run contains one in this many scenes.
 const THINNED: usize = if cfg!(debug_assertions) { 10 } else { 4 };
-/// Scenes that are drawn, and cams that have to be built of them.
+/// Number of random scenes, and minimum number of designed cams.
 const DRAWN: usize = 40;
 const BUILT: usize = 160;
-/// Seeds of these scenes are apart from those of the kind whose numbers they share.
+/// First seed, so that the seeds differ from those of the kind with the same random numbers.
 const FIRST_SEED: usize = 1 << 20;
-/// Angles at which a cam is looked at.
+/// Number of angles at which a cam is checked.
 const ANGLES: usize = 20_000;
-/// An excess of a limit as a part of it.
+/// Maximum relative excess over a limit.
 const HELD: f64 = 1e-6;
-/// The same of an objective over that of the smallest cam: a sequence ends where a step gains less than a ten-millionth, and
-/// another sequence may have led to that cam.
+/// Maximum relative excess of an objective over that of the smallest cam. A sequence ends when a step improves less than a ten-millionth, and another
+/// sequence may have led to that cam.
 const WORSE: f64 = 1e-4;
-/// What is minimised above the smallest cam.
+/// Objectives above the smallest cam.
 const OBJECTIVES: [&str; 5] = [
     "force-error",
     "peak-force-error",
@@ -35,7 +35,7 @@ const OBJECTIVES: [&str; 5] = [
     "size",
 ];
 
-/// A machine with its force and the limits of its cam, in metres and radians.
+/// Machine with its force and the limits of its cam, in metres and radians.
 struct Roller {
     text: String,
     force: gaitcam::force::ForceCurve,
@@ -76,7 +76,7 @@ fn drawn(r: &mut Random) -> Roller {
 }
 
 impl Roller {
-    /// The answer with an objective and a limit on the prime radius, with its relaxations where there is none.
+    /// Design with an objective and a limit on the prime radius, with relaxations if there is no cam.
     fn design(&self, objective: &str, most: Option<f64>) -> Result<Design, String> {
         let mut text = self.text.replacen("MINIMISE", objective, 1);
         text.extend(most.map(|radius| format!("prime_radius = \"{radius} m\"\n")));
@@ -92,8 +92,8 @@ impl Roller {
         Ok(design)
     }
 
-    /// The largest part by which a cam exceeds a limit. The roller's centre is at (e, D + s) in the frame of the follower,
-    /// which turns against the cam: its derivatives in the cam's frame, turned back, are those below.
+    /// Largest relative excess of a cam over its limits. The centre of the roller is at (e, D + s) in the frame of the follower, which rotates
+    /// relative to the cam. Its derivatives in the frame of the cam, rotated back, are those below.
     fn excess(&self, design: &Design, most: f64) -> f64 {
         let follower = &design.cam.follower;
         let (prime, e) = (follower.prime_radius(), follower.offset());
@@ -113,7 +113,7 @@ impl Roller {
     }
 }
 
-/// What is minimised, of a design.
+/// Value of the objective for a design.
 fn value(objective: &str, design: &Design) -> f64 {
     let energy = |of: fn(&Law, f64) -> f64| {
         let at = |k: usize| of(&design.cam.law, TAU * k as f64 / ANGLES as f64).powi(2);
@@ -128,7 +128,7 @@ fn value(objective: &str, design: &Design) -> f64 {
     }
 }
 
-/// How many cams were built above the smallest one of a scene; the words say what is wrong with one.
+/// Number of cams designed above the smallest one of a scene. The error text states what is wrong with a cam.
 fn built_above(seed: usize) -> Result<usize, String> {
     let mut random = Random::new(Kind::Touching, FIRST_SEED + seed);
     let roller = drawn(&mut random);
@@ -180,7 +180,7 @@ fn forty_rollers_above_their_smallest_cam_are_built_whatever_is_minimised() {
     compared(1, times());
 }
 
-/// Compares one scene in `every` of so many times as many as usual.
+/// Compares one scene in `every`, with `times` times the usual number.
 fn compared(every: usize, times: usize) {
     let seen: Vec<(usize, Result<usize, String>)> = (0..DRAWN * times)
         .into_par_iter()

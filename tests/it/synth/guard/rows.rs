@@ -1,28 +1,28 @@
-//! The limits of a scene as sums over s, v, a, j and variables beside the law.
+//! Limits of a scene as sums over s, v, a, j and further variables.
 
 use super::asked::{Asked, Follower, Objective};
 use super::splines::ORDERS;
 
-/// Σ w s⁽ᵏ⁾ + extra·y ≤ bound + sign (F*(θ) − F₀).
+/// Limit Σ w s⁽ᵏ⁾ + extra·y ≤ bound + sign (F*(θ) − F₀).
 #[derive(Debug, Clone, Copy)]
 pub struct Limit {
     pub name: &'static str,
     pub weights: [f64; ORDERS],
     pub bound: f64,
     pub shape: f64,
-    /// Index and weight of the variable beside the law.
+    /// Index and weight of the further variable.
     pub extra: Option<(usize, f64)>,
-    /// Of what an excess is a part.
+    /// Reference value of a relative excess.
     pub scale: f64,
 }
 
-/// A variable beside the law: the peak or the radius that is minimised, or where a stroke begins.
+/// Further variable: the minimised peak or radius, or the lower end of a stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extra {
     pub cost: f64,
 }
 
-/// The limits as rows, and the variables beside the law.
+/// Limits as rows, and the further variables.
 pub fn limits(asked: &Asked) -> (Vec<Limit>, Vec<Extra>) {
     let mut list = List {
         length: asked.length(),
@@ -121,7 +121,7 @@ impl List {
         }
     }
 
-    /// Rb + s + a ≥ ρ under a flat face; ±(v − e) ≤ tan φ (s + D) of a knife edge.
+    /// Adds the rows of the cam: Rb + s + a ≥ ρ for a flat face; ±(v − e) ≤ tan φ (s + D) for a knife edge.
     fn cam(&mut self, asked: &Asked) {
         let limits = &asked.limits;
         let bend = [-1.0, 0.0, -1.0, 0.0];

@@ -1,5 +1,4 @@
-//! Random scenes by kind. Limits are drawn about what the law without them does, so that most of them bind and
-//! some leave nothing.
+//! Random scenes by kind. The limits are random values near those of the law without limits, so that most are active and some are infeasible.
 
 use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point, Range};
 use super::machines::{Random, fixed, hydraulic, light, moving};
@@ -17,27 +16,27 @@ pub enum Kind {
     Fixed,
     /// Hydraulic, force error, limits.
     Hydraulic,
-    /// Points, smallest jerk or acceleration.
+    /// Points, minimum jerk or acceleration.
     Points,
     /// Dwells with points or another dwell.
     Dwells,
-    /// Flat face on a moving axis with curvature on a base circle that is given or limited.
+    /// Flat face on a moving axis with a curvature limit, on a base circle that is given or limited.
     Touching,
-    /// Flat face as small as its curvature allows, or limited in size.
+    /// Flat face with the minimum size for its curvature limit, or with a limited size.
     FlatSize,
     /// Pressure angle on a given prime circle.
     PressureAngle,
-    /// Smallest peak of acceleration, jerk or force error.
+    /// Minimum peak of acceleration, jerk or force error.
     Peaks,
-    /// Force error that counts more in parts of the cycle, whose edges lie inside spans.
+    /// Force error with different weights in ranges of the cycle whose edges are inside spans.
     Ranges,
-    /// A limit under which peaks and energies have many spans.
+    /// Limit with many spans for peaks and energies.
     Many = 11,
-    /// Any of these on 4 to 200 spans.
+    /// Any of the other kinds on 4 to 200 spans.
     Long,
-    /// The force inside a band about the target.
+    /// Force inside a band around the target.
     Bands,
-    /// Vibration of a compliant follower in its rests, also where there are none.
+    /// Vibration of a compliant follower in its dwells, or without dwells.
     Residual,
 }
 
@@ -58,7 +57,7 @@ pub const KINDS: [Kind; 14] = [
     Kind::Residual,
 ];
 
-/// The scene of a kind and seed.
+/// Requirements of the scene of a kind and seed.
 pub fn scene(kind: Kind, seed: usize) -> Asked {
     let mut random = Random::new(kind, seed);
     let r = &mut random;
@@ -115,7 +114,7 @@ fn ranges(r: &mut Random) -> Asked {
     if limits { limited(asked, r) } else { asked }
 }
 
-/// Half the width is counted from the largest error of the nearest law.
+/// Requirements with a force band. Its half-width is based on the largest error of the closest law.
 fn bands(r: &mut Random) -> Asked {
     let mut asked = match r.below(3) {
         0 => moving(r),
@@ -151,7 +150,7 @@ fn bands(r: &mut Random) -> Asked {
     asked
 }
 
-/// The limit is a part of what the law without it leaves.
+/// Requirements with a vibration limit, which is a fraction of the vibration without the limit.
 fn residual(r: &mut Random) -> Asked {
     let mut asked = if r.chance(0.85) { dwells(r) } else { points(r) };
     let (speed, mass) = (asked.speed, 2.0);
@@ -259,14 +258,14 @@ fn dwells(r: &mut Random) -> Asked {
     }
 }
 
-/// Lowest and highest s, v, a, j and force of the law without limits.
+/// Minimum and maximum of s, v, a, j and force of the law without limits.
 struct Free {
     ranges: [(f64, f64); ORDERS],
     force: (f64, f64),
     x: Vec<f64>,
 }
 
-/// `None` where the demands contradict each other: such a scene is asked without limits.
+/// Ranges of the law without limits; `None` if the demands are contradictory. Such a scene has no limits.
 fn free(asked: &Asked) -> Option<Free> {
     let mut own = asked.clone();
     own.limits = Limits::default();
@@ -293,7 +292,7 @@ fn free(asked: &Asked) -> Option<Free> {
     Some(Free { ranges, force, x })
 }
 
-/// One to three limits.
+/// Adds one to three limits.
 fn limited(mut asked: Asked, r: &mut Random) -> Asked {
     let Some(free) = free(&asked) else {
         return asked;

@@ -1,5 +1,5 @@
-//! The reference's optimum: rows at sampled angles, Clarabel, more rows where the law exceeds a limit between
-//! them, until none is exceeded. Every round's dual value is a lower bound, since it leaves rows out.
+//! Optimum of the reference: Clarabel with rows at sampled angles. Rows are added where the law exceeds a limit between them, until there is no
+//! excess. Every dual value is a lower bound, since rows are missing.
 
 use super::judge::{Judged, crests, judge};
 use super::reference::{Reference, Space};
@@ -7,33 +7,33 @@ use super::rows::Limit;
 use super::splines::ORDERS;
 use nalgebra::DVector;
 
-/// An excess below this part of its limit is none.
+/// Relative excess up to which a limit is satisfied.
 pub const HELD: f64 = 1e-9;
-/// A law this near to a limit, as a part of its scale, may touch it.
+/// Relative distance below which a law may touch a limit.
 const NEAR: f64 = 0.02;
-/// What limits are eased or tightened by before a scene counts as refused or built wrongly.
+/// Relative change by which limits are relaxed or tightened before a scene counts as wrongly rejected or designed.
 pub const EDGE: f64 = 1e-6;
 /// Maximum number of rounds that add rows.
 const ROUNDS: usize = 60;
 pub enum Outcome {
     Optimum(Optimum),
-    /// No law is below this bound, and that was enough.
+    /// Lower bound of the objective, which was sufficient to end the search.
     Above(f64),
     Infeasible,
-    /// The solver did not end.
+    /// The solver failed, with the reason.
     Undecided(String),
 }
 
 #[derive(Debug, Clone)]
 pub struct Optimum {
     pub value: f64,
-    /// No law that keeps the sampled rows, and so none that keeps the limits, is below.
+    /// Lower bound of the objective for laws that satisfy the sampled rows, and thus for all laws that satisfy the limits.
     pub bound: f64,
-    /// Largest excess, as a part of its limit.
+    /// Largest relative excess over a limit.
     pub excess: f64,
 }
 
-/// A limit at one place, over u and the variables beside the law.
+/// Limit at one angle, as a row over u and the further variables.
 pub struct Row {
     pub own: DVector<f64>,
     pub beside: Vec<(usize, f64)>,
@@ -41,43 +41,42 @@ pub struct Row {
 }
 
 impl Row {
-    /// What the variables beside the law take of its bound.
+    /// Contribution of the further variables to the row.
     pub fn taken(&self, beside: &[f64]) -> f64 {
         self.beside.iter().map(|(k, e)| e * beside[*k]).sum()
     }
 }
 
-/// Rows that come and go.
+/// Set of rows that is exchanged during the search.
 pub struct Exchange<'a> {
     pub reference: &'a Reference<'a>,
     pub space: &'a Space,
-    /// Every bound is moved out by this part of its scale.
+    /// Relative relaxation of every bound, in units of its scale.
     room: f64,
-    /// That part is a variable of its own, the last, and it is what is minimised.
+    /// Whether the relaxation is the last variable and the objective.
     pub seeks_room: bool,
     pub rows: Vec<Row>,
-    /// A row that no law moves is broken.
+    /// Whether a row is violated that no law can influence.
     hopeless: bool,
     pub aim: Aim<'a>,
 }
 
-/// How a search begins, and what is enough of it.
+/// Start and end condition of a search.
 #[derive(Clone, Copy)]
 pub struct Aim<'a> {
-    /// A law whose contacts are the first rows: any row of a limit is as good a lower bound, and these are the few
-    /// that bind where the law is the optimum. Without one, a grid.
+    /// Law whose contacts are the first rows. Any rows lead to a lower bound, and these are active if the law is the optimum. `None`: a grid.
     pub near: Option<&'a [f64]>,
-    /// A lower bound of this ends the search.
+    /// Lower bound that ends the search.
     pub enough: f64,
 }
 
-/// The optimum itself, from a grid.
+/// Search for the optimum from a grid.
 pub const WHOLE: Aim = Aim {
     near: None,
     enough: f64::INFINITY,
 };
 
-/// The optimum with every limit moved out by a part `room` of its scale (inwards where negative).
+/// Optimum with every bound relaxed by `room` times its scale (tightened if negative).
 pub fn solve(reference: &Reference, space: &Space, room: f64, aim: Aim) -> Outcome {
     let mut exchange = Exchange::new(reference, space, room, aim);
     if room <= 0.0 {
@@ -95,8 +94,8 @@ pub fn solve(reference: &Reference, space: &Space, room: f64, aim: Aim) -> Outco
     exchange.run()
 }
 
-/// The least part of their scales by which all limits have to move out to leave a law: negative where they leave
-/// room. A lower bound, and what a law needs. Both are 0 or more where demands alone break a limit.
+/// Minimum relative relaxation of all limits for which a law exists; negative if a law exists with tightened limits. Returns a lower bound and the
+/// relaxation of a law. Both are at least 0 if the demands alone violate a limit.
 pub fn least_room(reference: &Reference, space: &Space) -> Result<[f64; 2], String> {
     let mut exchange = Exchange::new(reference, space, 0.0, WHOLE);
     exchange.seeks_room = true;
@@ -146,7 +145,7 @@ impl<'a> Exchange<'a> {
         }
     }
 
-    /// Costs of the variables beside the law.
+    /// Objective coefficients of the further variables.
     pub fn costs(&self) -> Vec<f64> {
         let own = self.reference.extras.iter().map(|e| e.cost);
         if self.seeks_room {
@@ -199,7 +198,7 @@ impl Exchange<'_> {
         }
     }
 
-    /// Tangents of the vibrations whose amplitude exceeds this part of what is allowed.
+    /// Adds tangents of the vibrations whose amplitude exceeds this fraction of the limit.
     fn tangents(&mut self, x: &[f64], part: f64) {
         let (reference, most) = (self.reference, self.reference.asked.train.map(|t| t.most));
         for (swing, most) in reference.swings.iter().zip(most.into_iter().cycle()) {
@@ -210,9 +209,8 @@ impl Exchange<'_> {
         }
     }
 
-    /// What s ≥ 0 implies where the law touches the base circle: rows on s alone find it only in infinitely
-    /// many steps. s ≥ −ε does not imply it: beside a dwell s = −jt³/6 + pt⁴/24 falls by no more than ε for every
-    /// j below (p³ε)^¼.
+    /// Adds the rows that s ≥ 0 implies where the law touches the base circle. Rows on s alone reach it only in infinitely many steps. s ≥ −ε does
+    /// not imply it: beside a dwell, s = −jt³/6 + pt⁴/24 falls by no more than ε for every j below (p³ε)^¼.
     fn touched(&mut self) {
         for (span, theta, weights) in self.reference.touched() {
             let limit = Limit {
@@ -227,7 +225,7 @@ impl Exchange<'_> {
         }
     }
 
-    /// Rows where the law is asked for: what demands fix there no law moves, and beside there only a wild one.
+    /// Adds rows at the demands. No law changes the quantities fixed there, and only irregular laws violate limits next to them.
     fn at_demands(&mut self) {
         let reference = self.reference;
         for limit in &reference.limits {
@@ -257,7 +255,7 @@ impl Exchange<'_> {
         }
     }
 
-    /// Rows where a law all but reaches its limits.
+    /// Adds rows where a law nearly reaches its limits.
     fn contacts(&mut self, law: &[f64]) {
         let reference = self.reference;
         let extras = judge(reference, law).extras;
@@ -307,7 +305,7 @@ impl Exchange<'_> {
         Outcome::Undecided(format!("no end at an excess of {last:e}"))
     }
 
-    /// The law without limits, where it keeps them or where there is no other.
+    /// Law without limits, if it satisfies them or there is no other law.
     fn without_rows(&self, start: &Judged) -> Option<Outcome> {
         let kept = |more: f64| start.excess <= more + self.room.max(0.0);
         let alone = Outcome::Optimum(Optimum {
@@ -329,7 +327,7 @@ impl Exchange<'_> {
         self.hopeless.then_some(Outcome::Infeasible)
     }
 
-    /// Rows where a law exceeds its limits; whether there were any.
+    /// Adds rows where a law exceeds its limits. Returns whether there were any.
     fn add_crests(&mut self, x: &[f64], extras: &[f64]) -> bool {
         let (reference, before) = (self.reference, self.rows.len());
         self.tangents(x, 1.0 + self.room + 0.1 * HELD);

@@ -2,21 +2,21 @@
 
 use std::f64::consts::{PI, TAU};
 
-/// s, v, a, j of one function at one place.
+/// Number of orders: s, v, a, j.
 pub const ORDERS: usize = 4;
 
 /// Periodic splines of one degree over a turn.
 pub struct Splines {
     degree: usize,
     breaks: Vec<f64>,
-    /// The knots in [0, 2π), as often as they count.
+    /// Knots in [0, 2π), repeated by multiplicity.
     knots: Vec<f64>,
     /// Last knot at each break.
     last: Vec<isize>,
 }
 
 impl Splines {
-    /// `breaks` from 0 to 2π; `multiplicity` of all but the last, which is the first one turn later.
+    /// Splines on `breaks` from 0 to 2π. `multiplicity` is given for all breaks except the last, which equals the first one turn later.
     pub fn new(degree: usize, breaks: Vec<f64>, multiplicity: &[usize]) -> Self {
         let (mut knots, mut last) = (Vec::new(), Vec::new());
         for (at, times) in breaks.iter().zip(multiplicity) {
@@ -50,7 +50,7 @@ impl Splines {
         self.breaks.len() - 1
     }
 
-    /// The span of an angle; a break belongs to the span after it.
+    /// Span of an angle. A break belongs to the span after it.
     pub fn span_of(&self, theta: f64) -> usize {
         let after = self.breaks.partition_point(|b| *b <= theta);
         after.clamp(1, self.spans()) - 1
@@ -61,7 +61,7 @@ impl Splines {
         self.knots[k.rem_euclid(n) as usize] + TAU * k.div_euclid(n) as f64
     }
 
-    /// The functions that live on a span.
+    /// Indices of the basis functions that are not zero on a span.
     pub fn columns(&self, span: usize) -> impl Iterator<Item = usize> + '_ {
         let (first, n) = (
             self.last[span] - self.degree as isize,
@@ -70,7 +70,7 @@ impl Splines {
         (0..=self.degree as isize).map(move |k| (first + k).rem_euclid(n) as usize)
     }
 
-    /// Their derivatives of order 0 to 3 at an angle of that span, ends included.
+    /// Derivatives of order 0 to 3 of these functions at an angle of the span, ends included.
     pub fn values(&self, span: usize, theta: f64) -> [Vec<f64>; ORDERS] {
         let (p, m) = (self.degree, self.last[span]);
         // N[k] is B with m − q + k as its first knot, k = 0 … q.
@@ -95,7 +95,7 @@ impl Splines {
         })
     }
 
-    /// From degree q − 1 to q: `rule((first knot, width), (last knot, width), lower, higher)`.
+    /// Step from degree q − 1 to q: `rule((first knot, width), (last knot, width), lower, higher)`.
     fn raised(
         &self,
         m: isize,
@@ -122,7 +122,7 @@ impl Splines {
         (0..=q).map(one).collect()
     }
 
-    /// Σ wₖ s⁽ᵏ⁾ at an angle of a span, as a row over all coefficients.
+    /// Row over all coefficients of Σ wₖ s⁽ᵏ⁾ at an angle of a span.
     pub fn row(&self, span: usize, theta: f64, weights: [f64; ORDERS]) -> Vec<f64> {
         let values = self.values(span, theta);
         let mut row = vec![0.0; self.count()];
@@ -142,7 +142,7 @@ impl Splines {
     }
 }
 
-/// Nodes and weights of Gauss's rule on [0, 1], by Newton's method on Legendre's polynomial.
+/// Nodes and weights of Gaussian quadrature on [0, 1], by Newton's method on the Legendre polynomial.
 pub fn gauss(n: usize) -> Vec<(f64, f64)> {
     let node = |i: usize| {
         let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();

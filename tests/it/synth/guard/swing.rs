@@ -1,31 +1,31 @@
-//! Vibration of a compliant follower where a rest begins, as rows over the coefficients: on every span the answer to a
-//! polynomial force is a polynomial, and what is free beside it turns by complex exponentials.
+//! Vibration of a compliant follower at the start of a dwell, as rows over the coefficients. On every span, the response to a polynomial force is a
+//! polynomial, and the free part is a sum of complex exponentials.
 
 use super::asked::Asked;
 use super::splines::{ORDERS, Splines};
 use nalgebra::{Complex, DMatrix, DVector, Matrix2, Matrix2xX};
 use std::f64::consts::TAU;
 
-/// A compliant follower with its limit on the vibration in rests.
+/// Compliant follower with its limit on the vibration in dwells.
 #[derive(Debug, Clone, Copy)]
 pub struct Train {
-    /// rad/s of the train alone, and its damping ratio.
+    /// Natural frequency of the train without return spring, rad/s, and its damping ratio.
     pub own: f64,
     pub ratio: f64,
     /// Mass at the end of the train, kg.
     pub mass: f64,
-    /// Largest amplitude at the start of a rest, m.
+    /// Maximum amplitude at the start of a dwell, m.
     pub most: f64,
 }
 
-/// Part of a law's lifts against which an excess counts where the limit is smaller: the vibration is what large deflections leave
-/// of each other, and both routes round them.
+/// Fraction of the lift of a law that is the reference of an excess if the limit is smaller. The vibration is a small difference of large
+/// deflections, which both methods round.
 pub const PART: f64 = 0.1;
 
-/// Distance from the static deflection and its slope by the phase of the vibration, at the start of a rest.
+/// Rows at the start of a dwell: deflection from the static position, and its slope by the phase of the vibration.
 pub type Swing = [DVector<f64>; 2];
 
-/// m ω² y″ + c ω y′ + K y = −(k s + c ω v + m ω² a).
+/// Follower with the equation m ω² y″ + c ω y′ + K y = −(k s + c ω v + m ω² a).
 struct Follower {
     inertia: f64,
     damping: f64,
@@ -47,7 +47,7 @@ impl Follower {
         (self.stiffness / self.inertia).sqrt()
     }
 
-    /// (y, y′) after an angle of free vibration.
+    /// Matrix that maps (y, y′) to its value after an angle of free vibration.
     fn freed(&self, angle: f64) -> Matrix2<f64> {
         let half = -0.5 * self.damping / self.inertia;
         let root = Complex::new(half * half - self.stiffness / self.inertia, 0.0).sqrt();
@@ -63,7 +63,7 @@ impl Follower {
         )
     }
 
-    /// The polynomial y of u ∈ [0, 1] that answers a force of this width.
+    /// Polynomial response y of u ∈ [0, 1] to a force on a span of this width.
     fn answer(&self, force: &DVector<f64>, width: f64) -> Vec<f64> {
         let mut y = vec![0.0; force.len() + 2];
         for i in (0..force.len()).rev() {
@@ -76,7 +76,7 @@ impl Follower {
     }
 }
 
-/// The vibrations where the rests of a scene begin, in the periodic steady state.
+/// Vibrations at the start of the dwells of a scene, in the periodic steady state.
 pub fn swings(asked: &Asked, splines: &Splines) -> Vec<Swing> {
     let Some(train) = &asked.train else {
         return Vec::new();
@@ -109,7 +109,7 @@ pub fn swings(asked: &Asked, splines: &Splines) -> Vec<Swing> {
     asked.dwells.iter().map(|d| at_rest(d.from)).collect()
 }
 
-/// (y, y′) of the polynomial answer at both ends of a span.
+/// (y, y′) of the polynomial response at both ends of a span.
 fn particular(
     follower: &Follower,
     [k, c, m]: [f64; 3],

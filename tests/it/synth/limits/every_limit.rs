@@ -1,4 +1,4 @@
-//! Every limit of the key table is held against the finished design.
+//! Every limit of the key table is checked on the finished design.
 
 use gaitcam::cam::{Check, Verdict};
 use gaitcam::criterion::Direction;
@@ -38,7 +38,7 @@ roller_radius = "5 mm"
 prime_radius = "60 mm"
 "#;
 
-/// The same under a flat face, which alone has a width.
+/// Scene with a flat face, the only follower with a face width.
 fn with_flat_face() -> String {
     RISE_AND_FALL
         .replace("roller-translating", "flat-translating")
@@ -46,7 +46,7 @@ fn with_flat_face() -> String {
         .replace("prime_radius = \"60 mm\"", "base_radius = \"100 mm\"")
 }
 
-/// A scene with a free law in which a limit may act.
+/// Scene with a free law on which a limit may act.
 fn with_free_law(kind: LimitKind) -> Scene {
     let changes: &[(&str, &str)] = match kind {
         LimitKind::PressureAngle
@@ -101,21 +101,21 @@ follower = "flat-translating"
 base_radius = "200 mm"
 "#;
 
-/// The design with a bound on one limit.
+/// Design with a bound on one limit.
 fn bounded(scene: &Scene, force: Option<&ForceCurve>, kind: LimitKind, bound: f64) -> Design {
     let mut scene = scene.clone();
     scene.limits.set(kind, Some(bound));
     synthesise(&scene, force).unwrap()
 }
 
-/// The check of a limit that leaves least.
+/// Check of a limit with the smallest margin.
 fn check(design: &Design, kind: LimitKind) -> &Check {
     let own = design.checks.iter().filter(|c| kind.is_measured_by(c.name));
     own.max_by(|a, b| a.excess().total_cmp(&b.excess()))
         .unwrap()
 }
 
-/// A bound that limits nothing.
+/// Bound without effect.
 fn loose(kind: LimitKind) -> f64 {
     match (kind, kind.facts().direction) {
         (

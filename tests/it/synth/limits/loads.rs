@@ -1,4 +1,4 @@
-//! Limits on what shaft and contact bear: torque, its rate, pressure; as rows, and where they leave no law.
+//! Limits on the loads of shaft and contact: torque, its rate, pressure. They are tested as rows, and where no law is feasible.
 
 use gaitcam::cam::Check;
 use gaitcam::dynamics::{hertz, touch};
@@ -18,7 +18,7 @@ fn design(text: &str, changes: &[&str]) -> Design {
     synthesise(&scene, force.as_ref()).unwrap()
 }
 
-/// The design with the changes that would let it pass.
+/// Design with the changes by which it passes.
 fn relaxed_design(text: &str, changes: &[&str]) -> Design {
     let (scene, force) = scene_and_force(text, changes);
     let design = synthesise(&scene, force.as_ref()).unwrap();
@@ -35,7 +35,7 @@ fn angles() -> impl Iterator<Item = f64> {
     (0..ANGLES).map(|i| TAU * i as f64 / ANGLES as f64)
 }
 
-/// Largest |T|, and largest |dT/dθ| by central differences of it.
+/// Largest |T|, and largest |dT/dθ| by central differences.
 fn torques(s: &Design) -> [f64; 2] {
     let torque = |x: f64| {
         let at = s.cam.law.svaj(x);
@@ -90,8 +90,7 @@ fn the_rate_of_the_torque_is_held_and_costs_accuracy() {
     }
 }
 
-/// The sequence ends where no neighbouring law is better: along feasible directions to other laws that keep
-/// the torque the force error grows.
+/// The sequence ends at a local optimum: along feasible directions to other laws that satisfy the torque limit, the force error grows.
 #[test]
 fn a_law_at_its_torque_limit_is_a_local_optimum() {
     let free = design(scene::DEFAULT, &OPEN);

@@ -1,4 +1,4 @@
-//! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
+//! Machine of a scene: limits that act on the law, and keys for the simulation.
 
 use gaitcam::criterion::LimitKind;
 use gaitcam::dynamics::{hertz, touch};
@@ -105,8 +105,7 @@ follower = "flat-translating"
 base_radius = "60 mm"
 "#;
 
-/// Amplitude left after the motion from `from` to `to` of a law with continuous velocity: |∫ a(θ) e^{−irθ} dθ|/r by
-/// Simpson's rule on each piece.
+/// Residual amplitude after the motion from `from` to `to` of a law with continuous velocity: |∫ a(θ) e^{−irθ} dθ|/r by Simpson's rule on each piece.
 fn left_over(law: &Law, from: f64, to: f64, ratio: f64) -> f64 {
     const PARTS: usize = 400;
     let inner = |b: &f64| *b > from + 1e-6 && *b < to - 1e-6;
@@ -237,7 +236,7 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
     assert_eq!(design_of(&idle, &[]).machine(), Default::default());
 }
 
-/// Highest pressure at one depth of a groove, from its formulas at many angles.
+/// Maximum pressure at one depth of a groove, from its formulas at many angles.
 fn sampled_in_groove(s: &Design, radius: f64) -> f64 {
     let groove = s.groove.as_ref().unwrap();
     let roller = groove.roller_radius();

@@ -1,4 +1,4 @@
-//! Limits: each on its own, on loads and machine, and widened.
+//! Limits: individual ones, on loads and machine, and relaxed ones.
 
 mod every_limit;
 mod loads;

@@ -1,4 +1,4 @@
-//! The limit on the shaft's power: a closed form, a law that it shapes, and where it leaves none.
+//! Limit on the shaft power: a closed form, an active limit, and an infeasible one.
 
 use gaitcam::cam::Check;
 use gaitcam::scene::{self};
@@ -9,8 +9,8 @@ fn power(s: &Design) -> &Check {
     s.checks.iter().find(|c| c.name.name() == "power").unwrap()
 }
 
-/// An eccentric of e = 10 mm under a flat face: s = e(1 − cos θ), F = m(g + ω²e cos θ), so
-/// P = m ω e sin θ (g + ω²e cos θ), largest where 2k cos²θ + cos θ = k with k = ω²e/g.
+/// Eccentric of e = 10 mm with a flat face: s = e(1 − cos θ), F = m(g + ω²e cos θ). Hence P = m ω e sin θ (g + ω²e cos θ), with its maximum where 2k
+/// cos²θ + cos θ = k with k = ω²e/g.
 #[test]
 fn the_power_of_an_eccentric_is_its_closed_form() {
     let text = r#"

@@ -1,4 +1,4 @@
-//! The limit on the mean power of the shaft.
+//! Limit on the mean power of the shaft.
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::LimitKind;
@@ -8,7 +8,7 @@ use gaitcam::synth::{Design, synthesise};
 const DAMPING: f64 = 40.0;
 const SPEED: f64 = 10.0;
 
-/// A follower with a spring and a damper on a fixed axis.
+/// Scene with a spring and a damper on a fixed axis.
 fn damped(law: &str, limits: &str) -> Scene {
     let text = format!(
         r#"
@@ -40,7 +40,7 @@ fn check(design: &Design) -> &Check {
     own.unwrap()
 }
 
-/// Mean power of the damper, c·mean((ds/dt)²), by samples.
+/// Mean power of the damper, c·mean((ds/dt)²), from samples.
 fn used_up(design: &Design) -> f64 {
     let samples = 20_000;
     let square = |i: usize| {

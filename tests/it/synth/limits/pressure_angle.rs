@@ -1,4 +1,4 @@
-//! The pressure angle on rise and fall against the profile.
+//! Pressure angle of rise and fall compared with the profile.
 
 use gaitcam::cam::{Cam, Verdict};
 use gaitcam::criterion::LimitKind;
@@ -8,7 +8,7 @@ use gaitcam::synth::{Design, synthesise};
 
 const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];
 
-/// Largest |pressure angle| on the rise and on the fall, by samples.
+/// Maximum |pressure angle| of rise and fall, from samples.
 fn sampled(cam: &Cam) -> [f64; 2] {
     let (start, length) = cam.law.extent();
     let mut worst = [0.0_f64; 2];

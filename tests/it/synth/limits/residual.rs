@@ -1,4 +1,4 @@
-//! Residual vibration in dwells against a time integration of the follower.
+//! Residual vibration in dwells compared with a time integration of the follower.
 
 use gaitcam::criterion::LimitKind;
 use gaitcam::error::SceneError;
@@ -7,22 +7,22 @@ use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use std::f64::consts::TAU;
 
-/// A fixed axis with a compliant follower.
+/// Fixed axis with a compliant follower.
 #[derive(Debug, Clone, Copy)]
 struct Machine {
     /// Speed of the cam, rad/s.
     speed: f64,
     mass: f64,
-    /// Return spring, damper beside it.
+    /// Return spring, and damper parallel to it.
     spring: f64,
     damping: f64,
-    /// Train: Hz and damping ratio.
+    /// Natural frequency of the train, Hz, and its damping ratio.
     hertz: f64,
     ratio: f64,
 }
 
 impl Machine {
-    /// A machine by its number: with and without return spring, natural frequencies of 4 to 14 shaft frequencies.
+    /// Machine by its number: with and without return spring, natural frequencies of 4 to 14 times the shaft frequency.
     fn numbered(i: usize) -> Machine {
         let part = |k: usize| ((i * k) % 17) as f64 / 17.0;
         let speed = 10.0 + 20.0 * part(3);
@@ -70,8 +70,8 @@ impl Machine {
         )
     }
 
-    /// Largest amplitude at the start of a dwell, and largest deflection from the static one inside it, by Runge and Kutta's
-    /// method over turns enough for the damping.
+    /// Maximum amplitude at the start of a dwell, and maximum deviation from the static deflection in it, by the Runge-Kutta method over enough turns
+    /// for the damping.
     fn swing(&self, law: &Law, rests: &[(f64, f64)]) -> [f64; 2] {
         let train = self.mass * (TAU * self.hertz).powi(2);
         let (k, c) = (

@@ -1,5 +1,5 @@
-//! Limits made wider and narrower: a wider limit never worsens the objective by more than the certificate's gap and
-//! never makes a cam unacceptable. The accuracy is a limit like any other (docs/verdict.md).
+//! Relaxed and tightened limits. A relaxed limit never worsens the objective by more than the gap of the certificate and never makes a cam
+//! unacceptable. The accuracy is such a limit too (docs/verdict.md).
 
 use gaitcam::cam::Verdict;
 use gaitcam::force::{Feet, ForceCurve, force_curve, model};
@@ -9,7 +9,7 @@ use gaitcam::synth::{Design, synthesise};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-/// How many times as much is drawn as in a usual run (GAITCAM_GUARD).
+/// Factor for the number of cases, from GAITCAM_GUARD.
 fn times() -> u32 {
     let asked = std::env::var("GAITCAM_GUARD").ok();
     asked.and_then(|n| n.parse().ok()).unwrap_or(0)
@@ -19,7 +19,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// What the design minimises, in the unit of its certificate, and the gap that the certificate leaves.
+/// Objective of the design, in the unit of its certificate, and the gap of the certificate.
 fn objective(design: &Design, minimise: Minimise) -> (f64, f64) {
     let value = match minimise {
         Minimise::Energy(order) => {
@@ -49,7 +49,7 @@ fn objective(design: &Design, minimise: Minimise) -> (f64, f64) {
 
 const HEEL: [f64; 9] = [11.0, 12.0, 15.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0];
 
-/// The scene that comes with the program, and its force; `None` where the user brings the recording.
+/// Built-in scene and its force; `None` if the user provides the recording.
 fn built_in(name: &str) -> Option<(Scene, Option<ForceCurve>)> {
     let scene = scene::built_in(name).unwrap().scene().ok()?;
     let force = scene.gait.as_ref().and_then(|gait| match &gait.source {
@@ -63,7 +63,7 @@ fn built_in(name: &str) -> Option<(Scene, Option<ForceCurve>)> {
     Some((scene, force))
 }
 
-/// The cam of a narrow pressure angle keeps every wider one, and the size only falls.
+/// The cam for a narrow pressure angle satisfies every wider limit, and the size only decreases.
 #[test]
 fn a_wider_pressure_angle_keeps_the_heel_tester_acceptable() {
     let every = if times() > 0 { 1 } else { 3 };
@@ -92,14 +92,14 @@ struct Wish {
     frequency: f64,
     spans: u32,
     accuracy: f64,
-    /// Limits by their place in `LIMITS`, with their share of the range there.
+    /// Limits as indices in `LIMITS`, with the position in their range.
     limits: Vec<(usize, f64)>,
-    /// The one that is widened; the accuracy comes last.
+    /// Index of the limit that is relaxed. The accuracy is the last one.
     widened: usize,
     by: f64,
 }
 
-/// Every limit that the default scene knows: key, range of its value, unit, and whether a larger value permits more.
+/// All limits for the default scene: key, range of values, unit, and whether a larger value allows more.
 const LIMITS: [(&str, [f64; 2], &str, bool); 12] = [
     ("stroke", [30.0, 80.0], "mm", true),
     ("velocity", [0.1, 0.6], "m/s", true),
@@ -146,7 +146,7 @@ fn wish() -> impl Strategy<Value = Wish> {
         )
 }
 
-/// The design of a wish; one of its limits is this many times as wide.
+/// Design of a case in which one limit is multiplied by `by`.
 fn with(wish: &Wish, by: f64) -> Design {
     let by = |i: usize| if i == wish.widened { by } else { 1.0 };
     let mut changes = vec![
@@ -225,9 +225,9 @@ fn a_wider_limit_never_worsens_a_design() {
     assert!(times() == 0 || kinds.iter().all(|n| *n > 0), "{kinds:?}");
 }
 
-/// Under a force that is symmetric in time the angle of symmetry is the worst of its neighbours for the law to touch its
-/// base circle, and no law touches there that keeps a wide accuracy best. With the short stroke, programs whose weight of the
-/// accuracy differs by a part in a million begin with contacts that are alike to rounding.
+/// For a force that is symmetric in time, the angle of symmetry is a local maximum of the objective over the touching angle, and no law that touches
+/// there is best for a large accuracy limit. With the short stroke, programs whose weights of the accuracy differ by a millionth begin with equal
+/// contacts up to rounding.
 #[test]
 fn a_wider_accuracy_never_takes_a_larger_cam() {
     let symmetric = Wish {
@@ -258,7 +258,7 @@ fn a_wider_accuracy_never_takes_a_larger_cam() {
     }
 }
 
-/// Every limit of every built-in scene that stands in numbers, 5 % wider and 5 % narrower.
+/// Every numeric limit of every built-in scene is relaxed and tightened by 5 %.
 #[test]
 fn a_wider_limit_never_fails_a_built_in_scene() {
     let mut tried = 0;

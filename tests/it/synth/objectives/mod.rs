@@ -1,4 +1,4 @@
-//! What is minimised: peaks, the target, weighed sums.
+//! Objectives: peaks, target, weighted sums.
 
 mod peaks;
 mod size;

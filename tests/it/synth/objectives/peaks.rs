@@ -1,4 +1,4 @@
-//! Least peaks that were slow, unproved or refused: each is certified, and no law of fewer spans within its own is better.
+//! Minimum peaks that were once slow, unproved or rejected. Each is certified, and no law with fewer spans in the same space is better.
 
 use gaitcam::synth::Design;
 
@@ -6,7 +6,7 @@ fn design(text: &str) -> Design {
     gaitcam_test_support::design(text, &[] as &[&str]).unwrap()
 }
 
-/// A law through points that presses with its mass alone.
+/// Scene of a law through points with a follower that presses by its mass only.
 fn light(speed: f64, law: &str, limits: &str, points: &[(f64, f64, bool)]) -> String {
     let mut out = format!(
         "name = \"peak\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"{speed} rad/s\"\nmass = \"2 kg\"\n[cam]\nfollower = \"flat-translating\"\n[limits]\n{limits}\n[law]\nfamily = \"spline\"\n{law}\n"
@@ -24,7 +24,7 @@ fn light(speed: f64, law: &str, limits: &str, points: &[(f64, f64, bool)]) -> St
 
 const DWELL: &str = "[[law.dwell]]\nfrom = \"280 deg\"\nto = \"360 deg\"\nlift = \"0 mm\"\n";
 
-/// The scene with so many spans.
+/// Scene with `spans` spans.
 fn with_spans(text: &str, spans: usize) -> String {
     text.replace("SPANS", &spans.to_string())
 }
@@ -34,7 +34,7 @@ fn peak(design: &Design, order: usize) -> f64 {
     high.value.max(-low.value)
 }
 
-/// Scenes, the derivative whose peak is least, and their spans.
+/// Scenes, the order of the derivative whose peak is minimised, and the numbers of spans.
 fn scenes() -> [(String, usize, [usize; 4]); 3] {
     let points = [
         (75.0, 24.459, false),
@@ -140,8 +140,8 @@ fn least_peak_errors_of_the_force_are_certified_under_limits() {
     }
 }
 
-/// A floor under the force above the target's least value holds the largest error up: no accuracy brings it below
-/// floor − least, and one a little narrower than that of the least peak alone still reaches it.
+/// A lower force limit above the minimum of the target determines the largest error. No accuracy makes it smaller than the limit minus this minimum,
+/// and an accuracy slightly below that of the minimum peak still reaches it.
 #[test]
 fn a_least_peak_that_another_limit_holds_up_is_found_at_every_accuracy() {
     let scene = |spans: usize, floor: f64, minimise: &str, rms: &str| {

@@ -1,4 +1,4 @@
-//! The size of a cam where the scene leaves it open, against its closed forms, and what is said about it.
+//! Size of a cam if the scene does not give it, compared with closed forms, and the remarks on it.
 
 use gaitcam::criterion::LimitKind;
 use gaitcam::error::Error;
@@ -6,7 +6,7 @@ use gaitcam::problem::Note;
 use gaitcam::synth::{Design, Reason, synthesise};
 use gaitcam_test_support::near;
 
-/// Rise, dwell, fall and dwell of these angles, 10 mm high.
+/// Programme of rise, dwell, fall and dwell with these angles, 10 mm high.
 fn programme(angles: [f64; 4], cam: &str, changes: &[&str]) -> Result<Design, Error> {
     let [rise, high, fall, low] = angles;
     let text = format!(
@@ -90,7 +90,7 @@ fn the_size_that_a_sharp_cam_needs_lets_the_pivot_lie_within_the_profile_where_i
     assert!(keeps(needed * (1.0 + 1e-6)) && !keeps(needed * (1.0 - 1e-6)));
 }
 
-/// A hole that is larger than a limit on the size lets no cam be built, and the size shown is that of the limit.
+/// With a bore larger than the limit on the size, no cam is possible. The reported size is that of the limit.
 #[test]
 fn a_bore_beyond_the_limit_on_the_size_leaves_the_law_and_is_reported() {
     let of = |bore: &str| {

@@ -1,4 +1,4 @@
-//! The target seen as it is: bands, weights, the largest error, a free phase. Every claim is held against a dense scan or a second solve.
+//! Objectives on the target: bands, weights, largest error, free phase. Every result is compared with a dense scan or a second solution.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ pub fn solved(changes: &[&str], target: &ForceCurve) -> Design {
     synthesise(&read(changes), Some(target)).unwrap()
 }
 
-/// Force less target at many angles, N.
+/// Force minus target at many angles, N.
 fn errors(design: &Design) -> Vec<f64> {
     let target = design.target().unwrap();
     (0..100_000)

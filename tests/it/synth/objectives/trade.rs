@@ -1,5 +1,4 @@
-//! What one good costs in another: fronts, law and size found together. Every claim is held against a
-//! dense scan or a second solve.
+//! Trade-offs between objectives: fronts, and law and size found together. Every result is compared with a dense scan or a second solution.
 
 use super::targets::{mean_square_jerk, read};
 use gaitcam::Problem;
@@ -70,7 +69,7 @@ fn words_that_name_no_front_are_refused() {
     }
 }
 
-/// A law through a point to a dwell under a follower that swings about a pivot at 80 mm; `rest` is what follows in `[cam]`.
+/// Law through a point to a dwell with an oscillating follower whose pivot is at 80 mm. `rest` is the rest of the table `[cam]`.
 fn swinging(minimise: &str, rest: &str) -> Design {
     swinging_on(40, minimise, rest)
 }
@@ -102,7 +101,7 @@ fn swinging_on(spans: usize, minimise: &str, rest: &str) -> Design {
     synthesise(&scene::read(&table).unwrap(), None).unwrap()
 }
 
-/// An arm on a given base circle: without help the law breaks its pressure angle or its curvature.
+/// An arm on a given base circle: the law without these limits violates pressure angle or curvature.
 #[test]
 fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
     let scene = |follower: &str, limits: &str, rest: &str| {
@@ -159,8 +158,8 @@ fn a_weighed_objective_is_refused_with_the_advice_to_use_the_front() {
     }
 }
 
-/// A law that is found together with its cam's size fits a smaller cam than the size found after the law, and the
-/// objective and the limit on the size end at the same radius.
+/// A law found together with the size has a smaller cam than a law found before the size. The objective and the limit on the size lead to the same
+/// radius.
 #[test]
 fn law_and_size_under_a_follower_that_swings_are_found_together() {
     let design = |follower: &str, minimise: &str, limit: Option<f64>| {
@@ -195,7 +194,7 @@ fn law_and_size_under_a_follower_that_swings_are_found_together() {
     assert_eq!(missed[0].name.name(), "prime_radius");
 }
 
-/// The smallest cam under an arm is as small on many spans as on few, and a limit just above it is kept.
+/// The smallest cam with an arm is as small with many spans as with few, and a limit slightly above it is satisfied.
 #[test]
 fn the_smallest_cam_under_an_arm_does_not_depend_on_the_number_of_spans() {
     let arm = "follower = \"roller-oscillating\"\narm = \"65 mm\"\nroller_radius = \"8 mm\"\nbore = \"6 mm\"\n[limits]\npressure_angle = \"35 deg\"";
@@ -224,7 +223,7 @@ fn the_smallest_cam_under_an_arm_does_not_depend_on_the_number_of_spans() {
     }
 }
 
-/// The size of a cam that is found after its law is no objective: the answer says so instead of another optimum.
+/// The size of a cam found after its law cannot be minimised. The message says so, and there is no other optimum.
 #[test]
 fn a_size_that_follows_the_law_is_no_objective() {
     let barrel = "follower = \"barrel\"\nroller_radius = \"5 mm\"";

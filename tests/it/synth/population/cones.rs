@@ -1,4 +1,4 @@
-//! The least errors of harmonics, against a conic program of its own.
+//! Minimum errors of harmonics compared with an independent conic program.
 
 use std::f64::consts::TAU;
 
@@ -8,9 +8,9 @@ use gaitcam::force::Walker;
 
 use super::{force, people, with};
 
-/// The root of the least mean square of the worst part of the walkers, by one cone each over the harmonics of the force:
-/// minimise α + Σ s_w/((1 − part) n) with u_w² ‖γ_w c − y_w‖² ≤ α + s_w and s_w ≥ 0 (Rockafellar and Uryasev 2000); part 0 is the
-/// mean, a part that leaves one walker the worst. `unit` is u_w.
+/// Root of the minimum mean square of the worst part of the walkers, by one cone each over the harmonics of the force: minimise α + Σ s_w/((1 − part)
+/// n) with u_w² ‖γ_w c − y_w‖² ≤ α + s_w and s_w ≥ 0 (Rockafellar and Uryasev 2000). Part 0 is the mean; a part that contains one walker is the
+/// worst. `unit` is u_w.
 fn least_by_cones(
     people: &[(Walker, Vec<(f64, f64)>)],
     harmonics: usize,

@@ -1,4 +1,4 @@
-//! What a limit of the scene costs all walkers.
+//! Effect of a limit of the scene on the errors of all walkers.
 
 use super::with;
 use gaitcam::synth::Design;

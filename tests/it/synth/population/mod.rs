@@ -1,4 +1,4 @@
-//! One cam for many walkers, against closed forms and an independent conic program.
+//! One cam for many walkers, compared with closed forms and an independent conic program.
 
 mod cones;
 mod easing;
@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use gaitcam::force::{ForceCurve, Walker};
 use gaitcam::{Scene, scene};
 
-/// A generator of numbers in [0, 1), Marsaglia's xorshift.
+/// Generator of random numbers in [0, 1) by Marsaglia's xorshift.
 pub(super) struct Random(pub(super) u64);
 
 impl Random {
@@ -26,7 +26,7 @@ impl Random {
     }
 }
 
-/// Walkers with load factors about those of Young, 2001; (cosine, sine) of each harmonic in parts of the weight.
+/// Walkers with load factors near those of Young, 2001, with (cosine, sine) of each harmonic relative to the weight.
 fn people(count: usize, harmonics: usize, spread: f64) -> Vec<(Walker, Vec<(f64, f64)>)> {
     let mut random = Random(88_172_645_463_325_252);
     let person = |i: usize| {
@@ -91,7 +91,7 @@ fn the_cam_of_one_walker_is_the_cam_of_his_cycle() {
     }
 }
 
-/// Σ p (ω²a/g − y)² with a of the cam and y = F/G − 1: but for a constant the distance to Σ p ω² y/Σ p ω⁴ times g.
+/// The objective is Σ p (ω²a/g − y)² with the acceleration a of the cam and y = F/G − 1. Up to a constant, it is the distance to g·Σ p ω² y/Σ p ω⁴.
 #[test]
 fn the_cam_of_the_mean_error_is_the_cam_of_the_weighted_mean_curve() {
     let people = people(9, 6, 1.0);
@@ -155,7 +155,7 @@ fn two_hundred_walkers_under_limits_have_a_proved_worst_error_and_limits_that_ho
     }
 }
 
-/// Torque, power, rate of the torque and contact force of every walker's machine at 3600 angles, from law, mass and speed alone.
+/// Torque, power, torque rate and contact force of every walker's machine at 3600 angles, from law, mass and speed only.
 #[test]
 fn limits_on_loads_and_force_hold_for_every_walker_of_random_populations() {
     let mut built = 0;
@@ -228,7 +228,7 @@ fn limits_on_loads_and_force_hold_for_every_walker_of_random_populations() {
     assert!(built >= 12, "{built} of 16 were built");
 }
 
-/// Pressure of every walker's machine on the emitted cam, from law, mass, speed and base radius alone; and its curvature.
+/// Pressure of every walker's machine on the emitted cam, from law, mass, speed and base radius only, and the curvature.
 #[test]
 fn the_checks_are_those_of_the_emitted_cam_where_its_size_is_automatic() {
     use gaitcam::dynamics::hertz::{STEEL, modulus};
@@ -304,7 +304,7 @@ fn settings_without_a_form_for_several_walkers_are_refused_with_their_key() {
     }
 }
 
-/// Cycles of one shape begun anywhere: at their own phases all are served as one, and the bound says that nothing is better.
+/// Cycles of one shape with different phases. With a phase for each walker, all have the error of one cycle, and the bound proves optimality.
 #[test]
 fn phases_that_are_set_for_each_walker_bring_cycles_of_one_shape_into_step() {
     let [(first, _)] = <[_; 1]>::try_from(people(1, 4, 0.3)).unwrap();
@@ -368,7 +368,7 @@ fn what_would_help_several_walkers_is_their_own_error() {
     );
 }
 
-/// Of three walkers one has an eighth harmonic, of which the mean has a third: little enough for the few spans that the mean needs.
+/// One of three walkers has an eighth harmonic, and the mean has a third of it. This is small enough for the few spans that the mean needs.
 #[test]
 fn spans_left_open_are_those_that_the_worst_walker_needs() {
     let person = |i: usize| {
@@ -402,7 +402,8 @@ fn spans_left_open_are_those_that_the_worst_walker_needs() {
     );
 }
 
-/// A spring drive of mass and preload alone is another by one factor at another speed, and so is a hydraulic one; mass and spring together are not.
+/// A spring drive with mass and preload only differs by one factor at another speed, like a hydraulic drive. With mass and spring together this does
+/// not hold.
 #[test]
 fn the_speed_is_set_for_each_walker_on_every_drive_that_allows_it() {
     let mass = [

@@ -51,7 +51,7 @@ fn rows_of_a_sweep_over_a_table_of_walkers_are_their_designs_and_a_walker_in_kil
     assert!(error.contains("W002") && error.contains("unit"), "{error}");
 }
 
-/// Rows over a folder, a list and one table: each is the design of its walkers, wherever it is computed.
+/// Rows over a folder, a list and a table. Each equals the design of its walkers, in one run and in shares.
 #[test]
 fn a_sweep_carries_what_folders_and_lists_of_walkers_hold() {
     let people = people(6, 4, 0.5);

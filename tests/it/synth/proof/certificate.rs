@@ -1,4 +1,4 @@
-//! The proof that comes with a law says what a second solve confirms.
+//! The certificate of a law agrees with a second, independent solution.
 
 use gaitcam::scene;
 use gaitcam::synth::{Design, Doubt};
@@ -63,8 +63,8 @@ fn a_certificate_closes_the_gap() {
     assert!(proof.violation <= 1e-9, "{proof:?}");
 }
 
-/// A law of open level under limits that count its lift: where each touching angle is bounded the gap holds for all laws,
-/// where the angle was searched for it is that of one angle and no gap of all is known, a sequence behind it or not.
+/// Law of open level under limits that depend on its lift. If every touching angle is bounded, the gap holds for all laws. If the angle was found by
+/// a search, the gap is that of one angle, and the gap of all laws is unknown, with or without a sequence.
 #[test]
 fn a_gap_of_all_laws_is_stated_only_where_every_touching_angle_is_bounded() {
     let face = [
@@ -107,7 +107,7 @@ fn a_gap_of_all_laws_is_stated_only_where_every_touching_angle_is_bounded() {
     assert!(counts.iter().all(|n| *n > 2), "{counts:?}");
 }
 
-/// A limit on the size is used up to the limit as written: nothing that the program keeps free of it hides a better law.
+/// A limit on the size is used fully. No reserve of the program hides a better law.
 #[test]
 fn the_optimum_under_a_limit_on_the_size_is_that_of_the_limit_as_written() {
     const SCENE: &str = r#"

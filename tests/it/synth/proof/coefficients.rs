@@ -1,4 +1,4 @@
-//! The coefficients in an answer are its law: evaluated here by the textbook's recursion, as a stranger would.
+//! The coefficients of a design describe its law. They are evaluated by the recursion of the textbooks.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ fn designed(changes: &[&str], more: &str) -> Design {
     gaitcam_test_support::design(&text, changes).unwrap()
 }
 
-/// Cox and de Boor's recursion for the B-spline of degree p that begins at knot i.
+/// B-spline of degree p that begins at knot i, by the recursion of Cox and de Boor.
 fn b_spline(knot: &dyn Fn(usize) -> f64, i: usize, p: usize, x: f64) -> f64 {
     if p == 0 {
         return f64::from(u8::from(knot(i) <= x && x < knot(i + 1)));
@@ -52,8 +52,7 @@ fn lift(design: &Design, theta: f64) -> f64 {
     }
 }
 
-/// Every tier: closed form, harmonics under a limit, least squares, limits, a given base circle, a size in the
-/// program, a dwell.
+/// All methods: closed form, harmonics with a limit, least squares, limits, a given base circle, size as a variable, a dwell.
 #[test]
 fn coefficients_evaluate_to_the_law_in_every_tier() {
     let open = "accuracy.rms=none";

@@ -1,14 +1,14 @@
-//! A design is a witness: a limit set to a value that an accepted design has is one that a cam keeps. It must be
-//! accepted too, and cost nothing.
+//! If a limit is set to the value of an accepted design, a feasible cam exists. The new design must be accepted, with the same objective or a smaller
+//! one.
 
 use gaitcam::cam::Verdict;
 use gaitcam::synth::Design;
 
-/// Room that a limit leaves about the value that is known to be possible.
+/// Relative distance of a limit from the value that is known to be feasible.
 const ROOM: f64 = 1e-3;
-/// Part by which the optimum beside such a limit may be worse: sequences end at local optima.
+/// Maximum relative increase of the optimum with such a limit: sequences end at local optima.
 const WORSE: f64 = 2e-3;
-/// The share of its free value to which a limit is tightened.
+/// Fractions of its free value to which a limit is tightened.
 const TIGHT: [f64; 2] = [0.95, 0.8];
 
 const WALK: &str = r#"
@@ -86,7 +86,7 @@ const ROLLER_ARM: &[&str] = &[
 ];
 const FACE: &[&str] = &["cam.follower=flat-oscillating", "cam.face_offset=5 mm"];
 
-/// Text, follower, spans and what is minimised.
+/// Scene text, follower, number of spans and objective.
 const SCENES: &[(&str, &[&str], u32, &str)] = &[
     (WALK, FLAT, 12, "force-error"),
     (WALK, MUSHROOM, 17, "force-error"),
@@ -100,7 +100,7 @@ const SCENES: &[(&str, &[&str], u32, &str)] = &[
     (ARM, FACE, 26, "jerk"),
 ];
 
-/// A scene's design with limits, each by its key and its value in SI.
+/// Design of a scene with limits, each by its key and its value in SI.
 fn design(scene: &(&str, &[&str], u32, &str), limits: &[(&str, f64)]) -> Design {
     let &(text, follower, spans, minimise) = scene;
     let mut changes: Vec<String> = follower.iter().map(|c| c.to_string()).collect();
@@ -123,7 +123,7 @@ fn design(scene: &(&str, &[&str], u32, &str), limits: &[(&str, f64)]) -> Design 
     gaitcam_test_support::design(text, &changes).unwrap()
 }
 
-/// What a design has of every limited quantity.
+/// Values of all limited quantities of a design.
 fn values(design: &Design) -> Vec<(&'static str, f64)> {
     let law = &design.cam.law;
     let speed = design.problem.drive.speed;
@@ -149,7 +149,7 @@ fn values(design: &Design) -> Vec<(&'static str, f64)> {
     out
 }
 
-/// What the scene minimises, as measured on the design.
+/// Value of the scene's objective, measured on the design.
 fn minimised(design: &Design, minimise: &str) -> f64 {
     match minimise {
         "force-error" => design.force.rms_error_n,

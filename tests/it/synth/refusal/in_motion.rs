@@ -1,4 +1,4 @@
-//! Changes printed for a machine that moves with its cam are sufficient on that machine.
+//! Relaxations stated for a machine that moves with its cam are sufficient on that machine.
 
 use gaitcam::Problem;
 use gaitcam::cam::Verdict;
@@ -6,12 +6,12 @@ use gaitcam::criterion::Criterion;
 use gaitcam::scene;
 use gaitcam::synth::{Search, design};
 
-/// A motor whose speed varies by some percent under the load of the cam.
+/// Motor whose speed varies by some percent under the load of the cam.
 const MOTOR: [(&str, &str); 2] = [
     ("machine.motor.slope", "10 N m s/rad"),
     ("machine.inertia", "2 kg m^2"),
 ];
-/// A footbridge of 40 t whose first mode is near the frequency of the steps.
+/// Footbridge of 40 t whose first natural frequency is near the step frequency.
 const FLOOR: [(&str, &str); 3] = [
     ("machine.floor.mass", "4e4 kg"),
     ("machine.floor.frequency", "2.1 Hz"),

@@ -1,4 +1,4 @@
-//! A search for relaxations ends when it is asked to.
+//! A search for relaxations ends on request.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -13,7 +13,7 @@ use gaitcam::synth::{Reason, Search, design, synthesise};
 use super::relaxations::good;
 use gaitcam_test_support::{scene_file, scene_of, young};
 
-/// Limits that leave no law near the force, on spans enough for the search to take its time.
+/// Scene whose limits allow no law near the force, with enough spans for a long search.
 const CRAMPED: &str = r#"
 name = "cramped"
 [gait]

@@ -1,4 +1,4 @@
-//! Scenes without a law: reasons, relaxations, and an end by the user.
+//! Scenes without a law: reasons, relaxations, and interruption by the user.
 
 mod in_motion;
 mod interruption;

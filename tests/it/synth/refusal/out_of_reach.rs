@@ -1,10 +1,10 @@
-//! Limits that no small change mends are told as what they are.
+//! Infeasible limits for which no small change is sufficient are reported as such.
 
 use super::relaxations::{HUMP, assignment, good};
 use gaitcam::synth::{Reason, synthesise};
 use gaitcam_test_support::scene_of;
 
-/// Limits a hundred times below what any law has: no share of all of them is advice, the two values are.
+/// Limits a hundred times below those of any law. A common factor for all limits is no useful advice; the two values are.
 #[test]
 fn limits_out_of_reach_are_told_by_themselves() {
     let changes = ["limits.velocity=0.0004 m/s", "limits.face_width=0.1 mm"];
@@ -26,7 +26,7 @@ fn limits_out_of_reach_are_told_by_themselves() {
     assert!(!good(&synthesise(&scene_of(HUMP, &pair), None).unwrap()));
 }
 
-/// A single change that helps, and is a hundredfold, is said to be large.
+/// A single sufficient change by a factor of 100 is reported as large.
 #[test]
 fn a_hundredfold_relaxation_is_said_to_be_large() {
     let scene = scene_of(HUMP, &["limits.velocity=0.0004 m/s"]);

@@ -1,4 +1,4 @@
-//! A scene that is refused says what would do, and that does; a little less does not.
+//! A rejected scene states sufficient changes. Slightly smaller changes are not sufficient.
 
 use gaitcam::force::ForceCurve;
 use gaitcam::problem::Note;
@@ -6,7 +6,7 @@ use gaitcam::scene::{self};
 use gaitcam::synth::{Design, Reason, synthesise};
 use gaitcam_test_support::{scene_of, young};
 
-/// Rises of 10 mm and back over half a turn with the least jerk.
+/// Scene with a rise of 10 mm and a return over half a turn with minimum jerk.
 pub const HUMP: &str = r#"
 name = "hump"
 [drive]
@@ -35,7 +35,7 @@ pub fn good(design: &Design) -> bool {
     design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
 }
 
-/// The scene key and unit of a limit's name.
+/// Assignment of a limit by its scene key, with the unit of its name.
 pub fn assignment(limit: &str, value: f64) -> String {
     let (key, number, unit) = match limit {
         "accuracy.rms" => ("accuracy.rms".to_string(), 100.0 * value, "%"),
@@ -52,7 +52,7 @@ pub fn assignment(limit: &str, value: f64) -> String {
     format!("{key}={number:.9} {unit}")
 }
 
-/// Every stated relaxation works, and a hundredth less of the way back does not. Returns their names.
+/// Asserts that every stated relaxation is sufficient, and that a change smaller by a hundredth is not. Returns their names.
 pub fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<String> {
     let scene = scene_of(text, changes);
     let design = synthesise(&scene, target).unwrap();
@@ -168,7 +168,7 @@ fn a_programme_that_is_too_steep_says_what_would_do() {
     assert_eq!(names, ["pressure_angle", "cam.prime_radius"]);
 }
 
-/// A stroke is what the follower travels, wherever the drive's lift begins.
+/// The stroke is the travel of the follower, independent of the start of the drive's lift.
 #[test]
 fn a_stroke_counts_from_the_lowest_lift() {
     let hydraulic = [
@@ -221,7 +221,7 @@ fn a_stroke_counts_from_the_lowest_lift() {
     assert!(missed > 0.05 * cut && missed < cut, "{missed} N of {cut} N");
 }
 
-/// The width of a flat face shapes the law, as the velocities that the contact wanders by.
+/// The width of a flat face limits the velocities of the law, which are the displacements of the contact.
 #[test]
 fn a_face_is_kept_within_its_width_by_the_law() {
     let free = synthesise(&scene_of(HUMP, &[]), None).unwrap();
@@ -235,7 +235,7 @@ fn a_face_is_kept_within_its_width_by_the_law() {
     assert!((held.cam.face_width().unwrap() - 0.019).abs() < 1e-9);
 }
 
-/// A roller's curvature is reached from any radius that a law can keep, not only from some.
+/// The curvature of a roller cam is reached for any radius that a law can have, not only for some.
 #[test]
 fn a_rollers_curvature_is_reached_whatever_it_is() {
     for rho in [15.8, 16.0, 17.0, 18.0, 19.0, 20.0, 20.5] {
@@ -258,7 +258,7 @@ fn a_rollers_curvature_is_reached_whatever_it_is() {
     }
 }
 
-/// One side limited leaves the other free: theory §6's closed form, not a rule of thumb on the other side.
+/// A limit on one side leaves the other side free, as in the closed form of theory §6. The other side has its usual bound.
 #[test]
 fn a_pressure_angle_on_one_side_leaves_the_other_its_usual_bound() {
     let text = r#"
@@ -377,7 +377,7 @@ fn a_profile_that_comes_to_a_point_is_not_called_acceptable() {
     assert_eq!(design.verdict.name(), "acceptable");
 }
 
-/// Two limits that each alone leave no law: no single change helps, both by one share do.
+/// Two limits that are infeasible each by itself. No single change is sufficient, but a common relative change of both is.
 #[test]
 fn two_impossible_limits_are_relaxed_together() {
     let changes = ["limits.velocity=0.04 m/s", "limits.face_width=10 mm"];
@@ -415,7 +415,7 @@ fn two_impossible_limits_are_relaxed_together() {
     assert!(good(&synthesise(&scene_of(HUMP, &all), None).unwrap()));
 }
 
-/// Under limits that are not convex the search for passing designs ends at other laws than the optimum: what is suggested is sufficient for the optimum.
+/// With non-convex limits, the search for feasible designs ends at other laws than the optimum. The suggested changes are sufficient for the optimum.
 #[test]
 fn suggestions_for_arms_are_sufficient_for_the_optimum() {
     const ARM: &str = r#"

@@ -1,4 +1,4 @@
-//! The smallest cam that keeps all other limits says which prime radii are possible, whatever is minimised.
+//! The smallest cam that satisfies all other limits determines the possible prime radii for any objective.
 
 use gaitcam::force::{ForceCurve, force_curve};
 use gaitcam::scene::{self, Source};
@@ -20,8 +20,8 @@ fn force() -> ForceCurve {
     force_curve(path, bytes, &options, gait.feet).unwrap()
 }
 
-/// A law for a cam of any radius above the smallest is found under every objective: at 30° both pressure angles fix the offset,
-/// at 42.6° the curvature shares in it.
+/// A law is found for a prime radius above the smallest with every objective. At 30° both pressure angles determine the offset; at 42.6° the
+/// curvature does so too.
 #[test]
 fn a_cam_hardly_larger_than_the_smallest_is_built_whatever_is_minimised() {
     let force = force();
@@ -53,7 +53,7 @@ fn a_cam_hardly_larger_than_the_smallest_is_built_whatever_is_minimised() {
     }
 }
 
-/// A smaller one is refused with values that serve, and less of each does not.
+/// A smaller prime radius is rejected with sufficient changes, and smaller changes are not sufficient.
 #[test]
 fn a_cam_smaller_than_the_smallest_is_refused_with_what_would_do() {
     let force = force();
