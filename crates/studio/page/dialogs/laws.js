@@ -4,10 +4,14 @@ import { html, svgTemplate, nothing } from "../core/dom.js";
 import { t, number, language } from "../core/words.js";
 import { closeDialog, sheet } from "../core/view.js";
 
+// The title of a law in the language: 3-4-5 keeps its hyphens.
+const titleOf = (law) => law.title[language()].replace(/(\d) (?=\d)/g, "$1-");
+
 // The name of a law in the language; one with parameters is shown as it is written.
 export function nameOf({ laws, dwell }, written) {
-  if (written === "dwell") return dwell[language()] ?? written;
-  return laws.find((law) => law.written === written || law.name === written)?.title[language()] ?? written;
+  if (written === "dwell") return dwell?.[language()] ?? written;
+  const law = laws.find((one) => one.written === written || one.name === written);
+  return law ? titleOf(law) : written;
 }
 
 // A curve as a small picture; a fall stands on its head.
@@ -31,11 +35,11 @@ function entry(law, chosen, take) {
     closeDialog();
     take(law.written);
   };
-  return html`<tr class=${law.written === chosen ? "chosen" : ""}><th scope="row">${law.title[language()]}
+  return html`<tr class=${law.written === chosen ? "chosen" : ""}><th scope="row">${titleOf(law)}
       <small class="formula">${law.formula}</small><small class="advice">${law.advice[language()]}</small></th>
     ${KINDS.map((k) => html`<td>${curve(law[k], k)}</td>`)}${FACTORS.map(factor)}
     <td title=${[...new Set(law.joins[language()])].join(" → ")}>${law.vdi.join("–")}</td>
-    <td>${take ? html`<button type="button" data-law=${law.name} aria-label="${t("studio-laws-use")}: ${law.title[language()]}"
+    <td>${take ? html`<button type="button" data-law=${law.name} aria-label="${t("studio-laws-use")}: ${titleOf(law)}"
       @click=${use}>${t("studio-laws-use")}</button>` : nothing}</td></tr>`;
 }
 
