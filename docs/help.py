@@ -13,8 +13,8 @@ from pathlib import Path
 PAGE = Path(__file__).resolve().parent / "reference" / "commands.md"
 HEAD = """# Command line
 
-The help of every command, in Spanish with `--lang es`. [Exit codes](../verdict.md#exit-codes) and [output files](files-out.md) have pages of their
-own. This page is written by `docs/help.py`.
+This page contains the help of every command; `--lang es` prints it in Spanish. [Exit codes](../verdict.md#exit-codes) and
+[output files](files-out.md) are described on separate pages. `docs/help.py` writes this page.
 """
 
 

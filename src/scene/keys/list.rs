@@ -82,9 +82,9 @@ pub fn takes(key: &Key, language: Language) -> String {
 pub fn markdown() -> String {
     let mut out = String::from(
         "# Keys of a scene file\n\n\
-         Every key with what it takes, its value where none is given, and its meaning. Numbers stand with their unit in\n\
-         quotes (`\"40 mm\"`, `\"111 rpm\"`, `\"0.5 %\"`); any unit of the same kind will do. `N` is the number of an entry of a\n\
-         list, which a file writes as `[[law.segment]]`. This page is printed by `gaitcam keys --markdown`.\n",
+         The tables list all keys with their values, defaults and meanings. Write numbers with their unit in quotes (`\"40 mm\"`,\n\
+         `\"111 rpm\"`, `\"0.5 %\"`); any unit of the same kind is accepted. `N` is the number of a list entry, which is written as\n\
+         `[[law.segment]]` in a file. `gaitcam keys --markdown` prints this page.\n",
     );
     let mut section = None;
     for key in KEYS.iter() {
@@ -94,7 +94,7 @@ pub fn markdown() -> String {
                 "" => out.push('\n'),
                 name => out.push_str(&format!("\n## [{name}]\n\n")),
             }
-            out.push_str("| key | takes | default | meaning |\n|---|---|---|---|\n");
+            out.push_str("| key | values | default | meaning |\n|---|---|---|---|\n");
         }
         let default = match key.default {
             "" => String::new(),
