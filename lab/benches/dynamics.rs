@@ -25,7 +25,7 @@ fn recover_1440_points(bencher: divan::Bencher) {
     bencher.bench(|| recover(&cam.follower, &points));
 }
 
-/// Asked for: ≤ 5 µs.
+/// Required: ≤ 5 µs.
 #[divan::bench]
 fn rigid_cycle(bencher: divan::Bencher) {
     let cam = thesis::double_harmonic();
@@ -39,7 +39,7 @@ fn rigid_cycle(bencher: divan::Bencher) {
     });
 }
 
-/// Asked for: ≤ 200 µs, from the emitted lift to the steady state.
+/// Required from the emitted lift to the steady state: ≤ 200 µs.
 #[divan::bench]
 fn flexible_cycle(bencher: divan::Bencher) {
     let emitted = emitted(&thesis::double_harmonic());
@@ -48,7 +48,7 @@ fn flexible_cycle(bencher: divan::Bencher) {
     bencher.bench(|| flexible::steady(&emitted.law, &drive, &train));
 }
 
-/// Wheel, kg·m², and what the motor loses, N·m per rad/s, of the footbridge's shaft; nothing: at constant speed.
+/// Shafts of the footbridge: inertia, kg·m², and drop of the motor torque with speed, N·m per rad/s. An empty text is constant speed.
 const SHAFTS: [&str; 7] = [
     "constant", "0.5, 2", "0.5, 10", "0.5, 50", "2, 2", "2, 10", "2, 50",
 ];
@@ -65,7 +65,7 @@ fn on_shaft(shaft: &str) -> Scene {
     scene
 }
 
-/// Asked for: ≤ 2 ms with the motor.
+/// Required with the motor: ≤ 2 ms.
 #[divan::bench(args = ["constant", "0.5, 10"])]
 fn run_on_a_shaft(bencher: divan::Bencher, shaft: &str) {
     let mut scene = on_shaft(shaft);
@@ -76,7 +76,7 @@ fn run_on_a_shaft(bencher: divan::Bencher, shaft: &str) {
     bencher.bench(|| simulate(&run, Model::Rigid));
 }
 
-/// Asked for: with a motor ≤ 5 times the time without; it takes two to four programs and some eight runs of the shaft.
+/// Required: with a motor ≤ 5 times the time without. The design needs two to four programs and about eight runs of the shaft.
 #[divan::bench(args = SHAFTS)]
 fn design_for_a_shaft(bencher: divan::Bencher, shaft: &str) {
     let scene = on_shaft(shaft);
@@ -89,7 +89,7 @@ fn bouncing() -> (Vec<Surface>, Drive) {
     (vec![Surface::new(law, &drive)], drive)
 }
 
-/// Asked for: ≤ 2 ms with ten impacts; e = 0.5 makes about thirty before rest.
+/// Required with ten impacts: ≤ 2 ms. For e = 0.5 there are about thirty before rest.
 #[divan::bench]
 fn contact_cycle(bencher: divan::Bencher) {
     let (surfaces, drive) = bouncing();

@@ -1,4 +1,4 @@
-//! What the hand-over costs, file by file and together.
+//! Time to write the files, one by one and together.
 
 use divan::{Bencher, black_box};
 use gaitcam_output::{self, Timing};
@@ -8,7 +8,7 @@ fn main() {
     divan::main();
 }
 
-/// Everything `synth` writes by default: the budget is 350 ms.
+/// All files that `synth` writes by default. Required: 350 ms.
 #[divan::bench]
 fn all_default_files(bencher: Bencher) {
     let s = designs::footbridge();

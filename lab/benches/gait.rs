@@ -1,4 +1,4 @@
-//! Speed of reading and averaging a long recording: time against length, which should be a straight line.
+//! Time to read and average a long recording. It should be linear in the length.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -9,7 +9,7 @@ fn main() {
     divan::main();
 }
 
-/// A walk at 1 kHz of so many rows: time, left and right force.
+/// Recording of walking with `rows` rows at 1 kHz: time, left and right force.
 fn walk(rows: usize) -> Vec<u8> {
     let foot = |i: usize, lead: usize| {
         let x = ((i + lead) % 1100) as f64 / 680.0;
@@ -34,7 +34,7 @@ fn walk(rows: usize) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// One minute, ten minutes and one hour at 1 kHz, read and averaged.
+/// Reads and averages one minute, ten minutes and one hour at 1 kHz.
 #[divan::bench(args = [60_000, 600_000, 3_600_000], sample_count = 5, sample_size = 1)]
 fn read_and_average(bencher: divan::Bencher, rows: usize) {
     let bytes = walk(rows);

@@ -8,7 +8,7 @@ fn main() {
     divan::main();
 }
 
-/// Rise, dwell, fall, dwell of a quarter turn each.
+/// Law of rise, dwell, fall and dwell, a quarter turn each.
 fn law(motion: Rise, lift: f64, extent: Extent, length: f64) -> Law {
     let quarter = |motion: Rise, lift: f64| Segment {
         motion,
@@ -49,7 +49,7 @@ fn law_searched(bencher: divan::Bencher, motion: &str) {
     });
 }
 
-/// Checking and putting together of a rise, dwell, fall and dwell.
+/// Checks and composes a programme of rise, dwell, fall and dwell.
 #[divan::bench(args = CLASSICS)]
 fn programme(bencher: divan::Bencher, motion: &str) {
     let motion = Rise::from_name(motion).expect("in the catalogue");

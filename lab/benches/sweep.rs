@@ -1,6 +1,6 @@
-//! Designs a second of the sweep kernel, on one thread and on all.
+//! Designs per second of the sweep kernel, on one thread and on all.
 //!
-//! `cargo bench --bench sweep`. Numbers are rows a second in memory: no file.
+//! `cargo bench --bench sweep`. The numbers are rows per second in memory, without a file.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -33,7 +33,7 @@ fn rate(bencher: Bencher, sweep: &Sweep, threads: usize) {
     bencher.bench_local(|| runner.run(0..rows, threads, &|| false).len());
 }
 
-/// Walking speed × body weight × curvature on a grid: 100 speeds share their shapes.
+/// Grid of walking speed × body weight × curvature. The 100 speeds share their shapes.
 #[divan::bench(args = [1, 2], sample_count = 10)]
 fn spectral_grid(bencher: Bencher, threads: usize) {
     let vary = [
@@ -48,7 +48,7 @@ fn spectral_grid(bencher: Bencher, threads: usize) {
     );
 }
 
-/// Every row has a walking speed of its own.
+/// Sample in which every row has a different walking speed.
 #[divan::bench(args = [1, 2], sample_count = 10)]
 fn spectral_sample(bencher: Bencher, threads: usize) {
     let vary = [
@@ -62,7 +62,7 @@ fn spectral_sample(bencher: Bencher, threads: usize) {
     );
 }
 
-/// A spring-loaded follower: no two rows share a law.
+/// Follower with a spring: no two rows have the same law.
 #[divan::bench(args = [1, 2], sample_count = 10)]
 fn spectral_spring(bencher: Bencher, threads: usize) {
     let changes = [
@@ -78,7 +78,7 @@ fn spectral_spring(bencher: Bencher, threads: usize) {
     rate(bencher, &sweep(&changes, &vary, Some(20_000)), threads);
 }
 
-/// Splines of 32 spans whose stroke limit binds: the certified quadratic program.
+/// Splines of 32 spans with an active stroke limit: the certified quadratic program.
 #[divan::bench(args = [1, 2], sample_count = 3)]
 fn qp_32_spans(bencher: Bencher, threads: usize) {
     let vary = ["limits.stroke=40 mm:48 mm"];

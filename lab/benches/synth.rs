@@ -1,5 +1,4 @@
-//! How long synthesis takes, tier by tier. The numbers stated for gaitcam stand beside each benchmark;
-//! reports/benchmarks.md holds the last run.
+//! Duration of the synthesis by method. The required times are given at each benchmark; reports/benchmarks.md contains the last results.
 
 use std::f64::consts::{PI, TAU};
 
@@ -21,7 +20,7 @@ fn footbridge() -> (ForceCurve, Drive) {
     (target, drive)
 }
 
-/// The default scene from force curve to checked cam: at most 2 ms.
+/// Default scene from force curve to checked cam. Required: 2 ms.
 #[divan::bench]
 fn default_scene(bencher: divan::Bencher) {
     let table = scene::DEFAULT.parse().expect("the built-in scene");
@@ -30,7 +29,7 @@ fn default_scene(bencher: divan::Bencher) {
     bencher.bench(|| synthesise(divan::black_box(&scene), Some(&target)).expect("a law"));
 }
 
-/// 1000 samples, 20 harmonics: at most 20 µs.
+/// Inversion of 1000 samples with 20 harmonics. Required: 20 µs.
 #[divan::bench]
 fn spectral_1000_samples_20_harmonics(bencher: divan::Bencher) {
     let (curve, drive) = footbridge();
@@ -41,7 +40,7 @@ fn spectral_1000_samples_20_harmonics(bencher: divan::Bencher) {
     bencher.bench(|| spectral(divan::black_box(&target), drive, 20).expect("no resonance"));
 }
 
-/// Equality tier, quintic; linear up to 10 000 spans.
+/// Least squares with equality constraints, quintic. The time is linear up to 10 000 spans.
 #[divan::bench(args = [32, 100, 1000, 10_000])]
 fn equality_quintic(bencher: divan::Bencher, spans: usize) {
     let (target, drive) = footbridge();
@@ -55,7 +54,7 @@ fn equality_quintic(bencher: divan::Bencher, spans: usize) {
     bencher.bench(|| divan::black_box(&task).free().expect("a law"));
 }
 
-/// Velocity, acceleration and jerk held to the given percentage of the free law's; 32 quintic spans.
+/// Limits on velocity, acceleration and jerk at this percentage of the law without limits, on 32 quintic spans.
 fn limits(spans: usize, percent: f64) -> Vec<Bound> {
     let (target, drive) = footbridge();
     let task = Task {
@@ -77,7 +76,7 @@ fn limits(spans: usize, percent: f64) -> Vec<Bound> {
         .to_vec()
 }
 
-/// Certified on the continuum by exchange: typical (just binding) and worst (deep inside).
+/// Program with limits that hold at all angles, by exchange of rows: typical (limits just active) and worst case (tight limits).
 #[divan::bench(args = [95.0, 60.0, 30.0])]
 fn certified_qp_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: f64) {
     let (target, drive) = footbridge();
@@ -92,7 +91,7 @@ fn certified_qp_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: f6
     bencher.bench(|| divan::black_box(&task).exchange().expect("feasible"));
 }
 
-/// The same limits as Bernstein rows, all at once.
+/// The same limits as Bernstein rows, all in one program.
 #[divan::bench(args = [95.0, 60.0, 30.0])]
 fn bernstein_rows_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: f64) {
     let (target, drive) = footbridge();
@@ -112,7 +111,7 @@ fn bernstein_rows_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: 
     });
 }
 
-/// The whole scene with jerk, acceleration and curvature limits.
+/// Complete scene with jerk, acceleration and curvature limits.
 #[divan::bench]
 fn scene_with_jerk_acceleration_and_curvature(bencher: divan::Bencher) {
     let mut table = scene::DEFAULT.parse().expect("the built-in scene");
@@ -142,14 +141,14 @@ fn rise_and_fall() -> Law {
     program(&segments, Extent::TURN).expect("a full turn")
 }
 
-/// Closed-form prime circle from exact extrema of the law.
+/// Prime circle in closed form from exact extrema of the law.
 #[divan::bench]
 fn prime_circle_closed_form(bencher: divan::Bencher) {
     let law = rise_and_fall();
     bencher.bench(|| smallest_prime_circle(divan::black_box(&law), PI / 6.0, PI / 6.0, None));
 }
 
-/// The same from 1000 points of a law.
+/// Prime circle from 1000 points of a law.
 #[divan::bench]
 fn prime_circle_per_1000_points(bencher: divan::Bencher) {
     let law = rise_and_fall();

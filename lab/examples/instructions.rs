@@ -1,7 +1,7 @@
-//! One kernel at a time, for counting its instructions: `lab/instructions/run.py` runs this under callgrind.
+//! Runs one kernel at a time. `lab/instructions/run.py` counts its instructions with callgrind.
 //!
-//! Without an argument the names of the kernels are printed. A kernel runs twice, because tables that all designs share
-//! are made on the first run; only the second is counted, in [`counted`].
+//! Without an argument, the names of the kernels are printed. A kernel runs twice, because tables that all designs share are computed in the first
+//! run. Only the second run is counted, in [`counted`].
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -24,7 +24,7 @@ use gaitcam_lab::tiers::{Bound, Task};
 use gaitcam_output::{Language, Timing, csv, plots, report};
 use gaitcam_test_support::thesis;
 
-/// A kernel's name and what makes its work ready.
+/// Names of the kernels, each with a function that prepares its work.
 type Kernels = [(&'static str, fn() -> Box<dyn FnMut()>); 10];
 
 const KERNELS: Kernels = [
@@ -107,7 +107,7 @@ const KERNELS: Kernels = [
     }),
 ];
 
-/// The function whose instructions callgrind counts.
+/// Function whose instructions callgrind counts.
 #[inline(never)]
 fn counted(work: &mut dyn FnMut()) {
     work();
@@ -163,7 +163,7 @@ fn task<'a>(target: &'a ForceCurve, drive: Drive, bounds: &'a [Bound]) -> Task<'
     }
 }
 
-/// Acceleration and jerk at 95 % of what the law without limits has.
+/// Limits on acceleration and jerk at 95 % of the peaks of the law without limits.
 fn bounds(force: &ForceCurve, drive: Drive) -> [Bound; 2] {
     let free = task(force, drive, &[]).free().expect("a law");
     [2, 3].map(|order| {
@@ -188,7 +188,7 @@ fn double_dwell() -> Law {
     program(&segments, Extent::TURN).expect("a full turn")
 }
 
-/// A walk at 1 kHz of so many rows: time, left and right force.
+/// Recording of walking with `rows` rows at 1 kHz: time, left and right force.
 fn walk(rows: usize) -> Vec<u8> {
     let foot = |i: usize, lead: usize| {
         let x = ((i + lead) % 1100) as f64 / 680.0;
@@ -204,7 +204,7 @@ fn walk(rows: usize) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// The rows of a sweep, each time with empty caches.
+/// Work on the rows of a sweep, each time with empty caches.
 fn sweep(changes: &[&str], vary: &str) -> Box<dyn FnMut()> {
     let plan = Plan::of(table(changes), &[vary], Sampling::Grid).expect("an axis");
     let sweep = Sweep::with_files(Subject::Designs(plan), Files::new()).expect("a plan");

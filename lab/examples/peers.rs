@@ -1,4 +1,4 @@
-//! The tasks of lab/peers/speed/run.py by gaitcam: one line of JSON each, times of the processor.
+//! Tasks of lab/peers/speed/run.py with gaitcam. It prints one line of JSON for each, with processor times.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -18,7 +18,7 @@ const GRAVITY: f64 = 9.81;
 const F: f64 = 1.85;
 const SPANS: usize = 32;
 
-/// lab/peers/speed/common.py has the same force.
+/// Force of the tasks, the same as in lab/peers/speed/common.py.
 fn force(theta: f64) -> f64 {
     let factors = [
         0.37 * (F - 0.95),
@@ -32,8 +32,7 @@ fn force(theta: f64) -> f64 {
     WEIGHT * (1.0 + waves.sum::<f64>())
 }
 
-/// Time of the processor that this thread has had, s, known to a few milliseconds; time on the wall where the system
-/// does not say.
+/// Processor time of this thread, s, with a resolution of a few milliseconds; elapsed time if the system does not provide it.
 fn processor_time() -> f64 {
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
@@ -41,12 +40,12 @@ fn processor_time() -> f64 {
     nanoseconds.map_or_else(|| START.elapsed().as_secs_f64(), |n| 1e-9 * n)
 }
 
-/// A block of runs takes at least this time, s: the clock is coarse.
+/// Minimum duration of a block of runs, s, because of the resolution of the clock.
 const BLOCK: f64 = 0.2;
-/// Number of blocks; the median counts.
+/// Number of blocks for the median.
 const BLOCKS: usize = 7;
 
-/// Median time of the processor after a warm-up, s.
+/// Median processor time after a warm-up, s.
 fn median(mut run: impl FnMut()) -> f64 {
     let mut block = |count: usize| {
         let start = processor_time();
@@ -75,7 +74,7 @@ fn error(drive: &Drive, law: &Law) -> f64 {
     100.0 * (square / f64::from(n)).sqrt() / WEIGHT
 }
 
-/// The default scene, changed.
+/// Default scene with changes.
 fn scene_with(changes: &[&str]) -> Scene {
     let mut table = scene::DEFAULT.parse().expect("the default scene");
     for change in changes {
@@ -84,7 +83,7 @@ fn scene_with(changes: &[&str]) -> Scene {
     scene::read(&table).expect("a scene")
 }
 
-/// The double-dwell cam's profile in the trade's own formulae: cycloidal lift, roller's envelope.
+/// Profile point of the double-dwell cam by standard formulae: cycloidal lift, envelope of the roller.
 fn envelope(theta: f64) -> [f64; 2] {
     let (quarter, lift) = (0.25 * TAU, 0.02);
     let x = theta / quarter;
@@ -121,13 +120,13 @@ fn main() {
     double_dwell();
 }
 
-/// Greatest absolute derivative of an order.
+/// Maximum absolute value of a derivative.
 fn peak(law: &Law, order: usize) -> f64 {
     let (low, high) = law.extremes(order);
     high.value.max(-low.value)
 }
 
-/// The least-squares law, which the tasks with limits start from.
+/// Least-squares law without limits, on which the limits of other tasks are based.
 fn no_limits(free: &Task) -> Law {
     let law = free.free().expect("a law");
     let seconds = median(|| drop(black_box(black_box(free).free())));
@@ -167,7 +166,7 @@ fn jerk_limit(free: &Task, most: f64) {
     tell("jerk limit, quintic 32 spans, public call", seconds, &words);
 }
 
-/// Both limits at 95 % of what the law without limits has.
+/// Runs the task with limits on acceleration and jerk at 95 % of the law without limits.
 fn acceleration_and_jerk(free: &Task, free_law: &Law) {
     let bounds = [2, 3].map(|order| Bound {
         order,

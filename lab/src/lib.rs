@@ -1,8 +1,7 @@
-//! How we know: the source papers' numbers computed again, speed charted against accuracy, and the
-//! thesis's experiment run again.
+//! Verification: the numbers of the source papers recomputed, charts of speed against accuracy, and the experiment of the thesis repeated.
 //!
-//! The lab is no part of the product. Every function here computes its numbers at the moment
-//! of the call and returns or writes a report; the command `gaitcam-lab` calls them.
+//! The lab is not part of the product. Every function computes its numbers when it is called and returns or writes a report; the command
+//! `gaitcam-lab` calls them.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
@@ -16,7 +15,7 @@ pub mod tiers;
 pub(crate) mod timing;
 pub mod twins;
 
-/// An internal error of this crate.
+/// Internal error of this crate.
 pub(crate) fn fault(what: impl Into<String>) -> gaitcam::error::Error {
     gaitcam::error::Error::own("lab", what)
 }

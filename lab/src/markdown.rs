@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A Markdown table with a head and rows.
+/// Markdown table with a head and rows.
 pub(crate) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let rule = "---|".repeat(head.len());
     let mut out = format!("| {} |\n|{rule}\n", head.join(" | "));
@@ -13,7 +13,7 @@ pub(crate) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
     out
 }
 
-/// A time in the unit that suits it.
+/// Duration with a suitable unit.
 pub(crate) fn duration(seconds: f64) -> String {
     if seconds < 1e-6 {
         format!("{:.0} ns", 1e9 * seconds)

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Median, quartiles and fastest of several runs, s.
+/// Median, quartiles and minimum of several runs, s.
 #[derive(Clone, Copy)]
 pub(crate) struct Times {
     pub(crate) median: f64,
@@ -13,7 +13,7 @@ pub(crate) struct Times {
 }
 
 impl Times {
-    /// A time that was measured elsewhere.
+    /// Time that was measured elsewhere.
     pub(crate) fn known(seconds: f64) -> Times {
         Times {
             median: seconds,
@@ -23,7 +23,7 @@ impl Times {
         }
     }
 
-    /// The slower of two.
+    /// The longer one of two times.
     pub(crate) fn or(self, other: Times) -> Times {
         if other.median > self.median {
             other
@@ -33,19 +33,19 @@ impl Times {
     }
 }
 
-/// How long to measure.
+/// Duration of the measurements.
 pub(crate) struct Watch {
-    /// Whether few repetitions and sizes are enough.
+    /// Whether few repetitions and sizes are sufficient.
     pub(crate) quick: bool,
     budget: Duration,
     most: usize,
 }
 
-/// A timed batch lasts at least this long, so that the resolution of the clock does not matter.
+/// Minimum duration of a timed batch, so that the resolution of the clock has no influence.
 const BATCH: Duration = Duration::from_micros(100);
 
 impl Watch {
-    /// Up to 101 runs in 0.4 s, or up to 15 in 0.03 s; at least three.
+    /// Settings for up to 101 runs in 0.4 s, or up to 15 in 0.03 s; at least three.
     pub(crate) fn new(quick: bool) -> Watch {
         let (budget, most) = if quick {
             (Duration::from_millis(30), 15)
@@ -59,7 +59,7 @@ impl Watch {
         }
     }
 
-    /// Result of `f` and how long it takes: one warm-up, then batches until the budget is spent.
+    /// Result of `f` and its duration: one warm-up, then batches until the time is used.
     pub(crate) fn time<T>(&self, mut f: impl FnMut() -> T) -> (T, Times) {
         let answer = f();
         let once = Instant::now();
@@ -87,7 +87,7 @@ impl Watch {
     }
 }
 
-/// Times of `f` on a full watch.
+/// Times of `f` with the full settings.
 pub(crate) fn times<T>(f: impl FnMut() -> T) -> Times {
     Watch::new(false).time(f).1
 }

@@ -45,7 +45,7 @@ pub(crate) fn followers(report: &mut Report) {
     );
 }
 
-/// A follower of every other kind with a law that fits it.
+/// A law and a follower of every other kind.
 fn others() -> [(Law, Follower); 6] {
     let straight = 0.2;
     [

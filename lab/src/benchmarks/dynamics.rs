@@ -1,4 +1,4 @@
-//! The follower in motion: rigid, on a flexible train, and in contact.
+//! Simulation of the follower: rigid, flexible, and with contact.
 
 use std::hint::black_box;
 

@@ -1,4 +1,4 @@
-//! Reading of recorded walks.
+//! Reading of recordings of walking.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use gaitcam::force::{Feet, ReadOptions, cycle, read, stances};
 use super::table::Report;
 use crate::timing::times;
 
-/// A walk at 1 kHz of so many rows: time, left and right force.
+/// Recording of walking with `rows` rows at 1 kHz: time, left and right force.
 fn walk(rows: usize) -> Vec<u8> {
     let foot = |i: usize, lead: usize| {
         let x = ((i + lead) % 1100) as f64 / 680.0;

@@ -1,11 +1,11 @@
-//! Numbers that other programs measured and left in reports/speed_accuracy.md.
+//! Results of other programs, read from reports/speed_accuracy.md.
 
 use std::path::Path;
 
 use super::table::{Line, Report};
 use crate::timing::Times;
 
-/// What `gaitcam-lab chart` and lab/peers/speed/run.py last wrote.
+/// Adds the last results of `gaitcam-lab chart` and lab/peers/speed/run.py.
 pub(crate) fn charts(report: &mut Report, reports: &Path) {
     let page = std::fs::read_to_string(reports.join("speed_accuracy.md")).unwrap_or_default();
     let on = page.matches("The default lies on the front.").count();
@@ -29,7 +29,7 @@ pub(crate) fn charts(report: &mut Report, reports: &Path) {
     }
 }
 
-/// A row of the table of peers: the kernel with what the peer is given, and what a user gets.
+/// Adds a row of the table of peers: the time of the kernel for the same input, and the time for a user.
 fn against(report: &mut Report, cells: &[&str]) {
     let (kernel, more) = match cells.get(2) {
         Some(peer) if peer.starts_with("cvxpy") => (
@@ -59,7 +59,7 @@ fn against(report: &mut Report, cells: &[&str]) {
     }
 }
 
-/// A row of the table of whole processes.
+/// Adds a row of the table of whole processes.
 fn process(report: &mut Report, cells: &[&str]) {
     let asked = match cells.get(1) {
         Some(&"gaitcam synth, all files") => ("whole process, all files", 0.030),

@@ -1,4 +1,4 @@
-//! Rows of a sweep in a second.
+//! Rows of a sweep per second.
 
 use gaitcam::halt::Halt;
 use gaitcam::scene;
@@ -7,7 +7,7 @@ use gaitcam::sweep::{Files, Method, Plan, Sampling, Subject, Sweep};
 use super::table::Report;
 use crate::timing::{Times, times};
 
-/// The kernel over so many rows.
+/// Times of the kernel for `rows` rows.
 fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
     let mut table = scene::DEFAULT.parse().expect("the default scene");
     for change in changes {

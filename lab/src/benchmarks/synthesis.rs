@@ -1,4 +1,4 @@
-//! Laws from a force: the main job, each tier by itself, and a scene with limits.
+//! Laws from a force: the main function, each method by itself, and a scene with limits.
 
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
@@ -49,7 +49,7 @@ fn spectral_tier(report: &mut Report, curve: &ForceCurve, drive: Drive) {
     );
 }
 
-/// Quintic of so many spans without limits.
+/// Quintic spline of `spans` spans without limits.
 fn quintic(target: &ForceCurve, drive: Drive, spans: usize) -> Task<'_> {
     Task {
         target,

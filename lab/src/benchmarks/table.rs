@@ -1,4 +1,4 @@
-//! The table: a line for each number that was asked for, and the page that shows it.
+//! Table with a line for each requirement, and the page with this table.
 
 use super::tested::TESTED;
 use crate::markdown::{duration, table};
@@ -11,19 +11,19 @@ pub(crate) struct Line {
     pub(crate) asked: String,
     /// Median of the runs.
     pub(crate) measured: String,
-    /// The fastest run, which other programs on the machine disturbed least; empty for ratios.
+    /// Fastest run, which other processes disturbed least; empty for ratios.
     pub(crate) fastest: String,
     pub(crate) met: bool,
-    /// Whether the fastest run meets the number.
+    /// Whether the fastest run meets the requirement.
     pub(crate) met_once: bool,
 }
 
-/// The table of numbers that were asked for.
+/// Table of the requirements.
 #[derive(Default)]
 pub(crate) struct Report(pub(crate) Vec<Line>);
 
 impl Report {
-    /// A time that may be at most `asked` seconds.
+    /// Adds a time of at most `asked` seconds.
     pub(crate) fn time(
         &mut self,
         area: &'static str,
@@ -42,7 +42,7 @@ impl Report {
         });
     }
 
-    /// A number of things a second that must be at least `asked`.
+    /// Adds a rate of at least `asked` per second.
     pub(crate) fn rate(
         &mut self,
         area: &'static str,
@@ -63,7 +63,7 @@ impl Report {
         });
     }
 
-    /// A ratio that must be at least `asked`.
+    /// Adds a ratio of at least `asked`.
     pub(crate) fn at_least(
         &mut self,
         area: &'static str,
@@ -74,7 +74,7 @@ impl Report {
         self.ratio(area, what, format!("≥ {asked}"), found, found >= asked);
     }
 
-    /// A ratio that may be at most `asked`.
+    /// Adds a ratio of at most `asked`.
     pub(crate) fn at_most(
         &mut self,
         area: &'static str,
@@ -85,7 +85,7 @@ impl Report {
         self.ratio(area, what, format!("≤ {asked}"), found, found <= asked);
     }
 
-    /// A number that is stated beside those that were asked for.
+    /// Adds a result without a requirement.
     pub(crate) fn stated(&mut self, area: &'static str, what: &'static str, found: String) {
         self.0.push(Line {
             area,
@@ -118,7 +118,7 @@ impl Report {
     }
 }
 
-/// Why a number is missed: how its line begins, and the reason.
+/// Reasons for missed requirements: start of the line, and the reason.
 const REASONS: &[(&str, &str)] = &[
     (
         "DAQP's time over the kernel's",
@@ -136,14 +136,14 @@ fn reason(what: &str) -> Option<&'static str> {
     row.map(|(_, reason)| *reason)
 }
 
-/// Lines that are missed without a reason.
+/// Lines of missed requirements without a reason.
 pub(crate) fn unexplained(lines: &[Line]) -> Vec<&'static str> {
     let missed = lines.iter().filter(|l| !l.met && !l.met_once);
     let what = missed.map(|l| l.what);
     what.filter(|what| reason(what).is_none()).collect()
 }
 
-/// The page: the table, then the numbers of accuracy.
+/// Page with the table and the requirements of accuracy.
 pub(crate) fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
         "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-lab -- benchmarks`: wall-clock medians after a warm-up, and the fastest run, because other programs also ran on the machine (release build). Times of peers and whole processes are processor times of the last run of lab/peers/speed/run.py.\n\n",

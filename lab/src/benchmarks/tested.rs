@@ -1,6 +1,6 @@
-//! Numbers of accuracy, which tests hold.
+//! Requirements of accuracy that tests check.
 
-/// Area, number and the test that holds it.
+/// Area, requirement, and the test that checks it.
 pub(crate) const TESTED: [(&str, &str, &str); 20] = [
     (
         "main job",

@@ -1,6 +1,6 @@
-//! Speed against accuracy: measured rows, and how they become tables and pictures.
+//! Speed against accuracy: tables and pictures of measured rows.
 //!
-//! Nothing is measured here; rows come in with their times.
+//! This module measures nothing. The rows contain their times.
 
 mod picture;
 mod tables;
@@ -8,14 +8,14 @@ mod tables;
 pub use picture::picture;
 pub use tables::{csv, markdown, section};
 
-/// One method at one size.
+/// Result of a method at one size.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
     /// Name of the method.
     pub method: String,
-    /// Its size: "32 spans".
+    /// Size of the problem: "32 spans".
     pub size: String,
-    /// Distance from the truth, in the chart's unit; 0 is drawn at the foot of the chart.
+    /// Distance from the exact result, in the chart's unit. 0 is drawn at the lower edge of the chart.
     pub error: f64,
     /// Median time of one run, s.
     pub seconds: f64,
@@ -23,49 +23,49 @@ pub struct Row {
     pub quartiles: (f64, f64),
     /// Number of timed runs.
     pub runs: usize,
-    /// Points written, where the chart counts points instead of time.
+    /// Number of emitted points, if the chart shows points instead of time.
     pub points: Option<usize>,
-    /// What gaitcam does when nothing else is asked.
+    /// Whether this is the default method of gaitcam.
     pub default: bool,
-    /// More about the row, for the tables.
+    /// Remark for the tables.
     pub note: String,
 }
 
-/// What is drawn to the right.
+/// Quantity on the horizontal axis.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Across {
     /// Time of one run.
     #[default]
     Time,
-    /// Number of points written.
+    /// Number of emitted points.
     Points,
-    /// Spans of the law; what is drawn upwards is the time, s, and there is no front.
+    /// Number of spans of the law. The vertical axis is then the time, s, and there is no front.
     Spans,
 }
 
-/// Methods for one task.
+/// Comparison of methods for one task.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     /// File name without ending: `speed_accuracy_a`.
     pub file: String,
     /// Title of the chart.
     pub title: String,
-    /// The task with its sizes, one sentence.
+    /// Task with its sizes, as one sentence.
     pub task: String,
-    /// What the error is, with its unit.
+    /// Description of the error with its unit.
     pub error: String,
-    /// What is drawn to the right.
+    /// Quantity on the horizontal axis.
     pub across: Across,
-    /// Errors drawn as level lines, with names.
+    /// Errors drawn as horizontal lines, with names.
     pub levels: Vec<(f64, String)>,
-    /// What a user should choose, one sentence.
+    /// Recommendation for users, as one sentence.
     pub advice: String,
     /// One row for each method and size.
     pub rows: Vec<Row>,
 }
 
 impl Row {
-    /// The same row as the default of gaitcam.
+    /// The row marked as the default of gaitcam.
     #[must_use]
     pub fn by_default(self) -> Row {
         Row {
@@ -74,7 +74,7 @@ impl Row {
         }
     }
 
-    /// The same row with a remark.
+    /// The row with a remark.
     #[must_use]
     pub fn noted(self, note: &str) -> Row {
         Row {
@@ -83,7 +83,7 @@ impl Row {
         }
     }
 
-    /// Where the row stands from left to right.
+    /// Value of the row on the horizontal axis.
     pub fn across(&self, across: Across) -> f64 {
         match across {
             Across::Time => self.seconds,
@@ -93,8 +93,7 @@ impl Row {
 }
 
 impl Chart {
-    /// Indices of the rows that no other row beats in both time and error, cheapest first. Times within
-    /// the quartiles of each other count as equal.
+    /// Indices of the rows that no other row surpasses in time and error, cheapest first. Times within the quartiles of each other count as equal.
     pub fn front(&self) -> Vec<usize> {
         if self.across == Across::Spans {
             return Vec::new();
@@ -120,14 +119,14 @@ impl Chart {
         out
     }
 
-    /// Whether a row marked as the default lies on the front; none of a chart without a front or a default.
+    /// Whether a row marked as the default is on the front; `None` for a chart without a front or a default.
     pub fn default_on_front(&self) -> Option<bool> {
         let front = self.front();
         let has = !front.is_empty() && self.rows.iter().any(|r| r.default);
         has.then(|| front.iter().any(|&i| self.rows[i].default))
     }
 
-    /// The cheapest row no worse than a default that is not on the front, and its share of the default's cost.
+    /// Cheapest row that is not worse than a default outside the front, and its cost relative to the default.
     pub fn ahead_of_default(&self) -> Option<(&Row, f64)> {
         if self.default_on_front() != Some(false) {
             return None;

@@ -1,4 +1,4 @@
-//! Error against cost on logarithmic axes.
+//! Picture of error against cost on logarithmic axes.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -9,11 +9,11 @@ use gaitcam_output::{Picture, palette};
 
 const WIDTH: u32 = 900;
 const HEIGHT: u32 = 560;
-/// Left, right, top and bottom of the field, points; the right margin holds the legend.
+/// Left, right, top and bottom of the plot area, points. The right margin contains the legend.
 const FIELD: [f64; 4] = [86.0, 640.0, 62.0, 496.0];
-/// Smallest error drawn: below it everything is rounding.
+/// Smallest error drawn. Smaller errors are rounding.
 const SMALLEST: f64 = 1e-16;
-/// Methods are distinguished by colour, then by the shape of the mark.
+/// Colours of the methods. Methods with the same colour differ in the shape of the mark.
 const COLOURS: [RGBAColor; 6] = [
     palette::BLUE,
     palette::RED,
@@ -23,12 +23,12 @@ const COLOURS: [RGBAColor; 6] = [
     palette::QUIET,
 ];
 
-/// The chart as a picture: a mark per row, the front as a stepped line, the default ringed.
+/// Picture of the chart: a mark per row, the front as a stepped line, the default with a ring.
 pub fn picture(chart: &Chart) -> Picture {
     Picture::drawn(WIDTH, HEIGHT, |canvas| draw(canvas, chart))
 }
 
-/// Decades on one axis.
+/// Range of decades on an axis.
 struct Axis {
     low: i32,
     high: i32,

@@ -1,11 +1,11 @@
-//! The rows as csv and as a page of Markdown.
+//! Rows as CSV and as a page of Markdown.
 
 use std::fmt::Write;
 
 use super::{Across, Chart, Row};
 use crate::markdown::{duration, table};
 
-/// Every row of every chart.
+/// CSV of every row of every chart.
 pub fn csv(charts: &[Chart]) -> String {
     let mut out = String::from(
         "chart,method,size,error,error_meaning,median_s,quartile1_s,quartile3_s,runs,points,default,on_front,note\n",
@@ -44,7 +44,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// A page with one section per chart; `machine` says where it was measured, `after` follows at the end.
+/// Page with one section per chart. `machine` describes the computer; `after` is appended.
 pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
     let mut out = format!(
         "# Speed against accuracy\n\nMeasured by `gaitcam-lab chart` in one run. {machine}\n\n\
@@ -62,7 +62,7 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
     out
 }
 
-/// The table of one chart with its task and advice, and its picture where one is `drawn`.
+/// Writes the table of one chart with its task and advice, and its picture if `drawn` is set.
 pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
     let front = chart.front();
     let verdict = match (chart.default_on_front(), chart.ahead_of_default()) {

@@ -1,4 +1,4 @@
-//! A follower that gives, and the motor.
+//! Compliant follower, and the motor.
 
 use super::{POINTS, Page, cams, motor};
 use gaitcam::dynamics::flexible::{self, Train};

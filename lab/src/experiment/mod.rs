@@ -1,6 +1,5 @@
-//! The experiment of Campillo de Blas (2017) run again: ideal and real machine, lift-off, bounces, and what spoiled its
-//! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
-//! [`peers`], which a benchmark measured.
+//! Repetition of the experiment of Campillo de Blas (2017): ideal and real machine, lift-off, bounces, and the errors of its simulation. It makes the
+//! text of reports/dynamics.md. All values are computed here except the times of [`peers`], which a benchmark measured.
 
 mod flights;
 mod give;
@@ -21,10 +20,10 @@ use gaitcam_test_support::thesis;
 use std::f64::consts::TAU;
 use std::fmt::{Display, Write};
 
-/// Rows of an emitted profile in this report.
+/// Number of points of an emitted profile in this report.
 const POINTS: usize = 1440;
 
-/// The text of reports/dynamics.md. Fails only if one of the two cams could not be run.
+/// Text of reports/dynamics.md. It fails only if one of the two cams cannot be simulated.
 pub fn report() -> Result<String> {
     let mut out = Page(String::from(
         "# The experiment of Campillo de Blas (2017), simulated\n\n\
@@ -69,8 +68,7 @@ fn run_points(cam: &Cam, n: usize, speed: f64, e: f64) -> Result<ContactRun> {
     ))
 }
 
-/// Largest difference of force, N, between the emitted points and the law, over a grid that is no
-/// multiple of the points.
+/// Maximum force difference, N, between the emitted points and the law, over a grid that is not a multiple of the points.
 pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> {
     let drive = thesis::real(speed);
     let law = recover(&cam.follower, &cam.profile(n))?.law;
@@ -80,7 +78,7 @@ pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> 
         .fold(0.0, f64::max))
 }
 
-/// A page of Markdown.
+/// Page of Markdown.
 struct Page(String);
 
 impl Page {
@@ -88,7 +86,7 @@ impl Page {
         let _ = writeln!(self.0, "{text}");
     }
 
-    /// Head of a table; the names of its columns are separated by ` | `.
+    /// Adds the head of a table. The column names are separated by ` | `.
     fn table(&mut self, columns: &str) {
         self.line(format_args!("| {columns} |"));
         let rules = "---|".repeat(columns.split(" | ").count());

@@ -1,4 +1,4 @@
-//! The motor: how much torque, and the power–speed line of Campillo de Blas (2017).
+//! Motor: required torque, and the relation of power and speed of Campillo de Blas (2017).
 
 use gaitcam::error::Result;
 use gaitcam::poly::PiecewisePoly;
@@ -16,20 +16,20 @@ pub const MOTOR_TABLE: [(f64, f64); 8] = [
     (80.0, 5.08),
 ];
 
-/// What the camshaft asks of its motor.
+/// Torque and power that the camshaft requires from its motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
     /// Mean torque over a turn, N·m.
     pub mean: f64,
-    /// Root mean square torque, N·m: what heats the motor.
+    /// Root mean square torque, N·m. It determines the heating of the motor.
     pub rms: f64,
-    /// Largest torque of either sign, N·m.
+    /// Maximum absolute torque, N·m.
     pub peak: f64,
     /// Mean power over a turn, W.
     pub power: f64,
 }
 
-/// Mean, RMS and peak of a torque curve (N·m over one turn) at `speed` rad/s; exact.
+/// Mean, RMS and peak of a torque curve (N·m over one turn) at `speed` rad/s, in closed form.
 pub fn demand(torque: &PiecewisePoly, speed: f64) -> Demand {
     let length = torque.breaks()[torque.pieces()] - torque.breaks()[0];
     let (low, high) = torque.extremes();
@@ -44,7 +44,9 @@ pub fn demand(torque: &PiecewisePoly, speed: f64) -> Demand {
 
 /// Power law t = c·xᵖ through (x, t) pairs by least squares on their logarithms: (c, p).
 ///
-/// Fails on fewer than two points or values that are not positive.
+/// # Errors
+///
+/// Fewer than two points, or values that are not positive.
 pub fn power_law(table: &[(f64, f64)]) -> Result<(f64, f64)> {
     if table.len() < 2 || table.iter().any(|(x, t)| !(*x > 0.0 && *t > 0.0)) {
         return Err(crate::fault(
@@ -64,13 +66,13 @@ pub fn power_law(table: &[(f64, f64)]) -> Result<(f64, f64)> {
     Ok(((mt - p * mx).exp(), p))
 }
 
-/// Power (%) that turns 11.1 times in `seconds`, by a table such as that of the thesis (reports/reproduction.md).
+/// Power in % for 11.1 turns in `seconds`, from a table such as that of the thesis (reports/reproduction.md).
 pub fn power_for(table: &[(f64, f64)], seconds: f64) -> Result<f64> {
     let (c, p) = power_law(table)?;
     Ok((seconds / c).powf(1.0 / p))
 }
 
-/// Seconds for 11.1 turns at `speed` rad/s.
+/// Duration of 11.1 turns at `speed` rad/s, s.
 pub fn seconds_for(speed: f64) -> f64 {
     11.1 * TAU / speed
 }

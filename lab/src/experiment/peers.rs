@@ -1,26 +1,26 @@
-//! The same scene by a time-stepping physics engine: what `lab/peers/rapier` measured.
+//! The same scene in a physics engine with time steps, measured by `lab/peers/rapier`.
 
 use super::Page;
 
-/// What the benchmark wrote.
+/// Output of the benchmark.
 const MEASURED: &str = include_str!("rapier.csv");
 
-/// One method at one size on the eccentric at 35 rad/s, plastic landing.
+/// Result of one method at one size for the eccentric at 35 rad/s with plastic landing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Peer {
     /// Name of the method.
     pub method: String,
-    /// Its size: points, or steps per turn.
+    /// Number of points, or of steps per turn.
     pub size: String,
     /// Wall time of one turn, s.
     pub seconds: f64,
     /// RMS error of the follower's height over a turn, m.
     pub rms: f64,
-    /// Largest error of it, m.
+    /// Largest error of the follower's height, m.
     pub largest: f64,
 }
 
-/// The measured rows; a row that cannot be read is left out.
+/// Measured rows. A row that cannot be read is left out.
 pub fn rapier() -> Vec<Peer> {
     let mut reader = csv::Reader::from_reader(MEASURED.as_bytes());
     let rows = reader.deserialize().filter_map(std::result::Result::ok);
@@ -34,7 +34,7 @@ pub fn rapier() -> Vec<Peer> {
     .collect()
 }
 
-/// Table and words of the comparison.
+/// Writes table and text of the comparison.
 pub(super) fn against_rapier(out: &mut Page) {
     out.line("\n## Comparison with a time-stepping engine\n");
     out.line("The eccentric at 35 rad/s with plastic landing is simulated by rapier2d 0.22 in double precision (a ball on a circular path is the exact contour), and by the contact model from emitted points. Error of the follower's height against the closed form over a steady turn; medians of one run on one machine whose cores did other work as well (`lab/peers/rapier`).\n");

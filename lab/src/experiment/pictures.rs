@@ -1,4 +1,4 @@
-//! The pictures of reports/dynamics.md.
+//! Pictures of reports/dynamics.md.
 
 use super::peers::rapier;
 use super::{cams, scene, worst_force_error};
@@ -12,7 +12,11 @@ use gaitcam_test_support::thesis;
 /// A curve with its name in the legend.
 type Curve = (String, Vec<(f64, f64)>);
 
-/// Every picture of [`report`](super::report) with its file name. Fails as the report does.
+/// Every picture of [`report`](super::report) with its file name.
+///
+/// # Errors
+///
+/// As for the report.
 pub fn pictures() -> Result<Vec<(&'static str, Picture)>> {
     let (mut forces, mut torques, mut gaps) = (Vec::new(), Vec::new(), Vec::new());
     for (name, cam, fast) in cams() {
@@ -56,7 +60,7 @@ fn diagram(title: &str, quantity: &str, curves: Vec<Curve>) -> Picture {
     diagrams(title, "", &names, &[Strip { quantity, curves }])
 }
 
-/// Force error of the emitted points against their number.
+/// Picture of the force error of the emitted points against their number.
 fn convergence() -> Result<Picture> {
     let mut rows = Vec::new();
     for (name, cam, _) in cams() {
@@ -78,7 +82,7 @@ fn convergence() -> Result<Picture> {
     }))
 }
 
-/// Height error of events and time steps against the wall time of a turn.
+/// Picture of the height error of events and time steps against the wall time of a turn.
 fn against_time() -> Picture {
     let row = |p: super::peers::Peer| Row {
         method: p.method,

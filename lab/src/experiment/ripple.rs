@@ -1,5 +1,5 @@
-//! The double harmonic of Campillo de Blas (2017) on a motor that does not hold its speed: where in time the force lies
-//! above the weight, and how high, against what the thesis measured (theory §3).
+//! The double harmonic of Campillo de Blas (2017) with a motor of varying speed: times at which the force exceeds the weight, and its maximum,
+//! compared with the measurements of the thesis (theory §3).
 
 use gaitcam::cam::Cam;
 use gaitcam::drive::{Motor, TorqueLine};
@@ -9,31 +9,31 @@ use gaitcam::error::Result;
 use super::motor;
 use gaitcam_test_support::thesis;
 
-/// Rows of a turn.
+/// Number of rows of a turn.
 const ROWS: usize = 1440;
-/// Inertia of shaft and cams, kg·m²: two discs of 35 mm and 100 g; a tenth of it changes the angles below by less than 0.1°.
+/// Inertia of shaft and cams, kg·m²: two discs of 35 mm and 100 g. With a tenth of it, the angles below change by less than 0.1°.
 const INERTIA: f64 = 1e-4;
-/// Where the force first falls to the weight in the measured turn, degrees of its time.
+/// Position at which the force first falls to the weight in the measured turn, degrees of its time.
 pub const MEASURED_END: f64 = 100.0;
-/// Student's t of six degrees of freedom, 95 %, one side.
+/// Student's t for six degrees of freedom, 95 %, one-sided.
 const STUDENT: f64 = 1.943;
 
-/// A turn, its angles in degrees of its time: 360° is the period, whatever the speed within it.
+/// Result of a turn. Angles are degrees of its time: 360° is the period, for any speed within it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
     /// Slope of the motor line at the camshaft, N·m·s.
     pub slope: f64,
-    /// Highest less lowest speed, part of the mean.
+    /// Range of the speed relative to its mean.
     pub ripple: f64,
-    /// End of the first stretch above the weight.
+    /// End of the first interval above the weight, degrees.
     pub first_end: f64,
-    /// Ends of the second.
+    /// Start and end of the second interval above the weight, degrees.
     pub second: [f64; 2],
-    /// Largest force of either stretch, N.
+    /// Maximum force in each of the two intervals, N.
     pub largest: [f64; 2],
 }
 
-/// The turn on a motor line of a slope.
+/// Turn with a motor line of this slope.
 pub fn turn(cam: &Cam, slope: f64) -> Result<Turn> {
     let mut run = Run::new(cam.clone(), thesis::real(thesis::SPEED), ROWS);
     run.machine.motor = Some(Motor {
@@ -76,7 +76,7 @@ pub fn turn(cam: &Cam, slope: f64) -> Result<Turn> {
     })
 }
 
-/// The turn whose first stretch is as long as the measured one.
+/// Turn whose first interval is as long as the measured one.
 pub fn as_measured(cam: &Cam) -> Result<Turn> {
     // A stiffer line shortens the stretch.
     let (mut soft, mut stiff) = (0.02_f64, 1.0_f64);
@@ -90,8 +90,8 @@ pub fn as_measured(cam: &Cam) -> Result<Turn> {
     turn(cam, stiff)
 }
 
-/// Largest drag, as the speed that it takes from the motor (torque over slope), rad/s, that the table of power and time
-/// allows: ω = Ω p − T/k by least squares, upper bound of 95 %.
+/// Maximum drag that the table of power and time allows, as the speed reduction of the motor (torque over slope), rad/s: ω = Ω p − T/k by least
+/// squares, upper bound of 95 %.
 pub fn largest_drag() -> f64 {
     let points =
         motor::MOTOR_TABLE.map(|(power, time)| (power, std::f64::consts::TAU * 11.1 / time));

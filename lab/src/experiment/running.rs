@@ -1,4 +1,4 @@
-//! Steady running: force and torque, and the points' error.
+//! Steady operation: force, torque, and error of the emitted points.
 
 use super::{Page, cams, scene, worst_force_error};
 use gaitcam::dynamics::simulate;

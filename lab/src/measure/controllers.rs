@@ -1,4 +1,4 @@
-//! Chart (h): points of an electronic cam against the error of the controller that executes it.
+//! Chart (h): number of points of an electronic cam against the error of the controller.
 
 use super::Watch;
 use crate::chart::{Across, Chart};
@@ -6,7 +6,7 @@ use gaitcam::error::Result;
 use gaitcam::scene::built_in;
 use gaitcam_cad::ecam::{Dialect, make};
 
-/// Every dialect with few and many points.
+/// Chart of every dialect with few and many points.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let design = built_in("footbridge")?.scene()?.design()?;
     let chosen = Dialect::ALL.map(|dialect| make(&design, dialect, None).map(|cam| cam.intervals));

@@ -1,4 +1,4 @@
-//! Charts (d): a follower that rings, and one that flies.
+//! Charts (d): a vibrating follower, and a follower in flight.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -13,11 +13,11 @@ use gaitcam::error::Result;
 use gaitcam::law::Law;
 use gaitcam_test_support::thesis;
 
-/// Natural frequency of the follower in cam speeds.
+/// Natural frequency of the follower relative to the cam speed.
 const RATIO: f64 = 8.5;
 /// Damping ratio of the follower.
 const ZETA: f64 = 0.05;
-/// Angle over which the response is followed, rad.
+/// Angle of the response, rad.
 const TURN: f64 = std::f64::consts::TAU;
 
 /// State (deflection, slope) of x″ + 2ζrx′ + r²x = sin θ.
@@ -39,7 +39,7 @@ fn moved(z: State, h: f64, terms: &[(f64, State)]) -> State {
     out
 }
 
-/// The response from rest in closed form: the truth.
+/// Response from rest in closed form, the exact result.
 fn exact(theta: f64) -> State {
     let (p, q) = (RATIO * RATIO - 1.0, 2.0 * ZETA * RATIO);
     let d = p * p + q * q;
@@ -79,7 +79,7 @@ fn rk4(n: usize) -> State {
     })
 }
 
-/// Kick, drift, kick; the damping enters the kicks at the new velocity.
+/// Leapfrog integration (kick, drift, kick). The damping is part of the kicks, with the new velocity.
 fn leapfrog(n: usize) -> State {
     let h = TURN / n as f64;
     let drag = ZETA * RATIO * h;
@@ -94,7 +94,7 @@ fn leapfrog(n: usize) -> State {
     z
 }
 
-/// Coefficients of Dormand and Prince's pair of orders 5 and 4: stages, their times, error.
+/// Coefficients of the Dormand-Prince pair of orders 5 and 4: stages, their times, error.
 const A: [&[f64]; 6] = [
     &[1.0 / 5.0],
     &[3.0 / 40.0, 9.0 / 40.0],
@@ -132,7 +132,7 @@ const E: [f64; 7] = [
     -1.0 / 40.0,
 ];
 
-/// Dormand and Prince's pair with step control.
+/// Response by the Dormand-Prince pair with step control.
 fn adaptive(tolerance: f64) -> State {
     let (mut t, mut h, mut z) = (0.0, 1e-3, [0.0; 2]);
     let scale = 1.0 / (RATIO * RATIO);
@@ -160,7 +160,7 @@ fn adaptive(tolerance: f64) -> State {
     z
 }
 
-/// Closed form piece by piece, as gaitcam runs flexible followers.
+/// Response in closed form for each piece, the method of gaitcam for flexible followers.
 fn pieces(forcing: &gaitcam::poly::PiecewisePoly) -> State {
     let linear = Linear {
         rates: Matrix2::new(0.0, 1.0, -RATIO * RATIO, -2.0 * ZETA * RATIO),
@@ -170,7 +170,7 @@ fn pieces(forcing: &gaitcam::poly::PiecewisePoly) -> State {
     states.last().map_or([f64::NAN; 2], |z| [z[0], z[1]])
 }
 
-/// A follower of 8.5 times the cam's speed, from rest over one turn of a sine.
+/// Chart of a follower with 8.5 times the cam's speed, from rest over one turn of a sine.
 pub fn vibration(watch: &Watch) -> Result<Chart> {
     let truth = exact(TURN);
     let amplitude = 1.0 / (RATIO * RATIO - 1.0);
@@ -225,7 +225,7 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
     })
 }
 
-/// Largest error of the settled deflection against the closed form of a sine, part of its amplitude.
+/// Maximum error of the steady deflection compared with the closed form of a sine, relative to its amplitude.
 fn steady_error(steady: &gaitcam::dynamics::flexible::Steady, drive: &Drive) -> f64 {
     let (p, q) = (RATIO * RATIO - 1.0, 2.0 * ZETA * RATIO);
     let d = p * p + q * q;
@@ -238,7 +238,7 @@ fn steady_error(steady: &gaitcam::dynamics::flexible::Steady, drive: &Drive) -> 
 
 const FAST: f64 = 35.0;
 
-/// Angle at which the eccentric's mass lands again, by bisection on the parabola: the truth.
+/// Angle at which the mass on the eccentric lands, by bisection on the parabola; the exact result.
 fn landing() -> f64 {
     let (e, g) = (thesis::LIFT, 9.81 / (FAST * FAST));
     let leaves = (g / e).asin();
@@ -258,7 +258,7 @@ fn landing() -> f64 {
     low
 }
 
-/// Small steps, contact whenever the mass would sink in: what simulators do without events. Landing angle.
+/// Landing angle by small steps, with contact whenever the mass would penetrate the cam. Simulators without events use this method.
 fn stepped(n: usize, interpolate: bool) -> f64 {
     let (e, g) = (thesis::LIFT, 9.81 / (FAST * FAST));
     let h = TURN / n as f64;
@@ -287,7 +287,7 @@ fn stepped(n: usize, interpolate: bool) -> f64 {
     f64::NAN
 }
 
-/// The eccentric of theory §3 at 35 rad/s: where the mass lands.
+/// Chart of the landing angle of the mass on the eccentric of theory §3 at 35 rad/s.
 pub fn flight(watch: &Watch) -> Result<Chart> {
     let truth = landing();
     let mut rows = Vec::new();

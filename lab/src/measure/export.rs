@@ -1,4 +1,4 @@
-//! Chart (e): points written against the error of what is cut from them.
+//! Chart (e): number of points against the error of the profile cut from them.
 
 use super::Watch;
 use crate::chart::{Across, Chart};
@@ -8,10 +8,10 @@ use gaitcam::law::{Extent, Rise, Segment, program};
 use gaitcam_cad::biarc;
 use gaitcam_cad::dxf::FAITHFUL;
 
-/// Points between two neighbours at which the chord is held against the profile.
+/// Number of points between two neighbours at which the chord is compared with the profile.
 const BETWEEN: usize = 16;
 
-/// Dwell-rise-dwell-fall with a roller: theory §6's reference cam.
+/// Reference cam of theory §6: dwell-rise-dwell-fall with a roller.
 fn cam() -> Result<Cam> {
     let quarter = |motion: Rise, lift: f64| Segment {
         motion,
@@ -32,7 +32,7 @@ fn cam() -> Result<Cam> {
     Cam::new(program(&segments, Extent::TURN)?, follower)
 }
 
-/// Polylines and arcs of one cam.
+/// Chart of polylines and arcs of one cam.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let cam = cam()?;
     let mut rows = Vec::new();
@@ -80,7 +80,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
     })
 }
 
-/// Largest distance of the profile from the polyline of n points at equal angles.
+/// Maximum distance of the profile from the polyline of n points at equal angles.
 fn chord_error(cam: &Cam, n: usize) -> f64 {
     let step = std::f64::consts::TAU / n as f64;
     let mut worst = 0.0_f64;

@@ -1,4 +1,4 @@
-//! Charts (a): from force to law.
+//! Charts (a): law from a force.
 
 use std::hint::black_box;
 
@@ -18,10 +18,10 @@ use gaitcam::synth::{Search, design};
 
 const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 
-/// Part of the mean force that the default scene asks for.
+/// Accuracy of the default scene relative to the mean force.
 const DEFAULT_ACCURACY: f64 = 0.005;
 
-/// Step-to-step spread, below which accuracy has no measurable effect (theory §11).
+/// Step-to-step variation, below which accuracy has no measurable effect (theory §11).
 fn levels() -> Vec<(f64, String)> {
     vec![
         (0.03, "step-to-step spread of a walker, 3 %".to_string()),
@@ -29,7 +29,7 @@ fn levels() -> Vec<(f64, String)> {
     ]
 }
 
-/// A force without corners: both feet on a footbridge, moving axis.
+/// Chart for a force without corners: both feet on a footbridge, moving axis.
 pub fn smooth(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
     let mut rows = Vec::new();
@@ -64,7 +64,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
     })
 }
 
-/// A force with a heel strike and a swing phase: one foot, hydraulic (lift proportional to force).
+/// Chart for a force with a heel strike and a swing phase: one foot, hydraulic (lift proportional to force).
 pub fn heel(watch: &Watch) -> Result<Chart> {
     let target = with_heel_transient(model("iso-22675", None, 824.0, Feet::One)?);
     let drive = Drive::hydraulic(
@@ -141,7 +141,7 @@ fn harmonics(
     Ok(())
 }
 
-/// One rise, one fall and a rest, whose angles, lift and level are fitted to the force: a whole design with its cam.
+/// Complete design with a rise, a fall and a dwell, whose angles, lift and level are fitted to the force.
 fn fitted_double_harmonic(
     watch: &Watch,
     target: &ForceCurve,
@@ -158,7 +158,7 @@ fn fitted_double_harmonic(
     Ok(())
 }
 
-/// The methods of textbooks, which stand on the stance alone.
+/// Adds the methods of textbooks, which use only the stance.
 fn textbook(watch: &Watch, target: &ForceCurve, rows: &mut Vec<Row>) -> Result<()> {
     let stance = reference::Stance::of(target)
         .ok_or_else(|| crate::fault("the stance was not found in the reference curve"))?;
@@ -215,8 +215,7 @@ fn interpolate(conditions: &[Condition], end: f64) -> Option<gaitcam::poly::Piec
     hermite_birkhoff(conditions, 0.0, end).ok()
 }
 
-/// The smooth standard load with a blow of the heel: a bump of 30 % of the peak at 4 % of the stride,
-/// 1 % wide, that no single polynomial knows.
+/// Smooth standard load with a heel strike: a peak of 30 % of the maximum at 4 % of the stride, 1 % wide, which no single polynomial reproduces.
 fn with_heel_transient(mut target: ForceCurve) -> ForceCurve {
     let n = target.force_n.len() as f64;
     let most = target.force_n.iter().fold(0.0_f64, |m, x| m.max(*x));
@@ -228,10 +227,10 @@ fn with_heel_transient(mut target: ForceCurve) -> ForceCurve {
     target
 }
 
-/// Points of the profile that every method must deliver.
+/// Number of profile points for every method.
 const POINTS: usize = 1440;
 
-/// The law and its profile under a flat face.
+/// Law with its profile for a flat face.
 fn with_profile(law: Law) -> (Law, Vec<ProfilePoint>) {
     let follower = Follower::FlatTranslating { base_radius: 0.05 };
     let cam = Cam { law, follower };
@@ -239,14 +238,14 @@ fn with_profile(law: Law) -> (Law, Vec<ProfilePoint>) {
     (cam.law, points)
 }
 
-/// 1440 values of a force.
+/// Sum of a force at the angles of the profile points.
 fn values(force: impl Fn(f64) -> f64) -> f64 {
     (0..POINTS)
         .map(|i| force(std::f64::consts::TAU * i as f64 / POINTS as f64))
         .sum()
 }
 
-/// The double harmonic of Campillo de Blas (2017) with unit lift: up in half the stance, down in the other.
+/// Double harmonic of Campillo de Blas (2017) with unit lift: rise in half the stance, fall in the other half.
 fn rise_and_fall(x: f64, end: f64) -> f64 {
     if x >= end {
         return 0.0;
@@ -256,7 +255,7 @@ fn rise_and_fall(x: f64, end: f64) -> f64 {
     0.5 * ((1.0 - p.cos()) - 0.25 * (1.0 - (2.0 * p).cos()))
 }
 
-/// The amplitude that is best in the mean square.
+/// Amplitude with the smallest mean square error.
 fn double_harmonic(target: &ForceCurve, end: f64) -> f64 {
     let n = target.force_n.len();
     let angle = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;

@@ -10,10 +10,10 @@ use gaitcam::law::Law;
 
 const RADIUS: f64 = 0.03;
 const ECCENTRICITY: f64 = 0.01;
-/// Angles at which every method answers.
+/// Number of angles at which every method is evaluated.
 const ANGLES: usize = 360;
 
-/// An eccentric disc under a flat face: its profile is a circle, whose radius is the truth.
+/// Chart for an eccentric disc with a flat face. Its profile is a circle, whose radius is the exact result.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let law = Law::harmonic(ECCENTRICITY, &[(0.0, ECCENTRICITY)]);
     let base_radius = RADIUS - ECCENTRICITY;
@@ -64,7 +64,7 @@ fn worst(radii: &[f64]) -> f64 {
         .fold(0.0, |m, r| (r / RADIUS - 1.0).abs().max(m))
 }
 
-/// Curvature radius from first and second central differences of x and y.
+/// Radius of curvature from first and second central differences of x and y.
 fn by_differences(cam: &Cam, theta: f64, step: f64) -> f64 {
     let [a, b, c] = [-step, 0.0, step].map(|d| cam.point(theta + d));
     let first = |l: f64, r: f64| (r - l) / (2.0 * step);
@@ -78,7 +78,7 @@ fn radius(dx: f64, dy: f64, ddx: f64, ddy: f64) -> f64 {
     dx.hypot(dy).powi(3) / (dx * ddy - dy * ddx)
 }
 
-/// A value with its first two derivatives.
+/// Value with its first two derivatives.
 #[derive(Clone, Copy)]
 struct Jet(f64, f64, f64);
 
@@ -100,8 +100,8 @@ impl Mul for Jet {
     }
 }
 
-/// The contact (v, Rb + s) turned by −θ, carried with its derivatives. The law hands over its derivatives
-/// up to the jerk, the rest is the product rule.
+/// Radius of curvature from the contact (v, Rb + s), rotated by −θ, with its derivatives. The law supplies the derivatives up to the jerk; the others
+/// follow from the product rule.
 fn by_jets(cam: &Cam, theta: f64) -> f64 {
     let at = cam.law.svaj(theta);
     let (sin, cos) = theta.sin_cos();

@@ -1,4 +1,4 @@
-//! The rungs of the solver one by one, and their cost against the number of spans.
+//! Methods of the solver one by one, and their time against the number of spans.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -16,12 +16,12 @@ use gaitcam::scene;
 use gaitcam::synth::synthesise;
 use gaitcam_app::folder::Folder;
 
-/// Parts of the free law's peaks to which acceleration and jerk are held.
+/// Limits on acceleration and jerk, relative to the peaks of the law without limits.
 const HELD: [f64; 3] = [0.95, 0.6, 0.3];
-/// Spans of the laws in the table.
+/// Number of spans of the laws in the table.
 const SPANS: usize = 32;
 
-/// A row of a rung: the tier, its problem, and what the error is against.
+/// Row of a method: its name, its problem, and the reference of the error.
 fn line(tier: &str, problem: impl Into<String>, timing: Times, error: f64, against: &str) -> Row {
     timing.row(tier, problem, error).noted(against)
 }
@@ -48,7 +48,7 @@ pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
     folder.write("ladder.md", page.as_bytes())
 }
 
-/// The spectral inverse and the closed-form prime circle.
+/// Rows of the harmonic inversion and of the prime circle in closed form.
 fn closed_forms(watch: &Watch) -> Result<Vec<Row>> {
     let (target, drive) = footbridge()?;
     let samples = (0..1000)
@@ -96,7 +96,7 @@ fn hump(angle: f64) -> Result<Law> {
     )
 }
 
-/// One factorisation, the certified program by both methods, and the cheaper ways between samples.
+/// Rows of one factorisation, of the certified program by both methods, and of simpler treatments between samples.
 fn programs(watch: &Watch) -> Result<Vec<Row>> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);
@@ -145,7 +145,7 @@ fn programs(watch: &Watch) -> Result<Vec<Row>> {
     Ok(out)
 }
 
-/// Whole syntheses whose tier is a cone program or a sequence of programs.
+/// Rows of complete syntheses whose method is a cone program or a sequence of programs.
 fn scenes(watch: &Watch) -> Result<Vec<Row>> {
     let built_in = scene::built_in("heel_tester_fitted")?;
     let points = Path::new("../data/gait_curves/heel_tester_critical_points.csv");
@@ -185,7 +185,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Row>> {
     Ok(out)
 }
 
-/// Time against spans, for the factorisation and for one limit.
+/// Chart of time against the number of spans, for the factorisation and for one limit.
 fn against_spans(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
     let sizes: &[usize] = if watch.quick {

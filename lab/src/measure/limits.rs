@@ -1,4 +1,4 @@
-//! Chart (b): a limit between the points at which it is written down.
+//! Chart (b): a limit between the points of its rows.
 
 use super::{Watch, footbridge, force_error};
 use crate::chart::Chart;
@@ -6,24 +6,24 @@ use crate::tiers::{Between, Bound, Task};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 
-/// Jerk allowed, part of what the law takes without a limit.
+/// Maximum jerk relative to that of the law without a limit.
 const ALLOWED: f64 = 0.5;
 const SPANS: usize = 14;
-/// Tolerance of the interior point.
+/// Tolerance of the interior-point method.
 const TOLERANCE: f64 = 1e-9;
 
-/// Largest |jerk| of a law beyond `most`, part of it; 0 when kept.
+/// Relative excess of |jerk| of a law over `most`; 0 if the limit is satisfied.
 pub fn violation(law: &Law, most: f64) -> f64 {
     (peak(law, 3) / most - 1.0).max(0.0)
 }
 
-/// Largest magnitude of a derivative of the lift.
+/// Maximum absolute value of a derivative of the lift.
 pub fn peak(law: &Law, order: usize) -> f64 {
     let (low, high) = law.extremes(order);
     high.value.max(-low.value)
 }
 
-/// A jerk limit on a quintic of 32 spans, held in every way.
+/// Chart of a jerk limit on a quintic of 32 spans with every treatment.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let (target, drive) = footbridge()?;
     let free = Task::quintic(&target, drive, SPANS);

@@ -1,4 +1,4 @@
-//! `gaitcam-lab chart`: speed against accuracy, measured now on this machine.
+//! `gaitcam-lab chart`: measurement of speed against accuracy on this machine.
 
 mod controllers;
 mod dynamics;
@@ -78,13 +78,13 @@ pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
     Ok(())
 }
 
-/// The section on peers, which lab/peers/speed/run.py writes at the end of the page: kept as it is.
+/// Section on peers at the end of the page, written by lab/peers/speed/run.py. It is kept unchanged.
 fn peers(page: &str) -> String {
     let start = page.find("\n## Peers\n");
     start.map_or(String::new(), |at| page[at..].to_string())
 }
 
-/// Where it runs, for the header.
+/// Description of the computer, for the header.
 fn machine(quick: bool) -> String {
     let cpu = std::fs::read_to_string("/proc/cpuinfo")
         .ok()
@@ -126,7 +126,7 @@ impl Times {
     }
 }
 
-/// Both feet of 700 N at 1.85 steps a second, as in the default scene, with its moving axis.
+/// Force of both feet of 700 N at 1.85 steps per second, as in the default scene, with its moving axis.
 fn footbridge() -> Result<(ForceCurve, Drive)> {
     let target = model("young", Some(1.85), 700.0, Feet::Both)?;
     let drive = Drive::moving_axis(
@@ -137,12 +137,12 @@ fn footbridge() -> Result<(ForceCurve, Drive)> {
     Ok((target, drive))
 }
 
-/// RMS distance of a law's force from the target on `DENSE` angles, part of the mean target.
+/// RMS difference between the force of a law and the target at `DENSE` angles, relative to the mean target.
 fn force_error(drive: &Drive, law: &Law, target: &ForceCurve) -> f64 {
     rms_error(|x| drive.force(law.svaj(x)), target)
 }
 
-/// Angles at which forces are held against the truth: not those at which anything was fitted.
+/// Number of angles at which forces are compared with the exact result. They differ from those of the fits.
 const DENSE: usize = 4001;
 
 fn rms_error(force: impl Fn(f64) -> f64, target: &ForceCurve) -> f64 {

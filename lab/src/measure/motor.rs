@@ -1,14 +1,14 @@
-//! Chart (f): what a law knows of the motor that turns it.
+//! Chart (f): effect of including the motor in the design of a law.
 
 use super::Watch;
 use crate::chart::Chart;
 use gaitcam::error::Result;
 use gaitcam::scene::built_in;
 
-/// Inertia of the flywheel, kg m².
+/// Inertias of the flywheel, kg m².
 const WHEELS: [&str; 4] = ["0.5", "1", "2", "8"];
 
-/// Laws for constant speed and for the motor, both run by the motor, with lighter and heavier wheels.
+/// Chart of laws for constant speed and laws for the motor, both simulated with the motor, for several flywheels.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let mut rows = Vec::new();
     for (method, shaft) in [

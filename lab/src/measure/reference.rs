@@ -1,4 +1,4 @@
-//! The textbook methods that the charts hold against gaitcam's own: written plainly, as a user would.
+//! Textbook methods that the charts compare with gaitcam, in a simple form.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,16 +7,16 @@ use gaitcam::force::ForceCurve;
 use gaitcam::law::Condition;
 use gaitcam::poly::bernstein;
 
-/// The loaded part of a stride.
+/// Stance phase of a stride.
 pub struct Stance {
-    /// Angle at which the force has fallen to nothing, rad.
+    /// Angle at which the force reaches zero, rad.
     pub end: f64,
-    /// Angles of the critical points: peaks and valleys.
+    /// Angles of the maxima and minima, rad.
     critical: Vec<f64>,
 }
 
 impl Stance {
-    /// Finds the end of the stance and the extremes in it; `None` when the force never rests.
+    /// Finds the end of the stance and the extremes in it; `None` if the force is never zero.
     pub fn of(target: &ForceCurve) -> Option<Stance> {
         let f = &target.force_n;
         let n = f.len();
@@ -37,8 +37,8 @@ impl Stance {
         })
     }
 
-    /// The conditions of Vargas and León (2024): rest in force, velocity and acceleration at both ends, the critical
-    /// points' values, and `extra` further points at equal steps.
+    /// Conditions of Vargas and León (2024): force, velocity and acceleration of zero at both ends, the values of the critical points, and `extra`
+    /// further points at equal steps.
     pub fn conditions(&self, target: &ForceCurve, extra: usize) -> Vec<Condition> {
         let mut out = Vec::new();
         for theta in [0.0, self.end] {
@@ -67,22 +67,22 @@ impl Stance {
     }
 }
 
-/// Bases of one polynomial on the unit interval.
+/// Bases of a polynomial on the unit interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PolynomialBasis {
-    /// 1, u, u² …
+    /// Powers 1, u, u² …
     Monomial,
-    /// Bernstein polynomials of the interval.
+    /// Bernstein polynomials on the interval.
     Bernstein,
-    /// Legendre on the interval.
+    /// Legendre polynomials on the interval.
     Legendre,
 }
 
 impl PolynomialBasis {
-    /// Every basis, for the charts.
+    /// All bases, for the charts.
     pub const ALL: [PolynomialBasis; 3] = [Self::Monomial, Self::Bernstein, Self::Legendre];
 
-    /// Name in the charts.
+    /// Name of the basis in the charts.
     pub fn name(self) -> &'static str {
         match self {
             Self::Monomial => "least squares, monomials",
@@ -91,7 +91,7 @@ impl PolynomialBasis {
         }
     }
 
-    /// All basis functions at u.
+    /// Values of all basis functions at u.
     fn row(self, degree: usize, u: f64) -> Vec<f64> {
         let mut out = Vec::with_capacity(degree + 1);
         match self {
@@ -121,8 +121,7 @@ impl PolynomialBasis {
         out
     }
 
-    /// Coefficients by normal equations over `samples` equal steps of [0, end]; `None` when they are
-    /// numerically singular.
+    /// Coefficients by normal equations over `samples` equal steps of [0, end]; `None` if they are numerically singular.
     pub fn fit(
         self,
         target: &ForceCurve,
@@ -139,7 +138,7 @@ impl PolynomialBasis {
         Some(x.iter().copied().collect())
     }
 
-    /// The polynomial at u.
+    /// Value of the polynomial at u.
     pub fn value(self, c: &[f64], u: f64) -> f64 {
         self.row(c.len() - 1, u)
             .iter()
@@ -152,8 +151,8 @@ impl PolynomialBasis {
 /// A force over the cam angle.
 pub type Force = Box<dyn Fn(f64) -> f64>;
 
-/// One polynomial over the whole turn whose inertia force follows the target, with v and a equal at both
-/// ends: least squares in Legendre polynomials for the acceleration, mean removed. Returns the force.
+/// Force of a polynomial over the whole turn whose inertia force follows the target, with equal v and a at both ends. Method: least squares in
+/// Legendre polynomials for the acceleration, without the mean.
 pub fn periodic_polynomial(
     target: &ForceCurve,
     drive: &Drive,

@@ -1,4 +1,4 @@
-//! Chart (g): for how many walkers a cam is designed.
+//! Chart (g): number of walkers that a cam is designed for.
 
 use super::Watch;
 use crate::chart::Chart;
@@ -6,7 +6,7 @@ use gaitcam::cover::served_by;
 use gaitcam::error::Result;
 use gaitcam::scene::{Scene, built_in};
 
-/// Walkers whom every cam is to serve, at equal step frequencies within the range.
+/// Number of walkers for the comparison of all cams, at equal steps of the step frequency within the range.
 const JUDGED: usize = 41;
 
 fn scene(robust: &str, walkers: usize) -> Result<Scene> {
@@ -15,7 +15,7 @@ fn scene(robust: &str, walkers: usize) -> Result<Scene> {
         .with("gait.step_frequency", &format!("1.4 Hz:2.4 Hz:{walkers}"))
 }
 
-/// Cams for few and many walkers, judged by what they minimise, over all.
+/// Chart of cams for few and many walkers, compared by their objective over all walkers.
 pub fn chart(watch: &Watch) -> Result<Chart> {
     let none = || crate::fault("a range of step frequencies has walkers");
     let mut rows = Vec::new();

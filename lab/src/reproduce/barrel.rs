@@ -8,7 +8,7 @@ use gaitcam::poly::bernstein;
 use std::f64::consts::TAU;
 
 const SPEED: f64 = TAU;
-/// Radii of the groove's floor and of the cylinder, m.
+/// Radii of the groove's bottom and of the cylinder, m.
 const FLOOR: f64 = 0.021;
 const SURFACE: f64 = 0.030;
 

@@ -1,4 +1,4 @@
-//! CAM-DAS: what its manual prints of its examples (theory §5), and misprints of its formulae.
+//! CAM-DAS: printed examples of its manual (theory §5), and misprints of its formulae.
 
 use super::{Value, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};
@@ -9,12 +9,12 @@ use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
 use std::f64::consts::TAU;
 
-/// Millimetres of a metre.
+/// Millimetres per metre.
 const MM: f64 = 1e3;
-/// The rollers of Ejemplo1RT, m.
+/// Roller radii of Ejemplo1RT, m.
 const ROLLERS: [f64; 2] = [0.005, 0.5];
 
-/// Segments of (motion, lift, degrees).
+/// Segments from (motion, lift, degrees).
 fn segments(list: &[(Rise, f64, f64)]) -> Vec<Segment> {
     list.iter()
         .map(|(motion, lift, degrees)| Segment {
@@ -25,7 +25,7 @@ fn segments(list: &[(Rise, f64, f64)]) -> Vec<Segment> {
         .collect()
 }
 
-/// Lifts are numbers in the unit printed, mm or degrees.
+/// Law of a turn from segments; the lifts are in the printed unit, mm or degrees.
 fn turn(list: &[(Rise, f64, f64)]) -> Result<Law> {
     program(&segments(list), Extent::TURN)
 }
@@ -60,7 +60,7 @@ pub(super) fn values() -> Result<Vec<Value>> {
     Ok(values)
 }
 
-/// An extreme, and the one at whole degrees that the manual reads.
+/// Extreme of a derivative, with the extreme at whole degrees that the manual states.
 fn extreme(law: &Law, order: usize, is_high: bool) -> Value {
     let (exact, sampled) = (law.extremes(order), at_degrees(law, order));
     let (exact, sampled) = match is_high {
@@ -99,12 +99,12 @@ fn kinematics() -> Result<Vec<Value>> {
     Ok(values)
 }
 
-/// Rise and return of the same lift, m, in a turn.
+/// Law of a turn: rise and return of the same lift, m.
 fn there_and_back(motion: Rise, lift: f64) -> Result<Law> {
     turn(&[(motion.clone(), lift, 180.0), (motion, -lift, 180.0)])
 }
 
-/// Pressure angles and smallest convex pitch radius of Ejemplo11 under the arm whose three lengths give those of fig. 7.19.
+/// Pressure angles and smallest convex pitch radius of Ejemplo11 with an arm. Its three lengths reproduce the values of fig. 7.19.
 fn arm() -> Result<[f64; 3]> {
     let cam = scene::built_in("camdas_11_oscillating_roller")?
         .scene()?
@@ -117,7 +117,7 @@ fn arm() -> Result<[f64; 3]> {
     Ok([most, least, MM * pitch])
 }
 
-/// Ejemplo1RT under a roller on a base circle of 50 mm.
+/// Cam of Ejemplo1RT with a roller on a base circle of 50 mm.
 fn example_1(roller_radius: f64) -> Result<Cam> {
     let law = there_and_back(Rise::SimpleHarmonic, 0.05)?;
     let follower = Follower::RollerTranslating {
@@ -128,7 +128,7 @@ fn example_1(roller_radius: f64) -> Result<Cam> {
     Cam::new(law, follower)
 }
 
-/// Pressure angle and radii of curvature of Ejemplo1RT under both rollers.
+/// Pressure angle and radii of curvature of Ejemplo1RT with both rollers.
 fn rollers() -> Result<[f64; 6]> {
     let mut values = [0.0; 6];
     for (three, radius) in values.chunks_exact_mut(3).zip(ROLLERS) {
@@ -142,13 +142,13 @@ fn rollers() -> Result<[f64; 6]> {
     Ok(values)
 }
 
-/// Largest size of a function over a turn, at 3600 angles.
+/// Maximum absolute value of a function over a turn, at 3600 angles.
 fn largest(of: impl Fn(f64) -> f64) -> f64 {
     let angles = (0..3600).map(|i| f64::from(i) * TAU / 3600.0);
     angles.map(|x| of(x).abs()).fold(0.0, f64::max)
 }
 
-/// Ejemplo8DA (conjugate pair), Ejemplo10EX (circle) and Ejemplo6 (constant breadth).
+/// Values of Ejemplo8DA (conjugate pair), Ejemplo10EX (circle) and Ejemplo6 (constant breadth).
 fn faces() -> Result<[f64; 5]> {
     let law = there_and_back(Rise::DoubleHarmonic, 0.1)?;
     let first = Cam::new(law, Follower::FlatTranslating { base_radius: 0.045 })?;
@@ -170,7 +170,7 @@ fn faces() -> Result<[f64; 5]> {
     Ok([second, spread, low.value, high.value, miss].map(|x| MM * x))
 }
 
-/// Ejemplo9RT: four motions with dwells.
+/// Cam of Ejemplo9RT: four motions with dwells.
 fn eight_segments() -> Result<Cam> {
     let rest = (Rise::Dwell, 0.0, 40.0);
     let law = turn(&[
@@ -210,7 +210,7 @@ fn formulae() -> Result<[f64; 6]> {
     ])
 }
 
-/// Radius of curvature and pressure angle of Ejemplo1RT under a small and a large roller.
+/// Picture of radius of curvature and pressure angle of Ejemplo1RT with a small and a large roller.
 pub(super) fn picture() -> Result<Picture> {
     let mut curvature = Vec::new();
     let mut pressure = Vec::new();

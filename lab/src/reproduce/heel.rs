@@ -14,18 +14,18 @@ use gaitcam_output::picture::Picture;
 use std::f64::consts::{PI, TAU};
 
 const INCH: f64 = 0.0254;
-/// The critical points of the measured force, lbf, over the cam angle, degrees.
+/// Critical points of the measured force, lbf, over the cam angle, degrees.
 const POINTS: [(f64, f64); 3] = [(56.88, 110.282), (123.84, 79.338), (198.72, 106.667)];
 /// End of the motion, degrees.
 const END: f64 = 256.32;
-/// The speed as the paper rounds it, rad/s.
+/// Speed as rounded in the paper, rad/s.
 const SPEED: f64 = 12.566;
 
 fn drive(speed: f64) -> Drive {
     Drive::hydraulic(30.0 * LBF / INCH.powi(5), 0.75 * INCH, speed)
 }
 
-/// The polynomial of degree 8 through the points, with its coefficients in (θ/β)ᵏ, m.
+/// Polynomial of degree 8 through the points, with its coefficients in (θ/β)ᵏ, m.
 fn law() -> Result<(Law, Vec<f64>)> {
     let beta = END.to_radians();
     let mut conditions: Vec<Condition> = [0.0, beta]
@@ -101,7 +101,7 @@ fn extremes_of_lift(law: &Law, degrees: std::ops::Range<f64>) -> impl Iterator<I
     (roots.into_iter()).filter(move |x| degrees.contains(&x.to_degrees()))
 }
 
-/// Largest force and lift with their places, and the lift at 135°.
+/// Extremes of force and lift with their positions, and the lift at 135°.
 fn forces(law: &Law) -> [Value; 5] {
     let top = law.extremes(0).1;
     let degrees = top.at.to_degrees();
@@ -120,7 +120,7 @@ fn forces(law: &Law) -> [Value; 5] {
     ]
 }
 
-/// Pressure angles, speeds and accelerations at the speed as rounded and at the `exact` one, jerks, pitch radius.
+/// Pressure angles, speeds and accelerations at the rounded and at the `exact` speed, jerks, pitch radius.
 fn motion(law: &Law, exact: f64) -> [Value; 11] {
     let cam = Cam {
         law: law.clone(),
@@ -150,7 +150,7 @@ fn motion(law: &Law, exact: f64) -> [Value; 11] {
     ]
 }
 
-/// The piecewise quintic that is level at the critical points, for another objective.
+/// Design of the piecewise quintic that is level at the critical points, for another objective.
 fn level(objective: &str) -> Result<Design> {
     let mut table = scene::table(scene::built_in("heel_tester_fitted")?.toml)?;
     // Force points need no curve on a hydraulic drive.
@@ -162,7 +162,7 @@ fn level(objective: &str) -> Result<Design> {
     synthesise(&scene::read(&table)?, None)
 }
 
-/// Force of the polynomial and of the level law, with the critical points joined.
+/// Picture of the force of the polynomial and of the level law, with the critical points.
 pub(super) fn picture() -> Result<Picture> {
     let (law, _) = law()?;
     let drive = drive(SPEED);

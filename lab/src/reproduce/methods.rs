@@ -1,7 +1,7 @@
-//! The four iterations of Campillo de Blas (2017) as a comparison of methods, with the optimum.
+//! Comparison of the four iterations of Campillo de Blas (2017) with each other and with the optimum.
 //!
-//! Yardstick: RMS distance of the force from the target (Young, 1.85 Hz, both feet, scaled to 1 kg),
-//! as the law stands and turned to where it fits best.
+//! Measure: RMS difference between the force and the target (Young, 1.85 Hz, both feet, scaled to 1 kg), for the given phase and for the best phase
+//! of the law.
 
 use std::fmt::Write;
 
@@ -19,7 +19,7 @@ use gaitcam_output::picture::Picture;
 use gaitcam_test_support::thesis;
 use std::f64::consts::TAU;
 
-/// Angles at which forces are compared.
+/// Number of angles at which forces are compared.
 const POINTS: usize = 720;
 
 /// The force error of one law.
@@ -29,19 +29,19 @@ pub struct Method {
     pub name: String,
     /// Stroke of the law, m.
     pub stroke: f64,
-    /// RMS distance of the force to the target, N, at the phase given.
+    /// RMS difference between force and target, N, at the given phase.
     pub rms: f64,
-    /// The same with the law turned to its best phase, N.
+    /// RMS difference between force and target at the best phase of the law, N.
     pub rms_turned: f64,
-    /// The best phase, rad.
+    /// Best phase, rad.
     pub phase: f64,
-    /// Largest |jerk|, m/s³; infinite where the acceleration jumps.
+    /// Maximum |jerk|, m/s³; infinite if the acceleration jumps.
     pub jerk: f64,
     /// Largest jump of velocity, m/s.
     pub velocity_jump: f64,
-    /// Smallest and largest force, N.
+    /// Minimum and maximum force, N.
     pub force: (f64, f64),
-    /// Force at equal steps, turned to the best phase, N.
+    /// Force at equal steps at the best phase, N.
     curve: Vec<(f64, f64)>,
 }
 
@@ -97,8 +97,8 @@ fn measured(name: &str, law: &Law, drive: &Drive, target: &ForceCurve) -> Method
     }
 }
 
-/// Iteration 2: a cubic in every segment that takes the lifts of iteration 1 and accelerations of three
-/// times the lift (the thesis says "about 3 times" and prints no values).
+/// Law of iteration 2: a cubic in every segment with the lifts of iteration 1 and accelerations of three times the lift (the thesis states "about 3
+/// times" and prints no values).
 fn iteration_2() -> Result<Law> {
     let joints = [
         (0.0, 0.0),
@@ -127,7 +127,7 @@ fn iteration_2() -> Result<Law> {
     Ok(Law::from_poly(PiecewisePoly::new(breaks, 3, coef), true))
 }
 
-/// The four iterations, the eccentric, and the optimum at that thesis's stroke and at its own.
+/// Results of the four iterations, of the eccentric, and of the optimum with the stroke of the thesis and with its optimal stroke.
 pub fn methods() -> Result<Vec<Method>> {
     let target = target()?;
     let drive = thesis::real(thesis::SPEED);
@@ -164,7 +164,7 @@ pub fn methods() -> Result<Vec<Method>> {
     Ok(out)
 }
 
-/// The law that comes nearest to the force with the stroke given, on the machine of Campillo de Blas (2017).
+/// Law with the smallest force error for the given stroke, on the machine of Campillo de Blas (2017).
 fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     let mut table = scene::table(scene::built_in("footbridge_thesis_scale")?.toml)?;
     scene::set(&mut table, &format!("limits.stroke=\"{stroke}\""))?;
@@ -176,7 +176,7 @@ fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     Ok(synthesise(&scene::read(&table)?, Some(target))?.cam.law)
 }
 
-/// The comparison as a table of the report.
+/// Writes the comparison as a table of the report.
 pub(super) fn table(out: &mut String, methods: &[Method]) {
     out.push_str(
         "\n## Four iterations and the optimum\n\nCampillo de Blas (2017) selected the law without optimisation. This table compares its iterations by the RMS force error to the target (Young, 1.85 Hz, both feet, scaled to M = 1 kg), at the given phase and at the best phase. The accelerations of iteration 2 are not printed; three times the lift per rad² is chosen.\n\n\
@@ -203,7 +203,7 @@ pub(super) fn table(out: &mut String, methods: &[Method]) {
     }
 }
 
-/// Forces of all, each turned to where it fits best, over the target.
+/// Picture of all forces at their best phases, with the target.
 pub(super) fn picture(methods: &[Method]) -> Picture {
     let mut names: Vec<String> = Vec::new();
     let mut curves = Vec::new();

@@ -1,7 +1,6 @@
-//! The papers' numbers, computed again: stated, recomputed, and what the difference means.
+//! Numbers of the source papers: stated and recomputed values, and the meaning of the difference.
 //!
-//! Nothing here is copied from a result: every recomputed value comes out of the library's own laws, cams
-//! and drives at the moment of the call.
+//! No result is copied. Every recomputed value is computed from laws, cams and drives of the library when the function is called.
 
 mod barrel;
 mod camdas;
@@ -19,20 +18,20 @@ use gaitcam::error::Result;
 use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
 
-/// What a difference between a stated and a recomputed number is.
+/// Kind of a difference between a stated and a recomputed number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Class {
-    /// Equal to the digits printed.
+    /// Equal to all printed digits.
     Agrees,
-    /// The last digits differ: rounded inputs, or cut digits.
+    /// The last digits differ, because of rounded inputs or truncated digits.
     Rounding,
-    /// The extreme of values at whole degrees, which misses the true one.
+    /// The source states the extreme of values at whole degrees, which differs from the true extreme.
     Sampling,
-    /// A printing or copying error: the source's own formulas give the other value.
+    /// Printing or copying error: the formulas of the source lead to the other value.
     Misprint,
-    /// No reading of the source gives the number.
+    /// No interpretation of the source leads to the number.
     NotReproducible,
-    /// A measurement, compared with the value of the curve fitted to it.
+    /// A measured value, compared with the fitted curve.
     Measured,
     /// The source does not give this number.
     NotStated,
@@ -61,7 +60,7 @@ impl Class {
         }
     }
 
-    /// The words of the report.
+    /// Name of the class in the report.
     pub fn name(self) -> &'static str {
         match self {
             Class::Agrees => "agrees",
@@ -75,30 +74,30 @@ impl Class {
     }
 }
 
-/// What the papers print, one number a line.
+/// Numbers that the papers state, one per line.
 const PAPERS: &str = include_str!("papers.txt");
 
-/// One number of a paper.
+/// A number of a paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// The paper, with page or equation.
+    /// Source of the number: the paper, with page or equation.
     pub source: &'static str,
     /// The quantity that the paper states.
     pub quantity: &'static str,
-    /// Its unit; empty for a plain number.
+    /// Unit of the quantity; empty for a dimensionless number.
     pub unit: &'static str,
-    /// The number as printed; empty where the paper is silent.
+    /// Number as printed; empty if the paper does not state it.
     pub stated: &'static str,
-    /// The number from this library.
+    /// Number computed with this library.
     pub recomputed: f64,
-    /// What the difference is.
+    /// Kind of the difference.
     pub class: Class,
     /// Reason of a difference.
     pub reason: String,
 }
 
 impl Row {
-    /// A line of the table with the number that this library gives.
+    /// Row from a line of the table and the number computed with this library.
     fn of(source: &'static str, line: &'static str, value: Value) -> Option<Row> {
         let mut fields = line.split('|').map(str::trim);
         let mut field = || fields.next().unwrap_or_default();
@@ -124,7 +123,7 @@ impl Row {
         })
     }
 
-    /// (recomputed − stated)/|stated|; `None` where nothing or zero is stated.
+    /// Relative difference (recomputed − stated)/|stated|; `None` if no number or zero is stated.
     pub fn relative(&self) -> Option<f64> {
         let stated: f64 = self.stated.parse().ok()?;
         let gap = (self.recomputed - stated) / stated.abs();
@@ -132,7 +131,7 @@ impl Row {
     }
 }
 
-/// A recomputed number, with what its reason in the table leaves open.
+/// Recomputed number, with a text that completes its reason in the table.
 struct Value {
     recomputed: f64,
     detail: String,
@@ -146,13 +145,13 @@ impl From<f64> for Value {
 }
 
 impl Value {
-    /// A number, and `detail` for its reason.
+    /// Number with `detail` for its reason.
     fn with(recomputed: f64, detail: String) -> Self {
         Value { recomputed, detail }
     }
 }
 
-/// Every line of the table with its recomputed number.
+/// All lines of the table with their recomputed numbers.
 fn rows() -> Result<Vec<Row>> {
     let values = [
         heel::values()?,
@@ -179,7 +178,7 @@ fn rows() -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Whether a value rounds to the digits printed.
+/// Whether a value rounds to the printed digits.
 fn same_digits(stated: &str, value: f64) -> bool {
     let Ok(number) = stated.parse::<f64>() else {
         return false;
@@ -188,17 +187,21 @@ fn same_digits(stated: &str, value: f64) -> bool {
     (value - number).abs() <= 0.5 * 10f64.powi(-(decimals as i32)) * (1.0 + 1e-9)
 }
 
-/// The whole reproduction: rows, the comparison of methods, and pictures.
+/// Complete reproduction: rows, comparison of methods, and pictures.
 pub struct Reproduction {
-    /// Every number of the papers, stated and recomputed.
+    /// Stated and recomputed numbers of the papers.
     pub rows: Vec<Row>,
     /// The four iterations of Campillo de Blas (2017) and the optimum.
     pub methods: Vec<Method>,
-    /// Pictures with the names of their files, without ending.
+    /// Pictures with their file names, without ending.
     pub pictures: Vec<(&'static str, Picture)>,
 }
 
-/// Computes everything anew (about a second). Fails only on a fault of the library.
+/// Computes all results (about a second).
+///
+/// # Errors
+///
+/// Only an error of the library.
 pub fn reproduce() -> Result<Reproduction> {
     let methods = methods()?;
     let pictures = vec![
@@ -218,7 +221,7 @@ impl Reproduction {
         self.rows.iter().filter(|r| r.class == class).count()
     }
 
-    /// The table as `reproduction.csv`.
+    /// Table as `reproduction.csv`.
     pub fn csv(&self) -> String {
         let mut out = String::from(
             "source,quantity,unit,stated,recomputed,relative_difference,class,reason\n",
@@ -242,7 +245,7 @@ impl Reproduction {
         out
     }
 
-    /// The report as `reproduction.md`.
+    /// Report as `reproduction.md`.
     pub fn markdown(&self) -> String {
         let mut out = String::from(
             "# The papers' numbers, computed again\n\nWritten by `gaitcam-lab reproduce`; every recomputed number is a result of the library.\n\n",
@@ -284,12 +287,12 @@ impl Reproduction {
     }
 }
 
-/// A text, or a dash for none.
+/// The text, or a dash if it is empty.
 fn or_dash(text: &str) -> &str {
     if text.is_empty() { "—" } else { text }
 }
 
-/// The number with seven significant digits.
+/// Number with seven significant digits.
 fn shown(x: f64) -> String {
     if !x.is_finite() {
         return "∞".to_string();
@@ -301,7 +304,7 @@ fn shown(x: f64) -> String {
     format!("{x:.*}", (6 - power).clamp(0, 9) as usize)
 }
 
-/// One strip of a picture.
+/// One diagram of a picture.
 fn strip(quantity: &str, curves: Vec<Vec<(f64, f64)>>) -> overlay::Strip {
     overlay::Strip {
         quantity: quantity.to_string(),

@@ -37,10 +37,10 @@ pub(super) fn values() -> Result<Vec<Value>> {
     Ok(values)
 }
 
-/// Friction torque of a cam that slips under its block with μ = 0.1: μ M g (Rb + mean lift), N·m.
+/// Friction torque of a cam that slides on its block with μ = 0.1: μ M g (Rb + mean lift), N·m.
 const SLIPPING: f64 = 0.034;
 
-/// Whether a motor that does not hold its speed explains the unequal stretches that were measured.
+/// Values that show whether a motor with varying speed explains the unequal measured intervals.
 fn ripple_values(cam: &Cam) -> Result<[Value; 7]> {
     let constant = ripple::turn(cam, 1e4)?;
     let soft = ripple::as_measured(cam)?;
@@ -58,8 +58,7 @@ fn ripple_values(cam: &Cam) -> Result<[Value; 7]> {
     ])
 }
 
-/// The table of motor power against the time for 11.1 turns: the better fit, and that of Campillo de Blas (2017),
-/// t = 347.9 x^−0.967.
+/// Fits to the table of motor power against the time for 11.1 turns: the better fit, and that of Campillo de Blas (2017), t = 347.9 x^−0.967.
 fn motor_values() -> Result<Vec<Value>> {
     let (factor, power) = motor::power_law(&motor::MOTOR_TABLE)?;
     let seconds_asked = 6.0;

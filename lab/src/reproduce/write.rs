@@ -1,4 +1,4 @@
-//! `gaitcam-lab reproduce`: the papers' numbers, computed again.
+//! `gaitcam-lab reproduce`: recomputed numbers of the papers.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use crate::experiment::{self, pictures::pictures};
 use gaitcam::error::Result;
 use gaitcam_app::folder::Folder;
 
-/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
+/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md with the experiment of the thesis.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! A program with all its rows written down beforehand, for the interior-point method.
+//! Program with all its rows given in advance, for the interior-point method.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -10,7 +10,7 @@ use gaitcam::error::Result;
 use gaitcam::law::Law;
 use splineqp::{Basis, Entries, Failure, Stop};
 
-/// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
+/// Conic program with all rows given in advance: minimise ½xᵀHx + gᵀx with b − Ax in cones.
 pub struct Conic {
     basis: Basis,
     n: usize,
@@ -23,9 +23,11 @@ pub struct Conic {
 }
 
 impl Task<'_> {
-    /// The same with all rows written down beforehand.
+    /// Conic program of the task with all rows given in advance.
     ///
-    /// Fails where a cone is asked for a derivative that is not quadratic on a span.
+    /// # Errors
+    ///
+    /// [`Between::Cone`] for a derivative that is not quadratic on a span.
     pub fn conic(&self, between: Between) -> Result<Conic> {
         let basis = self.basis();
         let target = self.target();
@@ -68,7 +70,7 @@ impl Conic {
         self.basis.breaks().len() - 1
     }
 
-    /// Both signs of one sample: ±row ≤ most, divided by `most`.
+    /// Adds rows for both signs of a sample: ±row ≤ most, divided by `most`.
     fn both(&mut self, row: &Entries, most: f64) {
         for sign in [1.0, -1.0] {
             let scaled = row
@@ -135,7 +137,7 @@ impl Conic {
             .collect()
     }
 
-    /// most ∓ s⁽ᵏ⁾ = b₀(1−u)² + 2b₁u(1−u) + b₂u² ≥ 0 exactly when b₁ = m + λ, λ ≥ 0, m² ≤ b₀b₂ (theory §9).
+    /// Adds the cones of a bound: most ∓ s⁽ᵏ⁾ = b₀(1−u)² + 2b₁u(1−u) + b₂u² ≥ 0 holds exactly if b₁ = m + λ, λ ≥ 0, m² ≤ b₀b₂ (theory §9).
     fn cones(&mut self, bound: &Bound) {
         for piece in 0..self.pieces() {
             let b = self.bernstein(piece, bound.order, bound.order + 2);
@@ -163,7 +165,7 @@ impl Conic {
         }
     }
 
-    /// Objective in the solver's unit: the largest of H's diagonal counts 1.
+    /// Unit of the objective in the solver: the largest diagonal element of H.
     fn unit(&self) -> f64 {
         let largest = (self.hessian.iter())
             .filter(|e| e.0 == e.1)
@@ -173,7 +175,9 @@ impl Conic {
 
     /// Solves the program to a relative tolerance.
     ///
-    /// Fails when the limits leave nothing or the solver gives up.
+    /// # Errors
+    ///
+    /// The limits are infeasible, or the solver fails.
     pub fn solve(&self, tolerance: f64) -> Result<Law> {
         let factor = self.length * self.length / self.unit();
         let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());

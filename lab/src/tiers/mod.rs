@@ -1,7 +1,7 @@
-//! The solver's tiers one by one, for measuring them against each other.
+//! Methods of the solver one by one, for comparisons.
 //!
-//! `synthesise` picks among them by itself; this module is for charts, benchmarks and tests that must see
-//! a single tier, or a cheaper or dearer way to hold a limit between samples.
+//! `synthesise` selects among them automatically. This module is for charts, benchmarks and tests that use a single method, or another treatment of a
+//! limit between samples.
 
 use std::f64::consts::TAU;
 
@@ -19,24 +19,24 @@ use gaitcam::synth::invert;
 use gaitcam::wording::{self, Language};
 use splineqp::{self as qp, Basis, Failure, Limit, Quadratic};
 
-/// A program whose limits are named as charts name them.
+/// Program whose limits have the names of the charts.
 type Program = qp::Program<()>;
 
-/// A two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
+/// Two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// k, 1 … 4.
+    /// Order k of the derivative, 1 … 4.
     pub order: usize,
     /// Maximum of the derivative, m/radᵏ.
     pub most: f64,
 }
 
-/// A periodic spline that follows a force.
+/// Task for a periodic spline that follows a force.
 #[derive(Debug, Clone)]
 pub struct Task<'a> {
     /// One turn of the target force.
     pub target: &'a ForceCurve,
-    /// How lift becomes force.
+    /// Drive, which determines the force for a lift.
     pub drive: Drive,
     /// Degree of the spline, at least 2.
     pub degree: usize,
@@ -46,19 +46,19 @@ pub struct Task<'a> {
     pub bounds: &'a [Bound],
 }
 
-/// How a limit is held between the points at which it is written down.
+/// Treatment of a limit between the points of its rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Between {
-    /// Not at all: this many samples on every span.
+    /// Rows at this number of samples on every span, and none between them.
     Samples(usize),
-    /// Bernstein coefficients of every span stay inside: safe, a little too strict.
+    /// Rows for the Bernstein coefficients of every span, which is sufficient but slightly too strict.
     Coefficients,
     /// Exact cone for a derivative that is quadratic on every span.
     Cone,
 }
 
 impl<'a> Task<'a> {
-    /// The quintic spline of `spans` spans without bounds.
+    /// Task for the quintic spline of `spans` spans without bounds.
     pub fn quintic(target: &'a ForceCurve, drive: Drive, spans: usize) -> Task<'a> {
         Task {
             target,
@@ -78,7 +78,7 @@ impl Task<'_> {
         }
     }
 
-    /// A typical lift: what the force's swing takes.
+    /// Typical lift, from the range of the force.
     fn length(&self, target: &Target) -> f64 {
         let swing = target.farthest_from(target.mean_n());
         let w = self.drive.weights();
@@ -113,7 +113,7 @@ impl Task<'_> {
         force
     }
 
-    /// The convex program, ready to be solved.
+    /// Convex program of the task.
     pub fn program(&self) -> Program {
         let basis = self.basis();
         let target = self.target();
@@ -130,21 +130,21 @@ impl Task<'_> {
         program
     }
 
-    /// The best law without the limits: one factorisation.
+    /// Optimal law without limits, by one factorisation.
     pub fn free(&self) -> Result<Law> {
         let program = self.program();
         let x = qp::solve_equalities(&program).map_err(|f| refused(&f))?.x;
         Ok(Law::of(&program.basis, &x))
     }
 
-    /// The best law with the limits, by exchange of rows at exact extrema: what `synthesise` does.
+    /// Optimal law with the limits, by exchange of rows at exact extrema, which `synthesise` uses.
     pub fn exchange(&self) -> Result<Law> {
         let program = self.program();
         let solution = program.solve().map_err(|f| refused(&f))?;
         Ok(Law::of(&program.basis, &solution.x))
     }
 
-    /// The same with an interior-point method on the rows of every round.
+    /// Optimal law with the limits, by exchange with an interior-point method for the rows of every round.
     pub fn interior_point(&self) -> Result<Law> {
         let program = self.program();
         let solution = qp::solve_by_interior_point(&program).map_err(|f| refused(&f))?;
@@ -152,13 +152,13 @@ impl Task<'_> {
     }
 }
 
-/// The first `count` harmonics, inverted one by one, whatever force they leave.
+/// Law of the first `count` harmonics, inverted one by one, for any remaining force error.
 pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> {
     Ok(invert(&Target::new(target.clone()), &drive, Some(count), 0.0)?.law())
 }
 
-/// As many harmonics, inverted one by one, as leave a force error of at most `rms` newtons: the law of a scene that
-/// names no family and breaks no limit.
+/// Law of as many harmonics, inverted one by one, as are needed for a force error of at most `rms` newtons. This is the default family if the law
+/// satisfies the limits.
 pub fn first_rung(target: &ForceCurve, drive: Drive, rms: f64) -> Result<Law> {
     Ok(invert(&Target::new(target.clone()), &drive, None, rms)?.law())
 }
@@ -198,7 +198,7 @@ mod tests {
         (sum / f64::from(n)).sqrt()
     }
 
-    /// theory §9: cone exact, Bernstein rows a little too strict, samples too lax; exchange equals the cone.
+    /// By theory §9 the cone is exact, Bernstein rows are slightly too strict, and samples are insufficient. The exchange equals the cone.
     #[test]
     fn cone_and_exchange_agree_and_rows_stand_on_the_safe_side() {
         let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

@@ -1,5 +1,5 @@
-//! A machine whose parameters are hidden from `identify`, integrated in time by a method of its own (Runge and Kutta, fourth
-//! order, equal steps): nothing of it is shared with the library but the law of the cam.
+//! Simulated machine whose parameters are hidden from `identify`. It is integrated in time by a separate method (Runge-Kutta of order 4 with equal
+//! steps) and shares only the law of the cam with the library.
 //!
 //! ```text
 //! m ẍ = N − m g − k x − F₀ − f(ẋ)                        the moved mass
@@ -15,20 +15,20 @@ use std::fmt::Write;
 use gaitcam::drive::{Drive, DriveKind};
 use gaitcam::law::Law;
 
-/// Step, s, and turns before the log begins.
+/// Time step, s, and number of turns before the log begins.
 const STEP: f64 = 1e-4;
 const SETTLING: usize = 16;
-/// Speed over which friction changes its sign, and play its side, m/s.
+/// Speed over which friction reverses, and over which the play changes sides, m/s.
 const REVERSAL: f64 = 2e-3;
 const PLAY_REVERSAL: f64 = 0.05;
-/// Equal parts of the turn at which the true force is known.
+/// Number of equal parts of the turn at which the true force is known.
 pub const PARTS: usize = 360;
 
-/// Numbers of a seed (SplitMix64; Steele, Lea and Flood 2014).
+/// Random numbers from a seed (SplitMix64; Steele, Lea and Flood 2014).
 pub struct Dice(pub u64);
 
 impl Dice {
-    /// Between 0 and 1.
+    /// Number between 0 and 1.
     pub fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -42,23 +42,23 @@ impl Dice {
         low + (high - low) * self.unit()
     }
 
-    /// Of the standard normal distribution (Box and Muller 1958).
+    /// Number from the standard normal distribution (Box and Muller 1958).
     pub fn normal(&mut self) -> f64 {
         let (a, b) = (self.unit(), self.unit());
         (-2.0 * (1.0 - a).ln()).sqrt() * (TAU * b).cos()
     }
 }
 
-/// What the log is made with.
+/// Sensors and sampling of a log.
 #[derive(Debug, Clone, Copy)]
 pub struct Sensors {
     /// Sampling rate, 1/s.
     pub rate: f64,
     /// Number of cycles in the log.
     pub cycles: usize,
-    /// Standard deviation of every sample, N.
+    /// Standard deviation of the noise of a sample, N.
     pub noise: f64,
-    /// Reading without force, N.
+    /// Reading of the load cell without force, N.
     pub bias: f64,
     /// Time constant of the load cell's lag, s.
     pub lag: f64,
@@ -70,20 +70,20 @@ pub struct Sensors {
     pub has_speed: bool,
 }
 
-/// A machine; lengths in m, forces in N, times in s.
+/// Machine with lengths in m, forces in N, times in s.
 #[derive(Debug, Clone)]
 pub struct Twin {
-    /// Its drive as it really is.
+    /// Drive with its true parameters.
     pub drive: Drive,
     /// Stiffness and damping of the contact; `None`: rigid.
     pub contact: Option<[f64; 2]>,
-    /// Guide: viscous, Coulomb, Stribeck's excess and its speed.
+    /// Guide friction: viscous, Coulomb, Stribeck excess and its speed.
     pub guide: [f64; 4],
-    /// Inertia, slope of the motor line, cogging torque and its number per turn; `None`: constant speed.
+    /// Inertia, slope of the motor line, cogging torque and its number of periods per turn; `None`: constant speed.
     pub motor: Option<[f64; 4]>,
     /// Half the play of the guide, as lift.
     pub play: f64,
-    /// Floor: mass, rad/s, damping ratio.
+    /// Floor: mass, natural frequency in rad/s, damping ratio.
     pub floor: Option<[f64; 3]>,
     /// Forces that repeat with the cam angle: harmonic, amplitude, phase.
     pub extra: Vec<(f64, f64, f64)>,
@@ -91,19 +91,19 @@ pub struct Twin {
     pub sensors: Sensors,
 }
 
-/// What a run gives.
+/// Result of a run.
 pub struct RunOfTwin {
-    /// The log as a csv.
+    /// Log as CSV.
     pub log: String,
     /// True force of the last turn at equal parts of its time, N.
     pub force: Vec<f64>,
 }
 
-/// Angle, speed, position, velocity, floor and its velocity, reading of the cell.
+/// State: angle, speed, position, velocity, floor position, floor velocity, reading of the load cell.
 type State = [f64; 7];
 
 impl Twin {
-    /// Runs the machine under a law.
+    /// Runs the machine with a law.
     pub fn run(&self, law: &Law, dice: &mut Dice) -> RunOfTwin {
         let (period, sensors) = (TAU / self.drive.speed, &self.sensors);
         let mean_torque = self.mean_torque(law);
@@ -247,7 +247,7 @@ impl Twin {
         out
     }
 
-    /// Torque that friction takes on the mean.
+    /// Mean torque of the friction.
     fn mean_torque(&self, law: &Law) -> f64 {
         let parts = (0..PARTS).map(|i| {
             let at = law.svaj(TAU * i as f64 / PARTS as f64);
@@ -259,7 +259,7 @@ impl Twin {
     }
 }
 
-/// Force at equal parts of the time of the last whole turn.
+/// Force at equal parts of the time of the last complete turn.
 fn last_turn(samples: &[(f64, f64, f64)]) -> Vec<f64> {
     let last = samples.last().map_or(0.0, |s| s.1);
     let to = (last / TAU).floor() * TAU;

@@ -1,5 +1,5 @@
-//! Twins: machines whose parameters are hidden from `identify` and `recut`. Measured are the force error after one and two new
-//! cuts, and how often the true value of a parameter lies in its 95 % interval.
+//! Twins: simulated machines whose parameters are hidden from `identify` and `recut`. The tests measure the force error after one and two corrected
+//! cams, and how often the 95 % interval of a parameter contains its true value.
 
 mod machine;
 pub mod report;
@@ -16,7 +16,8 @@ use gaitcam::identify::{Log, LogOptions, Parameter, Recut, identify, recut};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Search, synthesise};
 
-/// A force of a walker on a moving axis, and the same against a spring; to 0.1 % of the weight, so that the law itself hardly errs.
+/// Scenes of a walking force on a moving axis, with and without a spring. The accuracy is 0.1 % of the weight, so that the error of the law is
+/// negligible.
 const SCENES: [&str; 2] = [
     "name = \"moving\"\n[gait]\nmodel = \"young\"\nstep_frequency = \"1.85 Hz\"\nbody_weight = \"700 N\"\n\
      [cam]\nfollower = \"flat-translating\"\nbore = \"12 mm\"\n[limits]\ncurvature = \"5 mm\"\n[accuracy]\nrms = \"0.1 %\"\n",
@@ -25,35 +26,36 @@ const SCENES: [&str; 2] = [
      [cam]\nfollower = \"roller-translating\"\nroller_radius = \"12 mm\"\n[accuracy]\nrms = \"0.1 %\"\n",
 ];
 
-/// What a twin has beyond the model of `identify`.
+/// Effects of a twin that the model of `identify` does not contain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Class {
-    /// Nothing: rigid, constant speed, viscous and Coulomb friction, a delay.
+    /// No further effect: rigid, constant speed, viscous and Coulomb friction, a delay.
     Model,
-    /// The same with a force in two harmonics that no parameter explains.
+    /// A force in two harmonics that no parameter explains.
     TwoHarmonics,
-    /// Compliance, Stribeck's friction, motor ripple, play, sensor lag, a floor.
+    /// Compliance, Stribeck friction, motor ripple, play, sensor lag, a floor.
     Whole,
 }
 
-/// A scene with its design, and a machine that was built for it.
+/// Scene with its design, and a machine built for it.
 pub struct Case {
-    /// The scene as the user knows it.
+    /// Scene with the nominal parameters.
     pub scene: Scene,
     /// Target force of the scene.
     pub target: ForceCurve,
     /// Design for the scene.
     pub design: Design,
-    /// The machine with hidden parameters.
+    /// Machine with hidden parameters.
     pub twin: Twin,
     dice: Dice,
 }
 
 impl Case {
-    /// The case of a number.
+    /// Case with a number, which is the seed.
     ///
     /// # Errors
-    /// None that is known.
+    ///
+    /// Errors of the scene.
     pub fn new(class: Class, number: u64) -> Result<Case> {
         let mut dice = Dice(number.wrapping_mul(0x1000_0000_01b3) ^ class as u64);
         let scene = scene::parse(SCENES[usize::from(number % 3 == 2)])?;
@@ -70,10 +72,11 @@ impl Case {
         })
     }
 
-    /// A log of the twin under a design.
+    /// Log of the twin with a design.
     ///
     /// # Errors
-    /// A log that is refused.
+    ///
+    /// A log that is rejected.
     pub fn log(&mut self, design: &Design) -> Result<(Log, f64)> {
         let run = self.twin.run(&design.cam.law, &mut self.dice);
         let log = Log::read(
@@ -84,8 +87,8 @@ impl Case {
         Ok((log, self.error(&run.force)))
     }
 
-    /// RMS difference of a force from the target over time at the best phase, percent of the weight; on a moving axis without
-    /// the means, which are the weights of machine and walker.
+    /// RMS difference between a force and the target over time at the best phase, percent of the weight. On a moving axis, the means are removed,
+    /// since they are the weights of machine and walker.
     fn error(&self, force: &[f64]) -> f64 {
         let mean = |x: &[f64]| x.iter().sum::<f64>() / x.len() as f64;
         let wanted = |shift: f64| -> Vec<f64> {
@@ -109,10 +112,11 @@ impl Case {
         tried.fold(f64::INFINITY, f64::min)
     }
 
-    /// Force errors before and after each of some new cuts, percent of the weight, with what was predicted, N.
+    /// Force errors before and after each corrected cam, percent of the weight, with the prediction, N.
     ///
     /// # Errors
-    /// A log that is refused, but for a residual that is noise: then the cam stays.
+    ///
+    /// A log that is rejected. If the residual is noise, the cam stays the same.
     pub fn cuts(&mut self, cuts: usize) -> Result<(Vec<f64>, Vec<Recut>)> {
         let mut design = self.design.clone();
         let mut scene = self.scene.clone();
@@ -136,10 +140,11 @@ impl Case {
         Ok((errors, predicted))
     }
 
-    /// Parameters as identified, with the true value of those that the twin has.
+    /// Identified parameters with their true values, for the parameters of the twin.
     ///
     /// # Errors
-    /// A log that is refused.
+    ///
+    /// A log that is rejected.
     pub fn parameters(&mut self) -> Result<Vec<(Parameter, f64)>> {
         let design = self.design.clone();
         let (log, _) = self.log(&design)?;
@@ -162,7 +167,7 @@ impl Case {
     }
 }
 
-/// A machine that was built for a drive.
+/// Random machine built for a drive.
 fn draw(class: Class, nominal: &Drive, dice: &mut Dice) -> Twin {
     let is_whole = class == Class::Whole;
     let mut near = |x: f64, part: f64| x * (1.0 + dice.between(-part, part));

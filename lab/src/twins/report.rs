@@ -1,4 +1,4 @@
-//! reports/twins.md: how near new cuts come, and how often intervals hold, over many twins.
+//! Report reports/twins.md: force errors of corrected cams, and coverage of the intervals, for many twins.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,37 +13,39 @@ use gaitcam::identify::Parameter;
 use gaitcam_output::Language;
 use gaitcam_output::overlay::{Strip, diagrams_over};
 
-/// Twins whose cams are cut twice, and those of each class whose parameters are identified. The method was made with other
-/// numbers than the first, and these were looked at once.
+/// Numbers of the twins whose cams are corrected twice. The method was developed with other numbers, and these were evaluated only once.
 pub const CUTS: std::ops::Range<u64> = 3000..3050;
 /// Number of machines per class whose parameters are identified.
 pub const INTERVALS: u64 = 200;
-/// Asked of the errors after one and two new cuts, percent of the weight.
+/// Required errors after one and two corrected cams, percent of the weight.
 const ASKED: [f64; 2] = [1.0, 0.5];
 
-/// A parameter as it was found, with its true value.
+/// Identified parameter with its true value.
 pub type Found = (Parameter, f64);
 
-/// The errors of a twin before and after new cuts, percent of the weight.
+/// Errors of a twin before and after corrected cams, percent of the weight.
 ///
 /// # Errors
-/// A log that is refused.
+///
+/// A log that is rejected.
 pub fn errors(number: u64) -> Result<Vec<f64>> {
     Ok(Case::new(Class::Whole, number)?.cuts(2)?.0)
 }
 
-/// The parameters of a twin.
+/// Parameters of a twin.
 ///
 /// # Errors
-/// A log that is refused.
+///
+/// A log that is rejected.
 pub fn parameters(class: Class, number: u64) -> Result<Vec<Found>> {
     Case::new(class, number)?.parameters()
 }
 
-/// Measures and writes the report: about ten processor minutes.
+/// Measures and writes the report in about ten minutes of processor time.
 ///
 /// # Errors
-/// Logs that are refused; files that cannot be written.
+///
+/// Logs that are rejected; files that cannot be written.
 pub fn run(out: &Path) -> Result<()> {
     let cut: Result<Vec<_>> = CUTS.into_par_iter().map(errors).collect();
     let classes = [Class::Model, Class::TwoHarmonics, Class::Whole];

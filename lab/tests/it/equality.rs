@@ -1,5 +1,5 @@
-//! The equality tier by a second route: cardinal B-splines written down here, normal equations summed by
-//! Gauss quadrature, solved by Cholesky's method on the full matrix. Nothing of the library's bases, quadrature or banded factor is used.
+//! Least squares with equality constraints compared with an independent method: cardinal B-splines defined here, normal equations by Gauss
+//! quadrature, Cholesky factorisation of the full matrix. Bases, quadrature and banded factor of the library are not used.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ fn cardinal(p: usize, x: f64) -> f64 {
     (x * cardinal(p - 1, x) + (n + 1.0 - x) * cardinal(p - 1, x - 1.0)) / n
 }
 
-/// Second derivative by θ of the `i`th periodic quintic on equal spans.
+/// Second derivative by θ of the `i`th periodic quintic B-spline on equal spans.
 fn curvature(i: usize, theta: f64) -> f64 {
     let h = TAU / SPANS as f64;
     let x = (theta / h - i as f64).rem_euclid(SPANS as f64);
@@ -32,7 +32,7 @@ const GAUSS: [(f64, f64); 3] = [
     (0.932_469_514_203_152, 0.171_324_492_379_170_36),
 ];
 
-/// Coefficients that bring m ω² s″ nearest to the target less the weight, the first one fixed at 0.
+/// Coefficients for which m ω² s″ is closest to the target minus the weight. The first coefficient is fixed at 0.
 fn coefficients(target: &ForceCurve, mass: f64, speed: f64) -> Vec<f64> {
     let n = SPANS - 1;
     let (mut hessian, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);
@@ -56,7 +56,7 @@ fn coefficients(target: &ForceCurve, mass: f64, speed: f64) -> Vec<f64> {
     std::iter::once(0.0).chain(solved(hessian, right)).collect()
 }
 
-/// Solution of a positive definite system of equations by Cholesky's method.
+/// Solution of a positive definite system of equations by Cholesky factorisation.
 fn solved(mut matrix: Vec<Vec<f64>>, mut x: Vec<f64>) -> Vec<f64> {
     let n = x.len();
     for i in 0..n {

@@ -1,4 +1,4 @@
-//! The papers' numbers, the methods that fail, the restitution of a compliant contact.
+//! Numbers of the papers, numerical stability, restitution of a compliant contact.
 
 mod equality;
 mod reproduce;

@@ -1,8 +1,8 @@
-//! The reproduction says of the papers' numbers what independent calculation says (theory §2–§5, §7).
+//! The reproduction of the papers' numbers agrees with an independent calculation (theory §2–§5, §7).
 
 use gaitcam_lab::reproduce::{Class, reproduce};
 
-/// Quantity (its beginning), recomputed value, tolerance: the digits of an independent calculation.
+/// Start of the quantity's name, recomputed value and tolerance, from an independent calculation.
 const STATED: [(&str, f64, f64); 40] = [
     ("coefficient C3", 612.721, 5e-4),
     ("coefficient C6", -13873.375, 5e-4),

@@ -1,25 +1,25 @@
-//! A compliant Hunt–Crossley contact that returns a prescribed restitution exactly.
+//! Compliant Hunt–Crossley contact with exactly the given restitution.
 //!
-//! f = K δⁿ (1 + χ δ̇/v₀). Separating the variables in the phase plane, the speed returned is e·v₀ when
-//! χ(1 + e) = ln[(1 + χ)/(1 − χe)] (theory §10), whatever K, n, m and v₀.
+//! f = K δⁿ (1 + χ δ̇/v₀). Separation of the variables in the phase plane shows that the final speed is e·v₀ if χ(1 + e) = ln[(1 + χ)/(1 − χe)]
+//! (theory §10), for all K, n, m and v₀.
 
-/// Steps over the time that a compression to the largest depth would take at the first speed.
+/// Number of steps for the time of a compression to the largest depth at the initial speed.
 const STEPS_PER_COMPRESSION: f64 = 300.0;
-/// Compression times after which a contact that has not opened is at rest.
+/// Number of compression times after which a contact that has not opened is at rest.
 const LONGEST: f64 = 40.0;
 
 /// Hunt–Crossley contact of stiffness K (N/mⁿ) and exponent n.
 struct Compliant {
     /// Stiffness K, N/mⁿ.
     stiffness: f64,
-    /// n: 1.5 for a Hertzian point, 1 for a linear spring.
+    /// Exponent n: 1.5 for a Hertzian point contact, 1 for a linear spring.
     exponent: f64,
     /// Restitution e of an unloaded impact, in (0, 1].
     restitution: f64,
 }
 
 impl Compliant {
-    /// Speed at which a mass (kg) that hits it at `speed` (m/s) parts again, m/s; 0 when it stays.
+    /// Speed of a mass (kg) after an impact at `speed` (m/s), m/s; 0 if the contact does not open.
     fn rebound(&self, mass: f64, speed: f64) -> f64 {
         let (n, chi) = (self.exponent, exact_chi(self.restitution));
         let energy = (n + 1.0) * mass * speed * speed;
@@ -52,9 +52,9 @@ impl Compliant {
     }
 }
 
-/// The damping factor χ with which a Hunt–Crossley impact returns restitution `e` exactly, e in (0, 1].
+/// Damping factor χ for which a Hunt–Crossley impact has exactly the restitution `e`, for e in (0, 1].
 ///
-/// Root of ln[(1 + χ)/(1 − χe)] − χ(1 + e) in (0, 1/e); unique there. Source: theory §10.
+/// It is the unique root of ln[(1 + χ)/(1 − χe)] − χ(1 + e) in (0, 1/e). Source: theory §10.
 fn exact_chi(e: f64) -> f64 {
     if e >= 1.0 {
         return 0.0;
@@ -72,7 +72,7 @@ fn exact_chi(e: f64) -> f64 {
     0.5 * (low + high) / e
 }
 
-/// The restitution that a Hunt–Crossley impact of factor χ ≥ 0 returns: the same equation solved for e.
+/// Restitution of a Hunt–Crossley impact with factor χ ≥ 0, from the same equation solved for e.
 fn returned_restitution(chi: f64) -> f64 {
     if chi <= 0.0 {
         return 1.0;

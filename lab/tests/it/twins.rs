@@ -1,4 +1,4 @@
-//! Identification and new cuts on machines whose parameters are hidden, integrated by another method.
+//! Identification and corrected cams of machines with hidden parameters, integrated by another method.
 
 use gaitcam_lab::twins::{Case, Class};
 

@@ -1,6 +1,6 @@
-//! The follower of chart (d1), one mass of 8.5 times the cam's speed from rest over one turn of a sine, by
-//! the adaptive integrator Dopri5 of the crate `ode_solvers`: one line of JSON for every tolerance.
-//! `cargo run --release --manifest-path lab/peers/ode/Cargo.toml`; lab/peers/speed/run.py puts it in the report.
+//! Follower of chart (d1) by the adaptive integrator Dopri5 of the crate `ode_solvers`: one mass with 8.5 times the cam's speed, from rest over one
+//! turn of a sine. It prints one line of JSON for every tolerance. `cargo run --release --manifest-path lab/peers/ode/Cargo.toml`;
+//! lab/peers/speed/run.py adds the result to the report.
 
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dopri5, System, Vector2};
@@ -11,7 +11,7 @@ use std::time::Instant;
 const RATIO: f64 = 8.5;
 const ZETA: f64 = 0.05;
 
-/// x″ + 2ζrx′ + r²x = sin θ.
+/// Follower with the equation x″ + 2ζrx′ + r²x = sin θ.
 struct Follower;
 
 impl System<f64, Vector2<f64>> for Follower {
@@ -21,7 +21,7 @@ impl System<f64, Vector2<f64>> for Follower {
     }
 }
 
-/// The state after one turn in closed form.
+/// State after one turn in closed form.
 fn exact() -> [f64; 2] {
     let (p, q) = (RATIO * RATIO - 1.0, 2.0 * ZETA * RATIO);
     let d = p * p + q * q;
@@ -38,7 +38,7 @@ fn exact() -> [f64; 2] {
     ]
 }
 
-/// Only the end is asked for: dense output would extrapolate to it from the first step.
+/// State after one turn by Dopri5. Only the end is requested, because dense output would extrapolate to it from the first step.
 fn dopri5(tolerance: f64) -> Vector2<f64> {
     let rest = Vector2::zeros();
     let absolute = tolerance / (RATIO * RATIO);

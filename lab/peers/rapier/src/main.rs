@@ -1,9 +1,8 @@
-//! The eccentric at 35 rad/s above lift-off, plastic landing: error of the follower's height against wall
-//! time, by rapier's time steps and by gaitcam's events, beside the closed form.
+//! Eccentric at 35 rad/s above the lift-off speed with plastic landing: error of the follower's height against wall time, by rapier's time steps and
+//! by gaitcam's events, compared with the closed form.
 //!
-//! A plate of 1 kg rides on the cam: seen from the shaft block this is the moving axis of theory §1. Rapier is
-//! given the exact contour, a ball whose centre is carried round a circle; gaitcam the emitted points.
-//! The result is joined to reports/dynamics.md:
+//! A plate of 1 kg lies on the cam. In the frame of the shaft, this is the moving axis of theory §1. Rapier uses the exact contour, a ball whose
+//! centre moves on a circle; gaitcam uses the emitted points. The result is part of reports/dynamics.md:
 //! `cargo run --release --manifest-path lab/peers/rapier/Cargo.toml > lab/src/experiment/rapier.csv`.
 
 use gaitcam::cam::{Cam, Follower};
@@ -23,9 +22,9 @@ const SPEED: f64 = 35.0;
 const G: f64 = 9.81;
 const HALF: f64 = 0.005;
 
-/// Angles at which gaitcam's heights are compared.
+/// Number of angles at which the heights of gaitcam are compared.
 const GRID: usize = 1440;
-/// Runs of which the median counts.
+/// Number of runs for the median.
 const REPEATS: usize = 5;
 
 fn main() {
@@ -53,7 +52,7 @@ fn show(method: &str, size: &str, wall: f64, errors: &[f64]) {
     );
 }
 
-/// gaitcam: emitted points to a smooth lift, then from event to event until the motion repeats.
+/// Runs gaitcam: smooth lift from the emitted points, then event to event until the motion repeats.
 fn events(points: usize, land: f64) {
     let cam = Cam {
         law: Law::harmonic(0.0, &[(0.0, ECCENTRICITY)]),
@@ -96,7 +95,7 @@ fn events(points: usize, land: f64) {
     );
 }
 
-/// Angle at which the flight of the closed form ends, by halving.
+/// Angle at which the flight of the closed form ends, by bisection.
 fn landing() -> f64 {
     let leave = (G / (SPEED * SPEED * ECCENTRICITY)).asin();
     let (mut low, mut high) = (leave + 0.5, leave + 4.0);
@@ -111,7 +110,7 @@ fn landing() -> f64 {
     low
 }
 
-/// Height of the plate's face in the steady cycle: contact, then the parabola.
+/// Height of the plate in the steady cycle: contact, then a parabola.
 fn exact(theta: f64, land: f64) -> f64 {
     let leave = (G / (SPEED * SPEED * ECCENTRICITY)).asin();
     let t = theta.rem_euclid(TAU);
@@ -138,7 +137,7 @@ fn stepped(steps: usize, land: f64) {
     );
 }
 
-/// Wall time of one turn, s, and the errors of the second one, m; the first settles the start.
+/// Wall time of one turn, s, and the errors of the second turn, m. The first turn removes the influence of the start.
 fn two_turns(steps: usize, land: f64) -> (f64, Vec<f64>) {
     let dt = TAU / SPEED / steps as f64;
     let mut bodies = RigidBodySet::new();

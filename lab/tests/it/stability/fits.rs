@@ -1,4 +1,4 @@
-//! Conditioning of splines, polynomials at equal steps, differences of noise.
+//! Conditioning of splines, polynomials at equal steps, and differences of noise.
 
 use std::f64::consts::TAU;
 
@@ -124,7 +124,7 @@ fn worst_force(law: &Law, drive: &Drive, target: &ForceCurve) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Noise of 1 % BW: the second difference of the force is all noise, the fit's acceleration is not.
+/// With noise of 1 % BW, the second difference of the force is only noise, but the acceleration of the fit is not.
 #[test]
 fn differences_of_a_noisy_force_drown_and_the_fit_does_not() {
     let clean = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

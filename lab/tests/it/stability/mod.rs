@@ -1,5 +1,4 @@
-//! Where methods fail: what the naive way does (shown failing) and what gaitcam does, digits counted.
-//! reports/stability.md tells the same in words.
+//! Numerical stability: failures of naive methods and results of gaitcam, with the number of correct digits. reports/stability.md describes the same.
 
 mod fits;
 mod numbers;

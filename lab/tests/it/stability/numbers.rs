@@ -8,7 +8,7 @@ use gaitcam::synth::synthesise;
 
 use super::{design, finite};
 
-/// Forces from a flea's to a rocket's: the relative answer does not change.
+/// Very small and very large forces: the relative result does not change.
 #[test]
 fn units_may_be_tiny_or_huge() {
     let usual = design(&[]).unwrap();
@@ -25,7 +25,7 @@ fn units_may_be_tiny_or_huge() {
     }
 }
 
-/// Numbers below the normal range are answered with finite figures, or refused for the reason given; giants are refused.
+/// Subnormal numbers lead to finite numbers or to an error with its reason. Huge numbers are rejected.
 #[test]
 fn denormals_and_giants_are_answered_or_refused_by_name() {
     for (change, refusal) in [
@@ -57,7 +57,7 @@ fn denormals_and_giants_are_answered_or_refused_by_name() {
     }
 }
 
-/// A force that is flat but for a spike of a nanonewton, and one that jumps by a thousand means.
+/// A constant force with a spike of a nanonewton, and a force with jumps of a thousand times its mean.
 #[test]
 fn ill_scaled_targets_keep_their_mean() {
     let n = 512;
@@ -75,7 +75,7 @@ fn ill_scaled_targets_keep_their_mean() {
     }
 }
 
-/// The wrap-around joint is a joint like the others: lift and derivatives meet across 2π.
+/// Lift and derivatives are continuous across 2π, as at every other joint.
 #[test]
 fn laws_join_across_the_turn() {
     let answer = design(&["limits.jerk=150 m/s^3"]).unwrap();

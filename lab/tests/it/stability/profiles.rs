@@ -1,4 +1,4 @@
-//! Profiles at their cusp, sizes near a right angle, breaks that all but merge.
+//! Profiles at a cusp, sizes near a right angle, breaks at a very small distance.
 
 use std::f64::consts::PI;
 
@@ -25,7 +25,7 @@ fn rise_cam(prime: f64, roller: f64) -> Cam {
     }
 }
 
-/// ρ → R_f from both sides: a nanometre decides, and |ρ − R_f| alone would hide it.
+/// ρ → R_f from both sides: a nanometre changes the result, although |ρ − R_f| alone would not show it.
 #[test]
 fn a_nanometre_of_roller_decides_about_undercut() {
     let pitch = rise_cam(0.03, 0.0).curvature().convex.value;
@@ -43,7 +43,7 @@ fn a_nanometre_of_roller_decides_about_undercut() {
     }
 }
 
-/// At the cusp itself everything stays finite.
+/// At the cusp itself all values are finite.
 #[test]
 fn a_cusp_has_finite_points_and_a_plain_verdict() {
     let pitch = rise_cam(0.03, 0.0).curvature().convex.value;
@@ -66,7 +66,7 @@ fn a_cusp_has_finite_points_and_a_plain_verdict() {
     assert!(radius > 1e-8, "{radius:e}");
 }
 
-/// tan φ = v/(s + D) with D → 0: the angle tends to 90° and the closed-form circle keeps its digits.
+/// tan φ = v/(s + D) with D → 0: the angle tends to 90°, and the circle in closed form keeps its digits.
 #[test]
 fn pressure_angles_near_a_right_angle_keep_their_digits() {
     let law = rise_cam(0.03, 0.0).law;
@@ -104,7 +104,7 @@ fn pressure_angles_near_a_right_angle_keep_their_digits() {
     }
 }
 
-/// Two segments of which one is a thousand-millionth of a radian wide: joints and extremes stay right.
+/// Two segments, one of which has a width of 1e-9 rad: joints and extremes are correct.
 #[test]
 fn breaks_that_all_but_merge_do_no_harm() {
     let wide = |tiny: f64| {

@@ -1,4 +1,4 @@
-//! Programs on the edge of what is possible.
+//! Programs at the limit of feasibility.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,7 +10,7 @@ use gaitcam_lab::tiers::{Between, Bound, Task};
 
 use super::{design, finite};
 
-/// The same demand twice is rank-deficient, and harmless; two that differ are a contradiction by name.
+/// A repeated demand is rank-deficient and has no effect. Two different demands lead to an error that names both.
 #[test]
 fn equal_demands_are_taken_once_and_contradictions_are_named() {
     let twice = |second: &str| {
@@ -25,8 +25,8 @@ fn equal_demands_are_taken_once_and_contradictions_are_named() {
     assert_eq!(refusal.place, Place::Key("law.point".to_string()));
 }
 
-/// Up 20 mm and down again in one turn takes 16 h/T² of acceleration (theory §1, Favard): limits just above,
-/// at and below the least possible are built or refused, never wrong.
+/// A rise of 20 mm and a return in one turn require an acceleration of 16 h/T² (theory §1, Favard). Limits just above, at and below this minimum lead
+/// to a design or an error, and never to a wrong design.
 #[test]
 fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
     let period: f64 = 1.0 / 1.85;
@@ -65,7 +65,7 @@ fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
     }
 }
 
-/// One jerk sample a span leaves the limit broken; rows, cones and the exchange keep it (theory §9).
+/// With one jerk sample per span the limit is violated. Rows, cones and the exchange satisfy it (theory §9).
 #[test]
 fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
     let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
@@ -94,7 +94,7 @@ fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
     assert!(jerk(&task.exchange().unwrap()) / most <= 1.0 + 1e-9);
 }
 
-/// A dwell of 1e-9 rad between two demands leaves a singular system, which is refused as such.
+/// A dwell of 1e-9 rad between two demands leads to a singular system, which is rejected as such.
 #[test]
 fn a_dwell_of_a_thousand_millionth_of_a_radian_is_refused() {
     // At no break of the largest number of spans, 0.9° apart.
