@@ -32,7 +32,7 @@ def one_stance(rate=500, weight=700, more=""):
         u = k / rate / 0.65
         force = weight * (math.sin(math.pi * u) + 0.35 * math.sin(3 * math.pi * u)) if u < 1 else 0
         rows.append(f"{k / rate:.5f},{force:.4f}{more}\n")
-    return ("t,alpha\n" + "".join(rows)).encode()
+    return ("time (s),Fz (N)\n" + "".join(rows)).encode()
 
 
 SMALL = ("small walk.csv", walk())

@@ -130,10 +130,10 @@ note-mean-force-not-weight = the mean force over a stride is { $ratio } times { 
     } weight of { $mass }, but the expected ratio is 1: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
 note-unit-unconfirmed = the unit of force is not given; in { $unit }, the mass would be { $mass }, which is implausible for an adult: give the unit or the mass (options unit and mass)
+note-left-open = the file is the mean cycle of a recording about which this question is open
 note-clock-differs = according to its time column the file lasts { $clock }, but the given period is { $period }: the time is scaled to the given period
 note-count-or-milliseconds = the time column increases by 1 and has no unit; in milliseconds a stride would take { $stride }, but the column may also count samples: give the sampling rate (option rate)
 note-kind-differs = kind { $typed } is given, but the contacts show { $movement ->
-note-left-open = the file is the mean cycle of a recording about which this question is open
         [running] { kind-running }
         [standing] { kind-standing }
         [jumping] { kind-jumping }

@@ -130,10 +130,10 @@ note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces 
     } peso de { $mass }, pero la razón esperada es 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-unit-unconfirmed = no se da la unidad de fuerza; en { $unit } la masa sería { $mass }, que no es verosímil en un adulto: indique la unidad o la masa (opciones unit y mass)
+note-left-open = el archivo es el ciclo medio de un registro sobre el que esta pregunta queda abierta
 note-clock-differs = según su columna de tiempo el archivo dura { $clock }, pero el período dado es { $period }: el tiempo se escala al período dado
 note-count-or-milliseconds = la columna de tiempo aumenta de 1 en 1 y no tiene unidad; en milisegundos una zancada duraría { $stride }, pero la columna también puede contar muestras: indique la frecuencia de muestreo (opción rate)
 note-kind-differs = se indica kind { $typed }, pero los contactos muestran { $movement ->
-note-left-open = el archivo es el ciclo medio de un registro sobre el que esta pregunta queda abierta
         [running] { kind-running }
         [standing] { kind-standing }
         [jumping] { kind-jumping }
