@@ -107,11 +107,10 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     open(out, &columns.map(|key| words.text(key)), 2);
     for check in &synthesis.checks {
         let margin = margin(check);
-        let state = state(check);
-        let light = match state {
-            "violated" => "bad",
-            "at-limit" => "fair",
-            _ => "good",
+        let (light, state) = match state(check) {
+            "violated" => ("bad", "report-violated"),
+            "at-limit" => ("fair", "report-at-limit"),
+            _ => ("good", "report-satisfied"),
         };
         let margin = if margin.is_finite() {
             let sign = if margin < 0.0 { "−" } else { "+" };
@@ -123,7 +122,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
         let _ = write!(
             out,
             "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
-            escaped(&words.text(&format!("report-{state}")))
+            escaped(&words.text(state))
         );
         let worst = shown(measures, check.name, check.worst, words);
         let none = || "—".to_string();
