@@ -1,4 +1,4 @@
-//! A force given as numbers → the cam that presses with it.
+//! Designs the cam for a force given as numbers.
 //!
 //! `cargo run --release --example custom_force`
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! Processor times of calls without Python, s, as JSON: what `python/tests/test_overhead.py` compares with.
+//! Processor times of calls without Python, s, as JSON, for the comparison in `python/tests/test_overhead.py`.
 
 use std::time::Instant;
 
@@ -8,14 +8,14 @@ use gaitcam::scene;
 use gaitcam::sweep::{Files, Method, Plan, Sampling, Subject, Sweep};
 use gaitcam::synth::{Search, design};
 
-/// Processor time of this thread, s: a busy machine does not lengthen it. Elapsed time where there is no such clock.
+/// Processor time of this thread, s, on which the load of the machine has no influence; elapsed time if there is no such clock.
 fn processor_s(begun: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = text.split(' ').next().and_then(|t| t.parse::<f64>().ok());
     nanoseconds.map_or(begun.elapsed().as_secs_f64(), |ns| 1e-9 * ns)
 }
 
-/// Mean time of a call after a first one that fills caches.
+/// Mean time of a call, after a first call that fills the caches.
 fn mean(rounds: usize, mut call: impl FnMut()) -> f64 {
     call();
     let origin = Instant::now();

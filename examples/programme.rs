@@ -1,4 +1,4 @@
-//! A programme of classical motions → cam and checks.
+//! Designs the cam for a programme of classical motions and prints its checks.
 //!
 //! `cargo run --release --example programme`
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! The emitted cam on its machine: from its points, not from the law that they came from.
+//! Simulates the emitted cam on its machine, from its points instead of its law.
 //!
 //! `cargo run --release --example simulate`
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! A grid of scenes, designed on all cores.
+//! Designs a grid of scenes on all cores.
 //!
 //! `cargo run --release --example sweep`
 use std::error::Error;

@@ -20,7 +20,7 @@ const NAMES: [&str; 8] = [
     "points", "png", "solid", "tool", "wire", "dxf", "cut_only", "lang",
 ];
 
-/// The options as the writers take them; `png` without the option.
+/// Converts the options for the writers. `png` is the value without this option.
 pub fn contents(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -55,7 +55,7 @@ pub fn contents(
     })
 }
 
-/// A valid number of rows.
+/// Checks the number of rows.
 pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     if points >= FEWEST_ROWS {
         return Ok(points);
@@ -64,7 +64,7 @@ pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     Err(argument(py, "points", what))
 }
 
-/// Type of the edges of profile.dxf: "arcs" or "splines".
+/// Kind of the curves in profile.dxf: "arcs" or "splines".
 fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     match word {
         "arcs" => Ok(Curves::Arcs),
@@ -76,7 +76,7 @@ fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     }
 }
 
-/// A language by its tag.
+/// Language of a tag.
 pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     Language::of_tag(tag).ok_or_else(|| {
         argument(
@@ -87,7 +87,7 @@ pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     })
 }
 
-/// A length: a number in m, or text with its unit.
+/// Length in m from a number in m or a text with its unit.
 pub fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(text) = given.extract::<String>() {
         let value = parse(&text, Dimension::Length);

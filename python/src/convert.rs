@@ -1,4 +1,4 @@
-//! Conversion of Python's values to TOML, and of JSON to Python's values.
+//! Conversion of Python values to TOML, and of JSON to Python values.
 
 use gaitcam::error::{Error, nearest};
 use gaitcam::scene;
@@ -15,7 +15,7 @@ use crate::error::{argument, raised};
 /// Return value of `__reduce__`: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
 
-/// A mapping as the table of a scene; `at` is its key.
+/// Table of a scene from a mapping. `at` is its key.
 pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     let mut out = Table::new();
     for (key, value) in mapping {
@@ -35,7 +35,7 @@ pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     Ok(out)
 }
 
-/// A dotted key with its value; a number under a key with its SI unit, ``limits.stroke_m``, becomes a quantity.
+/// Dotted key with its value. A number under a key with its SI unit, ``limits.stroke_m``, becomes a quantity.
 pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)> {
     let value = value(given, &key)?;
     let Some(quantity) = si_key(&key) else {
@@ -50,7 +50,7 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
     Ok((quantity.name().to_string(), Value::String(text)))
 }
 
-/// The key of a name with an SI unit at its end.
+/// Key of a name that ends in an SI unit.
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
@@ -71,7 +71,7 @@ pub trait Argument: PyClass {
     }
 }
 
-/// A value of a scene.
+/// Converts a value of a scene.
 pub fn value(given: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
     if let Ok(text) = given.cast::<PyString>() {
         return Ok(Value::String(text.to_string()));
@@ -115,13 +115,13 @@ fn kind(given: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(given.get_type().name()?.to_string())
 }
 
-/// JSON as dictionaries, lists, numbers and text.
+/// Converts JSON to dictionaries, lists, numbers and text.
 pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?
         .call_method1("loads", (value.to_string(),))
 }
 
-/// A whole number from 0; a negative or too large one is an error.
+/// Integer from 0; a negative or too large number is an error.
 pub fn whole<'py, T>(given: &Bound<'py, PyAny>) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -136,10 +136,11 @@ where
     })
 }
 
-/// The options of a call that are given.
+/// Given options of a call.
 ///
 /// # Errors
-/// `TypeError` with the known names at another one.
+///
+/// `TypeError` with the known names for an unknown option.
 pub fn options<'py>(
     py: Python<'py>,
     given: Option<&Bound<'py, PyDict>>,
@@ -160,7 +161,7 @@ pub fn options<'py>(
     Ok(out)
 }
 
-/// One of the options of a call, if it is given.
+/// Value of an option of a call, if given.
 pub fn option<'py, T>(given: &Bound<'py, PyDict>, name: &str) -> PyResult<Option<T>>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -173,7 +174,7 @@ where
     })
 }
 
-/// Names of the columns of a mapping.
+/// Column names of a mapping.
 pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let Ok(keys) = columns.call_method0("keys") else {
         let what = format!("{name}: a table or a mapping, not {}", kind(columns)?);
@@ -182,7 +183,7 @@ pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     keys.try_iter()?.map(|key| key?.extract()).collect()
 }
 
-/// An array from any array-like object.
+/// Array from any array-like object.
 pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     let py = given.py();
     let array = py.import("numpy")?.call_method1("asarray", (given,));
@@ -192,9 +193,9 @@ pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, 
     })
 }
 
-/// Numbers of a one-dimensional array of any kind, lists and columns of tables included.
+/// Numbers of a one-dimensional array of any kind, including lists and columns of tables.
 ///
-/// An array of 64-bit numbers is read where it lies.
+/// An array of 64-bit numbers is read without a copy.
 pub fn numbers<'py>(
     given: &Bound<'py, PyAny>,
     name: &str,

@@ -18,30 +18,30 @@ use crate::scene::Scene;
 use crate::synth::asked;
 use crate::table::Table;
 
-/// Cams for a population: how many serve it, which of them serves whom, and how well they serve others.
+/// Designs cams for a population: number of cams, assignment of walkers to cams, and cross-validation errors for new walkers.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene, optional
 ///     The machine and its limits, ``law.robust`` and ``gait.adjust``; the built-in footbridge by default.
 /// forces : sequence of Force, optional
-///     The cycles of the walkers, in place of those that the scene names; forces of one name are cycles of one walker.
+///     Cycles of the walkers, instead of those in the scene. Forces of the same name are cycles of one walker.
 /// cams : int
-///     Largest number of cams; every number from 1 on is sought, at most one cam per walker.
+///     Largest number of cams. Every number from 1 on is tried, up to one cam per walker.
 /// time_limit : float
-///     Seconds after which the search ends with the numbers of cams that it has.
+///     Time limit of the search, s. The result then contains the numbers of cams that are complete.
 ///
 /// Returns
 /// -------
 /// Cover
-///     Tables ``cams`` (mean, worst error and lower bound by the number of cams), ``assignment`` (the cam of each cycle from
-///     1 on, with its error) and ``folds`` (errors of walkers under cams designed without them), and ``designs``:
+///     Tables ``cams`` (mean and worst error and lower bound for each number of cams), ``assignment`` (the cam of each cycle,
+///     counted from 1, with its error) and ``folds`` (errors of walkers with cams designed without them), and ``designs``:
 ///     ``designs[k - 1][i - 1]`` is cam i of k.
 ///
 /// Raises
 /// ------
 /// InputError
-///     Fewer than two walkers; a walker who cannot be read.
+///     Fewer than two walkers; a walker whose recording cannot be read.
 #[pyfunction]
 #[pyo3(signature = (scene = None, *, forces = None, cams = 6, time_limit = 60.0))]
 pub fn cover<'py>(
@@ -86,7 +86,7 @@ pub fn cover<'py>(
     class.call1((cams, assignment, folds, designs?))
 }
 
-/// The cams of a cover as designs for the walkers whom each serves.
+/// Cams of a cover as designs for their assigned walkers.
 fn of_cover(
     py: Python<'_>,
     scene: &Scene,

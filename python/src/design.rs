@@ -30,17 +30,17 @@ use crate::table::Table;
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
-    /// The design, or the reason why it has no cam.
+    /// Result of the design, or the reason why it has no cam.
     pub(crate) outcome: Outcome,
-    /// The scene of the design, with the given force in its `[gait]`.
+    /// Scene of the design, with the given force in its `[gait]`.
     pub input: Input,
     pub(crate) asked: Scene,
     pub(crate) force: Option<Force>,
     pub(crate) time: Timing,
     pub(crate) time_limit: f64,
-    /// Of a new cut.
+    /// Force error before the correction, and the predicted error after it; only for a design from `recut`.
     pub(crate) recut: Option<Recut>,
-    /// The logs that it was made from.
+    /// Logs from which the cam was corrected.
     pub(crate) logs: Vec<PathBuf>,
 }
 
@@ -49,7 +49,7 @@ impl Argument for Design {
 }
 
 impl Design {
-    /// The design, also one that breaks limits.
+    /// The design, including one that violates limits.
     pub fn shown(&self) -> PyResult<&gaitcam::synth::Design> {
         match &self.outcome {
             Outcome::Built(design) => Ok(design),
@@ -57,7 +57,7 @@ impl Design {
         }
     }
 
-    /// The design of a cam.
+    /// The design if it has a cam.
     pub fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
         let design = self.shown()?;
         match &design.infeasible {
@@ -88,7 +88,7 @@ impl Design {
         }
     }
 
-    /// Everything but scene and summary.
+    /// Writes all files of the design except the scene and `summary.json`.
     fn write(
         &self,
         contents: &Contents,
@@ -115,27 +115,27 @@ impl Design {
         }
     }
 
-    /// Why the verdict is what it is, as sentences.
+    /// Reasons for the verdict, as sentences.
     #[pyo3(signature = (lang = "en"))]
     fn reason(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
         Ok(self.said(language(py, lang)?))
     }
 
-    /// The design in numbers, as in ``summary.json``; SI, units in the names.
+    /// Data of the design, as in ``summary.json``, in SI units; the names contain the units.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let summary = || self.summarised(&self.input.resolved());
         convert::json(py, &py.detach(summary))
     }
 
-    /// Every limit held against the design: a list of ``{name, worst, limit, at_rad, pass}``.
+    /// Checks of all limits: a list of ``{name, worst, limit, at_rad, pass}``.
     #[getter]
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.shown()?;
         self.summary(py)?.get_item("checks")
     }
 
-    /// The law at 1440 equal steps of the cam angle, as in ``law.csv``.
+    /// Law at 1440 equal steps of the cam angle, as in ``law.csv``.
     #[getter]
     fn law(&self, py: Python<'_>) -> PyResult<Table> {
         let design = self.shown()?;
@@ -143,7 +143,7 @@ impl Design {
         Ok(Table::of_numbers(columns))
     }
 
-    /// The profile at 1440 equal steps of the cam angle, as in ``profile.csv``; row i is the contact at its angle.
+    /// Profile at 1440 equal steps of the cam angle, as in ``profile.csv``. Row i is the contact at its angle.
     #[getter]
     fn profile(&self, py: Python<'_>) -> PyResult<Table> {
         let design = self.cam(py)?;
@@ -151,14 +151,14 @@ impl Design {
         Ok(Table::of_numbers(columns))
     }
 
-    /// The force error of each cycle of several walkers, as in ``walkers.csv``; no rows for one force.
+    /// Force error of each cycle of several walkers, as in ``walkers.csv``; empty for one force.
     #[getter]
     fn walkers(&self) -> PyResult<Table> {
         let records = output::csv::walkers(self.shown()?);
         Ok(Table::new(records.unwrap_or_default(), Vec::new()))
     }
 
-    /// The tables ``law`` and ``profile`` with another number of rows.
+    /// Tables ``law`` and ``profile`` with another number of rows.
     fn tables(
         &self,
         py: Python<'_>,
@@ -175,7 +175,7 @@ impl Design {
         Ok((Table::of_numbers(law), Table::of_numbers(profile)))
     }
 
-    /// The law as a function of the cam angle.
+    /// Law as a function of the cam angle.
     #[getter]
     fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
         let own = slf.get().shown()?;
@@ -187,7 +187,7 @@ impl Design {
         ))
     }
 
-    /// The scene that the design answers, with the force that was given.
+    /// Scene of the design, with the given force.
     #[getter]
     fn scene(&self) -> Scene {
         Scene::of_input(self.input.clone())
@@ -199,7 +199,7 @@ impl Design {
         &self.input.scene.name
     }
 
-    /// :func:`identify` of this design.
+    /// Calls :func:`identify` for this design.
     fn identify<'py>(
         slf: &Bound<'py, Self>,
         logs: &Bound<'py, PyAny>,
@@ -207,30 +207,30 @@ impl Design {
         (slf.py().import("gaitcam")?).call_method1("identify", (slf, logs))
     }
 
-    /// :func:`recut` of this design.
+    /// Calls :func:`recut` for this design.
     fn recut<'py>(slf: &Bound<'py, Self>, logs: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         (slf.py().import("gaitcam")?).call_method1("recut", (slf, logs))
     }
 
-    /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.
+    /// Writes the files of ``gaitcam synth --out DIR`` and returns the folder.
     ///
     /// Parameters
     /// ----------
     /// folder : path
     /// points : int
-    ///     Rows of the tables.
+    ///     Number of rows of the tables.
     /// png : bool
-    ///     Pictures as PNG in addition to SVG.
+    ///     Write pictures as PNG in addition to SVG.
     /// solid : bool
-    ///     Solids (STEP, STL, 3MF), a sheet (PDF) and a workbook (XLSX) too.
+    ///     Also write solids (STEP, STL, 3MF), a drawing (PDF) and a workbook (XLSX).
     /// tool : float (m) or str ("3 mm"), optional
-    ///     Radius of a cutter whose path is written too.
+    ///     Radius of a cutter. Its path is also written.
     /// wire : float (m) or str ("0.14 mm"), optional
-    ///     Half the diameter of a wire and its spark gap: its path is written too.
+    ///     Radius of a cutting wire, spark gap included. Its path is also written.
     /// dxf : str
-    ///     Edges of profile.dxf as "arcs" (R12) or "splines" (R2000).
+    ///     Curves of profile.dxf: "arcs" (R12) or "splines" (R2000).
     /// cut_only : bool
-    ///     Only the layers that are cut in profile.dxf.
+    ///     Write only the cut layers in profile.dxf.
     /// lang : str
     ///     Language of report and pictures, "en" or "es".
     #[pyo3(signature = (folder, **options), text_signature = "($self, folder, *, points=1440, png=True, solid=False, tool=None, wire=None, dxf='arcs', \
@@ -253,7 +253,7 @@ impl Design {
         written.raise(py)
     }
 
-    /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
+    /// Files of :meth:`save` in memory: a dictionary from names to bytes.
     #[pyo3(signature = (**options), text_signature = "($self, *, points=1440, png=False, solid=False, tool=None, wire=None, dxf='arcs', \
         cut_only=False, lang='en')")]
     fn files<'py>(
@@ -281,25 +281,25 @@ impl Design {
         files.into_py_dict(py)
     }
 
-    /// The electronic cam for a motion controller, and the force error of the controller that executes it.
+    /// Electronic cam for a motion controller, and the force error with this controller.
     ///
     /// Parameters
     /// ----------
     /// dialect : str
     ///     "codesys", "twincat", "segments", "rockwell" or "csv".
     /// points : int, optional
-    ///     Equal intervals per cycle; by default the fewest that reproduce the law.
+    ///     Number of equal intervals per cycle; by default the smallest number that reproduces the law.
     ///
     /// Returns
     /// -------
     /// dict
-    ///     ``text`` of the file, its name ``file``, ``dialect``, ``points``, ``rms_error_n`` against the target,
-    ///     ``added_rms_n`` against the law and ``added_percent`` of the mean force.
+    ///     ``text`` of the file, its name ``file``, ``dialect``, ``points``, the RMS force errors ``rms_error_n`` (from the target)
+    ///     and ``added_rms_n`` (from the law), and ``added_percent`` relative to the mean force.
     ///
     /// Raises
     /// ------
     /// InputError
-    ///     An unknown dialect; too few points to reproduce the law, with a sufficient number.
+    ///     An unknown dialect; too few points to reproduce the law. The message states a sufficient number.
     #[pyo3(signature = (dialect, points = None))]
     fn ecam<'py>(
         &self,

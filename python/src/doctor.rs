@@ -1,4 +1,4 @@
-//! Everything that is wrong with a scene or a recording.
+//! Faults of a scene or a recording.
 
 use std::path::PathBuf;
 
@@ -13,14 +13,14 @@ use crate::error::{self, Raise};
 use crate::interrupt;
 use crate::scene::Scene;
 
-/// Examines a scene or a recording as ``gaitcam doctor`` does: every fault at once, not the first alone.
+/// Examines a scene or a recording as ``gaitcam doctor`` does, and returns all faults.
 ///
 /// Parameters
 /// ----------
 /// given : Scene or path
 ///     A scene, a scene file (``.toml``, ``.json``), the name of a built-in scene, or a recording.
 /// time_limit : float
-///     Seconds after which the search for the design ends.
+///     Time limit of the search for the design, s.
 /// lang : str
 ///     Language of the sentences, "en" or "es".
 ///
@@ -28,7 +28,7 @@ use crate::scene::Scene;
 /// -------
 /// list of dict
 ///     Faults, notes, open questions and the verdict: ``mark`` ("good", "doubtful", "bad"), ``code``, ``key`` of the
-///     scene or ``None``, ``sentence``, ``help`` or ``None``. A sound recording without notes has none.
+///     scene or ``None``, ``sentence``, ``help`` or ``None``. The list is empty for a valid recording without notes.
 ///
 /// Raises
 /// ------

@@ -26,9 +26,9 @@ create_exception!(
     "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
 );
 
-/// The exception of a panic as a program expects it: `gaitcam.InternalError`, which `except Exception` catches.
+/// Exception for a panic: `gaitcam.InternalError`, which `except Exception` catches.
 ///
-/// pyo3 turns a panic in any function or method into its own exception, so that none has to be guarded by hand.
+/// pyo3 converts a panic in any function or method into its own exception, so that no call needs separate handling.
 pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     let own = py.get_type::<PanicException>();
     own.setattr("__bases__", (py.get_type::<PyRuntimeError>(),))?;
@@ -45,7 +45,7 @@ pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     Ok(own)
 }
 
-/// The exception of a fault.
+/// Exception for a fault.
 pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     let help = fault.help(Language::En);
     let error = InputError::new_err(fault.sentence(Language::En));
@@ -63,7 +63,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     }
 }
 
-/// The key without its file.
+/// Key of a place without its file.
 pub fn key(place: &Place) -> Option<String> {
     match place {
         Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),
@@ -72,9 +72,9 @@ pub fn key(place: &Place) -> Option<String> {
     }
 }
 
-/// Results of the library as results of Python.
+/// Conversion of library results to Python results.
 pub trait Raise<T> {
-    /// The value, or the exception of the fault.
+    /// Value, or the exception for the fault.
     fn raise(self, py: Python<'_>) -> PyResult<T>;
 }
 
@@ -84,7 +84,7 @@ impl<T> Raise<T> for gaitcam::error::Result<T> {
     }
 }
 
-/// A fault of an argument in Python.
+/// Exception for an invalid argument.
 pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
     let fault = Error::own("python-argument", what).at_key(name);
     raised(py, fault)

@@ -1,4 +1,4 @@
-//! The best designs of a table.
+//! Best designs of a table.
 
 use gaitcam::sweep::{self, Admission, Objective};
 use gaitcam_base::wording::{Language, exact};
@@ -9,7 +9,7 @@ use crate::convert::{self, Reduced};
 use crate::error::Raise;
 use crate::html;
 
-/// The non-dominated designs of a table.
+/// Non-dominated designs of a table.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Front {
     names: Vec<String>,
@@ -22,7 +22,7 @@ pub struct Front {
 /// Fields of the object for pickling.
 type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
-/// One name or several.
+/// One name or several names.
 #[derive(FromPyObject)]
 pub enum Names {
     One(String),
@@ -43,14 +43,14 @@ impl Names {
 /// Parameters
 /// ----------
 /// table
-///     A table of a sweep: of gaitcam, pandas, polars or pyarrow, or a dictionary of columns.
+///     Table of a sweep: a table of gaitcam, pandas, polars or pyarrow, or a dictionary of columns.
 /// minimise, maximise : str or list of str
-///     Columns, by name or its beginning: ``["force_error", "torque_max"]``; force error and prime radius are minimised
-///     where neither is given.
+///     Columns, by name or start of the name: ``["force_error", "torque_max"]``. By default, force error and prime radius
+///     are minimised.
 /// low_speed : bool
-///     Take designs that are not for high speed too.
+///     Include designs that are not for high speed.
 /// all : bool
-///     Take every design that is built, also unacceptable ones.
+///     Include unacceptable designs.
 #[pyfunction]
 #[pyo3(signature = (table, minimise = None, maximise = None, *, low_speed = false, all = false))]
 pub fn front(
@@ -112,7 +112,7 @@ pub fn front(
     }))
 }
 
-/// Names of the columns of any kind of table.
+/// Column names of any kind of table.
 fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     for attribute in ["column_names", "columns"] {
         if let Ok(names) = table.getattr(attribute)
@@ -124,7 +124,7 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     convert::keys(table, "table")
 }
 
-/// A column of words; empty where one is missing.
+/// Text column; a missing text is empty.
 fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let column = table.get_item(name)?;
     // pyarrow's own values are no strings.
@@ -140,7 +140,7 @@ fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
 
 #[pymethods]
 impl Front {
-    /// Places of the designs in the table, by the first objective; shape (n,).
+    /// Row indices of the designs in the table, sorted by the first objective; shape (n,).
     #[getter]
     fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
         PyArray1::from_slice(py, &self.positions)
@@ -152,19 +152,19 @@ impl Front {
         Ok(PyArray2::from_vec2(py, &self.values)?)
     }
 
-    /// Columns that are compared.
+    /// Names of the compared columns.
     #[getter]
     fn objectives(&self) -> Vec<String> {
         self.names.clone()
     }
 
-    /// Place of the best compromise: nearest to the best of every objective; ``None`` of an empty front.
+    /// Row index of the best compromise, which is closest to the best value of every objective; ``None`` for an empty front.
     #[getter]
     fn best(&self) -> Option<i64> {
         self.best
     }
 
-    /// Designs that were left out for being not for high speed.
+    /// Number of designs left out because they are not for high speed.
     #[getter]
     fn left_out(&self) -> usize {
         self.left_out

@@ -15,7 +15,7 @@ pub fn fixed(text: &str) -> String {
     format!("<pre>{}</pre>", escaped(text))
 }
 
-/// The first and the last of `count` rows under the names of their columns.
+/// HTML table of the first and the last of `count` rows with their column names.
 pub fn table(names: &[String], count: usize, cells: impl Fn(usize) -> Vec<String>) -> String {
     let line = |tag: &str, cells: &[String]| {
         let cells = cells

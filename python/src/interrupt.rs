@@ -11,13 +11,13 @@ use pyo3::prelude::*;
 
 /// Time between two checks of Python's signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// Limits above this are ignored, s.
+/// Longest time limit, s; longer ones are ignored.
 const LONGEST_S: f64 = 1e9;
 
 /// Callback of the checks of Python's signals.
 type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
 
-/// The end of a search: a time limit, or an exception of a signal handler or callback.
+/// End condition of a search: a time limit, or an exception of a signal handler or callback.
 pub struct Interrupt {
     begun: Instant,
     limit: Duration,
@@ -32,12 +32,12 @@ struct State {
 }
 
 impl Interrupt {
-    /// Starts now; `limit_s` in seconds.
+    /// End condition with a time limit from now, s.
     pub fn after(limit_s: f64) -> Arc<Interrupt> {
         Interrupt::watched(limit_s, None)
     }
 
-    /// Starts now; `watch` is called at every check of Python's signals.
+    /// End condition with a time limit from now, s. `watch` is called at every check of Python's signals.
     pub fn watched(limit_s: f64, watch: Option<Watch>) -> Arc<Interrupt> {
         let begun = Instant::now();
         Arc::new(Interrupt {
@@ -52,13 +52,13 @@ impl Interrupt {
         })
     }
 
-    /// The halt flag that searches poll.
+    /// Halt condition that searches poll.
     pub fn halt(self: &Arc<Self>) -> Halt {
         let own = Arc::clone(self);
         Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())
     }
 
-    /// Whether a signal handler has raised an exception; checked at most every 50 ms, from the calling thread only.
+    /// Whether a signal handler has raised an exception. Signals are checked at most every 50 ms, from the calling thread only.
     pub fn is_raised(&self) -> bool {
         let Ok(mut state) = self.state.lock() else {
             return true;
@@ -84,13 +84,13 @@ impl Interrupt {
         is_raised
     }
 
-    /// The exception that ended the work, if one did.
+    /// The exception that ended the work, if any.
     pub fn result(&self) -> PyResult<()> {
         let raised = self.state.lock().ok().and_then(|mut s| s.raised.take());
         raised.map_or(Ok(()), Err)
     }
 
-    /// Seconds since the work began.
+    /// Time since the work began, s.
     pub fn elapsed_s(&self) -> f64 {
         self.begun.elapsed().as_secs_f64()
     }
@@ -99,7 +99,8 @@ impl Interrupt {
 /// Runs a search without the interpreter's lock.
 ///
 /// # Errors
-/// An invalid limit, s; an exception of a signal handler. A fault of the search is the inner result.
+///
+/// An invalid time limit; an exception of a signal handler. A fault of the search is the inner result.
 pub fn run<T: Send>(
     py: Python<'_>,
     limit_s: f64,
@@ -110,7 +111,7 @@ pub fn run<T: Send>(
     interrupt.result().map(|()| found)
 }
 
-/// A time limit given by the user, s.
+/// Checks a time limit given by the user, s.
 pub fn limit(py: Python<'_>, seconds: f64) -> PyResult<f64> {
     if seconds > 0.0 {
         return Ok(seconds);

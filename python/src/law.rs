@@ -9,10 +9,10 @@ use pyo3::types::{IntoPyDict, PyDict, PyString, PyTuple};
 use crate::convert::{self, Reduced};
 use crate::error::Raise;
 
-/// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
+/// A law of motion: ``law(theta)`` returns s, v, a, j, each of the shape of ``theta``.
 ///
-/// Lift s in m (an oscillating follower: rad) and its derivatives by the cam angle, m/rad, m/rad², m/rad³, exact.
-/// ``theta`` in rad, any turn. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
+/// The results are the lift s in m (for an oscillating follower: rad) and its exact derivatives by the cam angle, m/rad,
+/// m/rad², m/rad³. ``theta`` is in rad, in any turn. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Law {
     name: String,
@@ -21,17 +21,17 @@ pub struct Law {
     origin: Origin,
 }
 
-/// Source of a law, which is pickled instead of the law.
+/// Source of a law. It is pickled instead of the law.
 enum Origin {
     /// Name of the law in the catalogue.
     Catalogue,
-    /// Motion, lift in m and angle in rad of each segment.
+    /// Programme: motion, lift in m and angle in rad of each segment.
     Program(Vec<(String, f64, f64)>),
     Design(Py<PyAny>),
 }
 
 impl Law {
-    /// The pickled law of a design.
+    /// Law of a design, which is pickled with the design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),
@@ -51,7 +51,7 @@ impl Law {
     }
 }
 
-/// Values of a function of angles, each array of the shape of the argument.
+/// Values of a function of angles. Each array has the shape of the argument.
 pub fn shaped<'py, const N: usize>(
     theta: &Bound<'py, PyAny>,
     mut of: impl FnMut(f64) -> [f64; N],
@@ -85,7 +85,7 @@ pub fn shaped<'py, const N: usize>(
 
 #[pymethods]
 impl Law {
-    /// The law of a name of the catalogue, with its parameters: ``Law("scca 0.25 0.25 0.5")``.
+    /// Law of the catalogue with its parameters: ``Law("scca 0.25 0.25 0.5")``.
     #[new]
     fn new(py: Python<'_>, name: &str) -> PyResult<Law> {
         let law = || Rise::from_name(name).and_then(|rise| Law::of_rise(&rise));
@@ -107,7 +107,7 @@ impl Law {
         &self.name
     }
 
-    /// Largest lift less smallest.
+    /// Maximum lift minus minimum lift.
     #[getter]
     fn stroke(&self) -> f64 {
         self.law.stroke()
@@ -125,14 +125,13 @@ impl Law {
         self.law.is_closed()
     }
 
-    /// Breaks of its pieces, rad; shape (pieces + 1,).
+    /// Breaks of the pieces, rad; shape (pieces + 1,).
     #[getter]
     fn breaks<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.law.breaks())
     }
 
-    /// Smallest and largest value of a derivative (0: lift … 3: jerk) of the continuous law, each with its angle:
-    /// ``((least, at), (most, at))``.
+    /// Minimum and maximum of a derivative (0: lift … 3: jerk) of the continuous law, each with its angle: ``((least, at), (most, at))``.
     fn extremes(
         &self,
         py: Python<'_>,
@@ -174,7 +173,7 @@ impl Law {
     }
 }
 
-/// The catalogue of rise laws: a dictionary from names to normalised laws.
+/// Catalogue of rise laws: a dictionary from names to normalised laws.
 #[pyfunction]
 pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let out = PyDict::new(py);
@@ -184,7 +183,7 @@ pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     Ok(out)
 }
 
-/// A law of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
+/// Law of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
 ///
 /// Each segment is a motion of the catalogue, its lift (m, negative for a fall) and its angle (rad); numbers are SI, text
 /// has a unit.

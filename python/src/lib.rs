@@ -1,5 +1,4 @@
-//! The Python package `gaitcam`: bindings only. The work is done by the library, `gaitcam-app` and
-//! `gaitcam-output`, as for the command.
+//! The Python package `gaitcam` contains only bindings to the library, `gaitcam-app` and `gaitcam-output`, which the command uses too.
 
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 

@@ -1,4 +1,4 @@
-//! Scenes: the whole problem as a user writes it down.
+//! Scenes: the complete definition of a problem.
 
 use std::path::{Path, PathBuf};
 
@@ -14,15 +14,15 @@ use crate::error::{Raise, raised};
 
 /// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
 ///
-/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes what a scene file has, section by section, quantities as text with
-/// their unit, or as numbers under a key with its SI unit: ``"mass_kg": 8.0``. A scene may leave the force open, for :func:`synth` to give: ``Scene()`` says nothing at all. Scenes do
-/// not change: ``set`` gives a new one.
+/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes the sections of a scene file. Quantities are texts with their unit, or
+/// numbers under a key with its SI unit: ``"mass_kg": 8.0``. A scene without a force gets its force from :func:`synth`;
+/// ``Scene()`` is empty. Scenes are immutable: ``set`` returns a new scene.
 #[pyclass(frozen, module = "gaitcam", eq)]
 #[derive(Clone)]
 pub struct Scene {
-    /// The scene with its table and folder.
+    /// Scene with its table and folder.
     pub input: Input,
-    /// Fault of the scene if no force is given.
+    /// Error of the scene if no force is given.
     lacks_force: Option<Error>,
 }
 
@@ -34,7 +34,7 @@ impl PartialEq for Scene {
 }
 
 impl Scene {
-    /// The scene of a table; the force may be given later, by `synth` or a sweep.
+    /// Scene of a table. The force may be given later, by `synth` or a sweep.
     pub fn of_table(
         py: Python<'_>,
         table: toml::Table,
@@ -79,7 +79,8 @@ impl Scene {
     /// The scene, which must specify its force or a programme.
     ///
     /// # Errors
-    /// It leaves the force open.
+    ///
+    /// The scene specifies neither.
     pub fn whole(&self, py: Python<'_>) -> PyResult<&Input> {
         match &self.lacks_force {
             Some(fault) => Err(raised(py, fault.clone())),
@@ -87,7 +88,7 @@ impl Scene {
         }
     }
 
-    /// The built-in footbridge, the default scene.
+    /// The given scene, or the built-in footbridge by default.
     pub fn or_default(py: Python<'_>, scene: Option<&Scene>) -> PyResult<Scene> {
         match scene {
             Some(scene) => Ok(scene.clone()),
@@ -95,7 +96,7 @@ impl Scene {
         }
     }
 
-    /// The scene with changes to its table.
+    /// Scene with changes to its table.
     pub fn changed(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
         let mut table = self.input.table.clone();
         for (key, value) in changes {
@@ -127,20 +128,20 @@ impl Scene {
         Scene::of_table(py, table, Disk::beside(&path), Some(path))
     }
 
-    /// A scene that comes with the package, by its name; see :meth:`builtins`.
+    /// Built-in scene with this name; see :meth:`builtins`.
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
         Scene::of_table(py, table, Disk::default(), None)
     }
 
-    /// Names of the scenes that come with the package.
+    /// Names of the built-in scenes.
     #[staticmethod]
     fn builtins() -> Vec<&'static str> {
         scene::SCENES.iter().map(|s| s.name).collect()
     }
 
-    /// A scene from the text of a scene file; its paths are relative to ``folder``.
+    /// Scene from the text of a scene file. Its paths are relative to ``folder``.
     #[staticmethod]
     #[pyo3(signature = (text, folder = None, file = None))]
     fn from_toml(
@@ -159,13 +160,13 @@ impl Scene {
         self.changed(py, changes)
     }
 
-    /// The scene as nested dictionaries, as ``Scene(...)`` takes them; paths are absolute.
+    /// Scene as nested dictionaries in the form of ``Scene(...)``; paths are absolute.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let table = serde_json::to_value(self.input.resolved()).unwrap_or_default();
         convert::json(py, &table)
     }
 
-    /// The scene as the text of a scene file; paths are absolute.
+    /// Scene as the text of a scene file; paths are absolute.
     fn to_toml(&self) -> String {
         toml::to_string(&self.input.resolved()).unwrap_or_default()
     }
@@ -176,7 +177,7 @@ impl Scene {
         &self.input.scene.name
     }
 
-    /// The recording that the scene names, if it names one.
+    /// Path of the recording in the scene, if any.
     #[getter]
     fn recording(&self) -> Option<PathBuf> {
         self.input.recording()
@@ -200,7 +201,7 @@ impl Scene {
     }
 }
 
-/// The key table: a list of dictionaries ``{key, section, kind, unit, default, range, choices, doc}``.
+/// Key table: a list of dictionaries ``{key, section, kind, unit, default, range, choices, doc}``.
 #[pyfunction]
 pub fn keys(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     convert::json(py, &scene::keys::json())

@@ -1,4 +1,4 @@
-//! Sweeps: thousands of designs, row by row the same on any machine.
+//! Sweeps of thousands of designs, whose rows are the same on any machine.
 
 mod question;
 
@@ -22,17 +22,17 @@ use crate::scene::Scene;
 use crate::table::Table;
 use question::Question;
 
-/// A sweep: row i follows from the plan and from i alone, on any machine.
+/// A sweep. Row i depends only on the plan and on i, on any machine.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene or list of Scene, optional
 ///     Base scenes; without one, the built-in footbridge.
 /// force : Force, optional
-///     The target force of all scenes, in place of the one that they name.
+///     Target force of all scenes, instead of the one in each scene.
 /// vary : dict, optional
-///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list its values,
-///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` are what ``gaitcam sweep --vary`` takes. With ``sample`` a range has no
+///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list contains the values,
+///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` have the syntax of ``gaitcam sweep --vary``. With ``sample`` a range has no
 ///     count: ``["1.5 Hz", "2.4 Hz"]``. Numbers under a key with its SI unit are values, or the two ends of a sampled
 ///     range: ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``. Under ``gait.file`` a value may be a folder of walkers or a
 ///     list of files.
@@ -42,19 +42,19 @@ use question::Question;
 /// recordings : list of paths, optional
 ///     One design for each recording.
 /// sample : int, optional
-///     Points of the varied ranges in place of a grid.
+///     Number of points of the varied ranges, instead of a grid.
 /// method : str
-///     How they are spread: "latin" (hypercube) or "sobol".
+///     Sampling method: "latin" (hypercube) or "sobol".
 /// seed : int
-///     Start of the random numbers.
+///     Seed of the random numbers.
 /// tolerance : dict, optional
-///     Manufacturing errors of one design in place of many scenes: ``{"profile": "0.02 mm", "mass": "1 %"}``; rows are
-///     the ``sample`` cams as made.
+///     Manufacturing errors of one design, instead of many scenes: ``{"profile": "0.02 mm", "mass": "1 %"}``. The rows
+///     are ``sample`` manufactured cams.
 /// time_limit : float
-///     Seconds after which the search of one row ends; the row then holds that error. Only there a row depends on the
-///     machine.
+///     Time limit of the search for one row, s. The row then contains this error. Only in this case does a row depend on
+///     the machine.
 ///
-/// Recordings travel with the plan by their content, each once.
+/// The plan contains the content of each recording once.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Sweep {
     question: Question,
@@ -162,13 +162,12 @@ impl Sweep {
         Ok(Table::new(records, self.sweep.metadata()))
     }
 
-    /// Begins or continues the folder of this sweep: the blocks that it lacks, each with its first row, the row after
-    /// its last and its file.
+    /// Begins or continues the folder of this sweep. Returns the missing blocks, each with its first row, the row after its last row, and its file.
     ///
     /// Raises
     /// ------
     /// InputError
-    ///     The folder holds another sweep; every difference is named, nothing is overwritten.
+    ///     The folder contains another sweep. The message names every difference, and no file is overwritten.
     #[pyo3(signature = (folder, block_rows = 131_072))]
     fn begin(
         &self,
@@ -192,14 +191,13 @@ impl Sweep {
         Ok(missing.into_iter().map(entry).collect())
     }
 
-    /// A number (hexadecimal) for the whole plan with the content of its recordings; it is part of the metadata of
-    /// every table.
+    /// Hexadecimal fingerprint of the whole plan, including the content of its recordings. It is part of the metadata of every table.
     #[getter]
     fn fingerprint(&self) -> String {
         self.sweep.fingerprint()
     }
 
-    /// The plan as data, as in ``_plan.json``.
+    /// Plan as data, as in ``_plan.json``.
     #[getter]
     fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         convert::json(py, &self.sweep.description())

@@ -1,4 +1,4 @@
-//! From a scene to its design.
+//! Design of a scene.
 
 use std::sync::Arc;
 
@@ -21,25 +21,25 @@ use crate::scene::Scene;
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     What to design; the built-in footbridge by default.
+///     Scene to design; the built-in footbridge by default.
 /// force : Force, optional
-///     The target force, in place of the one that the scene names.
+///     Target force, instead of the one in the scene.
 /// forces : sequence of Force, optional
-///     The cycles of several walkers, whom one cam is to serve as ``law.robust`` and ``gait.adjust`` say; forces of one
-///     name are cycles of one walker. ``summary["population"]`` says how well it does.
+///     Cycles of several walkers for one cam, according to ``law.robust`` and ``gait.adjust``. Forces of the same name
+///     are cycles of one walker. ``summary["population"]`` contains the errors.
 /// time_limit : float
-///     Seconds after which searches end with the best that they have.
+///     Time limit of the searches, s. They then return their best result.
 ///
 /// Returns
 /// -------
 /// Design
-///     Also where no cam keeps the limits, or none can be shown at all: its ``verdict`` and ``summary["reasons"]`` say
-///     so.
+///     A design is also returned if no cam satisfies the limits, or if there is no cam at all. ``verdict`` and
+///     ``summary["reasons"]`` then state this.
 ///
 /// Raises
 /// ------
 /// InputError
-///     The scene, its recording or the force is wrong.
+///     The scene, its recording or the force is invalid.
 #[pyfunction]
 #[pyo3(signature = (scene = None, *, force = None, forces = None, time_limit = 60.0))]
 pub fn synth(
@@ -53,9 +53,9 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// The scene of a question, the built-in footbridge by default, and the force that replaces its own.
+/// Scene of a call, the built-in footbridge by default, and the force that replaces that of the scene.
 ///
-/// Walkers whom the scene leaves out by name are not in the force.
+/// The force does not contain walkers that the scene excludes by name.
 pub(crate) fn asked(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
@@ -79,7 +79,7 @@ pub(crate) fn asked(
     Ok((scene, force))
 }
 
-/// The design of a scene, with a given force instead of its own.
+/// Design of a scene. A given force replaces that of the scene.
 pub(crate) fn answer(
     py: Python<'_>,
     asked: Scene,

@@ -19,8 +19,8 @@ type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 
 /// A table of named columns of equal length.
 ///
-/// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the
-/// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
+/// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the table's memory, words as a list of
+/// ``str | None``. A missing number is NaN. The names contain the units.
 ///
 /// ``t.to_pandas()`` is a DataFrame. With pyarrow, ``pip install 'gaitcam[arrow]'``, the table exports the Arrow PyCapsule
 /// interface: ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` read numbers without copies, words as a dictionary.
@@ -32,12 +32,12 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of columns.
+    /// Table of records.
     pub fn new(records: Records, metadata: Pairs) -> Table {
         Table { records, metadata }
     }
 
-    /// A table of numbers by name.
+    /// Table of numeric columns.
     pub fn of_numbers(columns: Vec<(&'static str, Vec<f64>)>) -> Table {
         let fields = columns.into_iter().map(|(n, x)| Field::numbers(n, x));
         let fields = fields.collect();
@@ -51,7 +51,7 @@ impl Table {
 
 #[pymethods]
 impl Table {
-    /// Table(columns): a table of a mapping from names to arrays of numbers or lists of words.
+    /// Table(columns): a table from a mapping of names to arrays of numbers or lists of words.
     #[new]
     #[pyo3(signature = (columns, metadata = None))]
     fn of_columns(columns: &Bound<'_, PyDict>, metadata: Option<Pairs>) -> PyResult<Table> {
@@ -133,7 +133,7 @@ impl Table {
         }
     }
 
-    /// Codes and words of a column of words, `None` of numbers; a missing word has the code -1.
+    /// Codes and words of a text column; `None` for numbers. The code of a missing word is -1.
     fn _coded<'py>(this: Bound<'py, Self>, name: &str) -> PyResult<Option<Coded<'py>>> {
         let field = this.get().field(name);
         let Some(FieldValues::Words(words)) = field.map(|f| &f.values) else {
@@ -143,7 +143,7 @@ impl Table {
         Ok(Some((shared(&words.codes, this.as_any())?, names)))
     }
 
-    /// The table as a ``pandas.DataFrame``; words are categories.
+    /// Table as a ``pandas.DataFrame``. Words are categories.
     fn to_pandas<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let module = this.py().import("gaitcam._arrow")?;
         module.call_method1("frame", (this,))
@@ -200,13 +200,13 @@ impl Table {
     }
 }
 
-/// The table as a record batch of pyarrow.
+/// Table as a record batch of pyarrow.
 fn arrow<'py>(table: &Bound<'py, Table>) -> PyResult<Bound<'py, PyAny>> {
     let module = table.py().import("gaitcam._arrow")?;
     module.call_method1("batch", (table,))
 }
 
-/// A column that shares the table's memory and cannot be written to.
+/// Read-only column that shares the memory of the table.
 fn shared<'py, T: Element>(values: &[T], table: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     // SAFETY: the table is frozen and never moves its columns, and the array keeps it alive.
     let array = unsafe { PyArray1::borrow_from_array(&ArrayView1::from(values), table.clone()) };
@@ -225,7 +225,7 @@ fn texts<'py>(py: Python<'py>, words: &Words) -> PyResult<Bound<'py, PyAny>> {
     Ok(PyList::new(py, words.codes.iter().map(word))?.into_any())
 }
 
-/// A column from Python: numbers, or words of which some may be missing.
+/// Column from Python: numbers, or words, some of which may be missing.
 fn read(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Field> {
     if name == "row"
         && let Ok(rows) = values.extract::<Vec<u64>>()

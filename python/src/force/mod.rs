@@ -22,8 +22,8 @@ pub use origin::{FILE, Origin};
 
 /// One cycle of vertical force.
 ///
-/// ``Force(t_s, f_n)`` is one cycle from its times (s) and forces (N), arrays of one dimension and equal length, times
-/// increasing; the first sample may be repeated at the end.
+/// ``Force(t_s, f_n)`` is one cycle from its times (s) and forces (N), one-dimensional arrays of equal length. The times
+/// increase. The first sample may be repeated at the end.
 ///
 /// Parameters
 /// ----------
@@ -32,7 +32,7 @@ pub use origin::{FILE, Origin};
 /// f_n : array of shape (n,)
 ///     Vertical forces, N.
 /// period_s : float, optional
-///     Duration of the cycle, s; without it the cycle ends one step after its last sample.
+///     Duration of the cycle, s; by default the cycle ends one step after its last sample.
 /// mass_kg : float, optional
 ///     Mass of the walker, kg.
 /// name : str, optional
@@ -40,7 +40,7 @@ pub use origin::{FILE, Origin};
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
-    /// The force cycle.
+    /// Cycle of the force.
     pub curve: ForceCurve,
     /// Source of the force.
     pub origin: Origin,
@@ -56,13 +56,13 @@ impl Argument for Force {
 }
 
 impl Force {
-    /// The argument `force`, if given.
+    /// Value of the argument `force`, if given.
     pub fn of_argument(force: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Force>> {
         let force = force.map(|f| Force::given(f, "force")).transpose()?;
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// The mean cycle of a recording, with the name given or that of its file.
+    /// Mean cycle of a recording, with the given name or that of its file.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -75,7 +75,7 @@ impl Force {
         })
     }
 
-    /// Several walkers as one target; forces of one name are cycles of one walker, those without a name are numbered.
+    /// Several walkers as one target. Forces of the same name are cycles of one walker; unnamed forces are numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
             let name = match force.name.as_str() {
@@ -88,7 +88,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// A population as one target.
+    /// Population as one target.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {
@@ -99,7 +99,7 @@ impl Force {
         Force::of_recording(py, origin, None)
     }
 
-    /// The content of a file of this force: of the recording, of the subjects beside it, or of [`FILE`].
+    /// Content of a file of this force: of the recording, of its table of subjects, or of [`FILE`].
     pub fn content(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
         match &self.origin {
             Origin::Arrays => {
@@ -110,9 +110,10 @@ impl Force {
         }
     }
 
-    /// A scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
+    /// Scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
     ///
     /// # Errors
+    ///
     /// A scene that is invalid with this force.
     pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
         let table = self.origin.named_in(&input.whole);
@@ -152,10 +153,10 @@ impl Force {
         })
     }
 
-    /// A whole recording of a walk from arrays: stances are found and averaged as in :func:`read_gait`.
+    /// Mean cycle of a recording of walking from arrays. Stances are found and averaged as in :func:`read_gait`.
     ///
-    /// ``t_s`` has shape (n,), s; ``f_n`` shape (n,) or (n, plates), N. The name is "recording" by default; the options
-    /// are those of :func:`read_gait` without names of columns and rate.
+    /// ``t_s`` has shape (n,), s; ``f_n`` has shape (n,) or (n, plates), N. The name is "recording" by default. The
+    /// options are those of :func:`read_gait` without names of columns and rate.
     #[staticmethod]
     #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
         mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None, noise=None,
@@ -189,7 +190,7 @@ impl Force {
         PyArray1::from_iter(py, times)
     }
 
-    /// Step-to-step standard deviation at the same phases, N, where several cycles were averaged; shape (n,).
+    /// Step-to-step standard deviation at the same phases, N; shape (n,); ``None`` if no cycles were averaged.
     #[getter]
     fn spread_n<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let spread = self.curve.spread_n.as_ref()?;
@@ -208,19 +209,19 @@ impl Force {
         self.curve.mean_n()
     }
 
-    /// Mass of the walker, kg, where it is known.
+    /// Mass of the walker, kg; ``None`` if unknown.
     #[getter]
     fn mass_kg(&self) -> Option<f64> {
         self.curve.mass_kg
     }
 
-    /// Name of the walker: that given, else the file's stem; the same in every table and result.
+    /// Name of the walker in all tables and results: the given name, else the stem of the file.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Recorded movement: "walking", "running", …; ``None`` of a cycle from arrays.
+    /// Recorded movement: "walking", "running", …; ``None`` for a cycle from arrays.
     #[getter]
     fn kind(&self) -> Option<&'static str> {
         Some(self.curve.recording.as_ref()?.kind?.name())
@@ -237,28 +238,29 @@ impl Force {
     }
 
     /// Contacts of a recording in order of time: a table of ``column``, ``foot``, ``start_s``, ``end_s`` (clock of the file),
-    /// ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` not; no rows of a given cycle.
+    /// ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` (reason for 0). It is empty for a
+    /// given cycle.
     #[getter]
     fn stances(&self) -> Table {
         let recording = self.curve.recording.as_ref();
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Whole strides of both feet with the columns of :attr:`stances`: peaks of the first stance, impulse of both feet.
+    /// Complete strides of both feet with the columns of :attr:`stances`: peaks of the first stance, impulse of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();
         steps::table(&recording.map_or(Vec::new(), |r| r.stride_rows()))
     }
 
-    /// What was guessed, left out or doubtful in a recording, as sentences.
+    /// Warnings about a recording, as sentences: assumptions, exclusions and doubtful data.
     #[getter]
     fn warnings(&self) -> Vec<String> {
         let notes = self.curve.warnings();
         notes.map(ToString::to_string).collect()
     }
 
-    /// Force (N) at cam angles ``theta`` (rad), one cycle per turn; of the shape of ``theta``.
+    /// Force (N) at cam angles ``theta`` (rad), with one cycle per turn. The result has the shape of ``theta``.
     fn __call__<'py>(&self, theta: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         crate::law::shaped(theta, |x| [self.curve.at(x)]).map(|[force]| force)
     }
@@ -329,13 +331,13 @@ impl Force {
 ///
 /// Parameters
 /// ----------
-/// path : path of the file, or a list of paths: the plates of one trial in a file each
+/// path : path of the file, or a list of paths: the plates of one trial in one file each
 /// name : str, optional
 ///     Name of the walker in tables and results; the file's stem by default.
 /// feet : str
-///     Feet whose force counts: "both" (default), "one", "left", "right", "total".
+///     Feet whose force is used: "both" (default), "one", "left", "right", "total".
 /// rate : str ("1000 Hz"), rate_hz : float
-///     Samples per second, where the file does not have them.
+///     Sampling rate, if the file does not contain it.
 /// mass : str ("72.6 kg"), mass_kg : float
 ///     Mass of the walker.
 /// unit : str ("kN")
@@ -343,14 +345,15 @@ impl Force {
 /// kind : str
 ///     Movement: "walking", "running", "standing", "jumping", "sit-to-stand", "other".
 /// accept : str ("clock, mass")
-///     Open questions that are answered; see :attr:`Force.open`.
+///     Accepted open questions; see :attr:`Force.open`.
 /// time : str, force : str or list of str
 ///     Names of the columns.
 /// period : str ("0.5 s"), period_s : float
-///     The file is one cycle, of any machine.
+///     Duration of the cycle, if the file is one cycle for any machine.
 /// span : str ("256 deg"), span_rad : float
-/// noise : str ("8 N" or "auto"), noise_n : float
 ///     Part of the turn that the file covers.
+/// noise : str ("8 N" or "auto"), noise_n : float
+///     RMS noise of the readings, which limits the automatic accuracy.
 ///
 /// Raises
 /// ------
@@ -392,7 +395,7 @@ pub fn read_gait(
     Force::of_recording(py, origin, name)
 }
 
-/// A recording in one file, or the plates of one trial in a file each.
+/// A recording in one file, or the plates of one trial in one file each.
 #[derive(FromPyObject)]
 pub enum Paths {
     One(PathBuf),

@@ -11,21 +11,22 @@ use toml::{Table, Value};
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Options of a file; a quantity is text, or a number under the name with its SI unit.
+/// Options for a file. A quantity is a text with its unit, or a number under the name with the SI unit.
 pub const OF_FILE: [&str; 16] = [
     "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
     "period", "period_s", "span", "span_rad", "noise", "noise_n",
 ];
-/// Options of arrays, whose columns have times, units and no names.
+/// Options for arrays, which have times and units and no column names.
 pub const OF_ARRAYS: [&str; 12] = [
     "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
     "noise", "noise_n",
 ];
 
-/// The `[gait]` section of a file with the options of a call.
+/// Section `[gait]` for a file with the options of a call.
 ///
 /// # Errors
-/// `TypeError` with the accepted names at an unknown option, or at one quantity given twice.
+///
+/// `TypeError` with the accepted names for an unknown option, or for a quantity that is given twice.
 pub fn gait(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -46,9 +47,10 @@ pub fn gait(
     Ok(gait)
 }
 
-/// The name of a walker: that given, else the default.
+/// Name of a walker: the given one, else the default.
 ///
 /// # Errors
+///
 /// A name that is blank or has control characters.
 pub fn name(py: Python<'_>, given: Option<&str>, default: &str) -> PyResult<String> {
     let Some(name) = given.map(str::trim) else {
@@ -61,10 +63,11 @@ pub fn name(py: Python<'_>, given: Option<&str>, default: &str) -> PyResult<Stri
     Ok(name.to_string())
 }
 
-/// A recording from arrays as a table: times in s, one column of N per plate.
+/// Table of a recording from arrays: times in s, one column in N per plate.
 ///
 /// # Errors
-/// Arrays that have no numbers or differ in length.
+///
+/// Arrays without numbers or of different lengths.
 pub fn table_of_arrays(t_s: &Bound<'_, PyAny>, f_n: &Bound<'_, PyAny>) -> PyResult<String> {
     let py = t_s.py();
     let np = py.import("numpy")?;

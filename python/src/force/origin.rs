@@ -14,15 +14,15 @@ pub use gaitcam_app::design::FORCE as FILE;
 /// Source of a force.
 #[derive(Clone)]
 pub enum Origin {
-    /// A force from arrays.
+    /// Force from arrays.
     Arrays,
-    /// A force from a recording: its `[gait]` section and its content.
+    /// Force from a recording.
     Recording {
         /// Keys of the `[gait]` section.
         gait: Table,
         /// Content of the file.
         bytes: Arc<Vec<u8>>,
-        /// Content of the table of subjects in the folder of the file.
+        /// Content of the table of subjects in the folder of the file, if any.
         metadata: Option<Vec<u8>>,
     },
 }
@@ -70,7 +70,7 @@ const OF_SOURCE: [&str; 13] = [
 ];
 
 impl Origin {
-    /// The keys of `[gait]` that name this force.
+    /// Keys of `[gait]` that specify this force.
     pub fn keys(&self) -> Table {
         match self {
             Origin::Arrays => Table::from_iter([("file".to_string(), Value::from(FILE))]),
@@ -86,9 +86,10 @@ impl Origin {
         PathBuf::from(first.unwrap_or(name))
     }
 
-    /// The section `[gait]` of this force.
+    /// Section `[gait]` of this force.
     ///
     /// # Errors
+    ///
     /// Invalid options.
     pub fn gait(&self) -> gaitcam::error::Result<Gait> {
         let gait = Value::Table(self.keys());
@@ -96,16 +97,17 @@ impl Origin {
         Ok(scene.gait.unwrap_or_default())
     }
 
-    /// The cycle of a recording.
+    /// Cycle of the force.
     ///
     /// # Errors
+    ///
     /// Invalid options; a recording that cannot be read.
     pub fn curve(&self) -> gaitcam::error::Result<ForceCurve> {
         let curve = self.gait()?.force(self)?;
         curve.ok_or_else(|| SceneError::NoForceNamed.into())
     }
 
-    /// The table of a scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
+    /// Table of a scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
     pub fn named_in(&self, scene: &Table) -> Table {
         let mut table = scene.clone();
         let own = table.get("gait").and_then(Value::as_table).cloned();

@@ -5,7 +5,7 @@ use gaitcam::sweep::{Field, Records};
 
 use crate::table::Table;
 
-/// Rows in the columns of `gaitcam gait --stances FILE`; `used` is 1 or 0, a missing value NaN or no word.
+/// Table with the columns of `gaitcam gait --stances FILE`. `used` is 1 or 0; a missing value is NaN or `None`.
 pub fn table(rows: &[StepRow<'_>]) -> Table {
     let number = |name: &str, of: &dyn Fn(&StepRow<'_>) -> Option<f64>| {
         let values = rows.iter().map(|row| of(row).unwrap_or(f64::NAN));

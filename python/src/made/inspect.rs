@@ -20,8 +20,8 @@ use crate::table::Table;
 /// ----------
 /// design : Design
 /// points : path, or array of shape (n, 2)
-///     Points in any order, with centre and zero angle of the measuring machine: a csv with the columns x_mm,y_mm
-///     or angle_deg,radius_mm (or m, in, rad), or x and y in m.
+///     Points in any order, in the coordinates of the measuring machine: a csv with the columns x_mm,y_mm
+///     or angle_deg,radius_mm (or m, in, rad), or an array of x and y in m.
 /// ball : float (m) or str ("1 mm"), optional
 ///     Radius of the probing ball, if the points are its centres.
 ///

@@ -36,19 +36,19 @@ const OPTIONS: [&str; 6] = [
     "counts_per_turn",
 ];
 
-/// What logs of the running machine show of it, as ``gaitcam identify --json`` prints it.
+/// Identifies the machine from its logs; the result is that of ``gaitcam identify --json``.
 ///
 /// Parameters
 /// ----------
 /// design : Design
 /// logs : path, mapping of arrays, or a list of these
-///     Steady runs, also at several speeds. A file has columns of force and of time or cam angle (or both), and where there
-///     are such of speed and torque, with their units. A mapping has ``force_n`` and ``time_s`` or ``theta_rad``, and
+///     Steady runs, also at several speeds. A file has columns of force and of time or cam angle (or both), and optionally
+///     of speed and torque, with their units. A mapping has ``force_n`` and ``time_s`` or ``theta_rad``, and
 ///     optionally ``speed_rad_per_s`` and ``torque_n_m``: arrays of shape (n,) in SI.
 /// time, angle, force, speed, torque : str
-///     Columns of the files by name or number, where they are not recognised.
+///     Columns of the files by name or number, if they are not recognised.
 /// counts_per_turn : float
-///     Counts of the encoder per turn of the cam: the column of the angle holds counts.
+///     Encoder counts per turn of the cam, if the column of the angle contains counts.
 ///
 /// Returns
 /// -------
@@ -79,25 +79,26 @@ pub fn identify<'py>(
     convert::json(py, &serde_json::json!(found.raise(py)?))
 }
 
-/// The next cam, for all that repeats in logs of the running machine beyond its design.
+/// Designs the next cam, which corrects the repeatable force error in logs of the running machine.
 ///
 /// Parameters
 /// ----------
 /// design : Design
 /// logs, time, angle, force, speed, torque, counts_per_turn
-///     As for :func:`identify`; the log nearest to the speed of the design corrects, the others identify.
+///     As for :func:`identify`. The log closest to the speed of the design is used for the correction, the others for the
+///     identification.
 ///
 /// Returns
 /// -------
 /// Design
-///     ``summary["recut"]`` has the force error before and the one that is predicted.
+///     ``summary["recut"]`` contains the force error before the correction and the predicted one.
 ///
 /// Raises
 /// ------
 /// InputError
 ///     A log without a steady run of this machine.
 /// NoSuchCam
-///     What the logs have beyond the design is noise.
+///     The difference of the logs from the design is noise.
 #[pyfunction]
 #[pyo3(signature = (design, logs, **columns), text_signature = "(design, logs, *, time=None, angle=None, force=None, \
     speed=None, torque=None, counts_per_turn=None)")]
@@ -135,7 +136,7 @@ pub fn recut(
     Ok(cut)
 }
 
-/// The logs, and the files that were read.
+/// Logs, and the paths of their files.
 fn read(
     given: &Bound<'_, PyAny>,
     columns: Option<&Bound<'_, PyDict>>,

@@ -1,4 +1,4 @@
-//! Manufactured cams: in motion, as measured, and as a machine has logged them.
+//! Manufactured cams: simulation, inspection, and logs of their machines.
 
 pub mod inspect;
 pub mod logs;

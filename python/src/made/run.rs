@@ -1,4 +1,4 @@
-//! The emitted cam in motion.
+//! Simulation of the emitted cam.
 
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
@@ -16,7 +16,7 @@ use crate::html;
 use crate::scene::Scene;
 use crate::table::Table;
 
-/// What a run of the emitted cam found.
+/// Result of a simulation of the emitted cam.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Run {
     outcome: Outcome,
@@ -28,7 +28,7 @@ pub struct Run {
     force: Option<Py<PyAny>>,
 }
 
-/// Runs the emitted cam of a design, not the law it came from.
+/// Simulates the emitted cam of a design, instead of its law.
 ///
 /// Parameters
 /// ----------
@@ -37,15 +37,15 @@ pub struct Run {
 ///     "auto" (the simplest that is sufficient), "rigid", "flexible" or "contact".
 /// machine : dict, optional
 ///     Another machine around the same cam, by dotted keys of a scene: ``{"drive.mass": "9 kg", "drive.speed": "150 rpm",
-///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*``: the cam is cut.
+///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*`` are allowed, because the cam is made.
 /// force : Force, optional
-///     The force of another walker, the target of this run. Mass and speed of the machine follow from it where the
-///     scene leaves them open.
+///     Force of another walker, which is the target of this run. It determines mass and speed of the machine if the
+///     scene does not state them.
 ///
 /// Raises
 /// ------
 /// NoSuchCam
-///     There is no cam to run.
+///     The design has no cam.
 #[pyfunction]
 #[pyo3(signature = (design, model = "auto", *, machine = None, force = None))]
 pub fn simulate(
@@ -114,19 +114,19 @@ fn scene_of(
 
 #[pymethods]
 impl Run {
-    /// Model whose numbers these are: "rigid", "flexible" or "contact".
+    /// Simulated model: "rigid", "flexible" or "contact".
     #[getter]
     fn model(&self) -> &'static str {
         self.outcome.model.name()
     }
 
-    /// Why that model.
+    /// Reason for the selected model, as a sentence.
     #[pyo3(signature = (lang = "en"))]
     fn why(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
         Ok(self.outcome.why.sentence(crate::asked::language(py, lang)?))
     }
 
-    /// The class of the cam after this run.
+    /// Class of the cam after this run.
     #[getter]
     fn verdict(&self) -> &'static str {
         self.verdict
@@ -138,7 +138,7 @@ impl Run {
         self.outcome.contact_lost
     }
 
-    /// The findings, as ``gaitcam simulate --json`` prints them; SI, units in the names.
+    /// Findings, as in ``gaitcam simulate --json``, in SI units; the names contain the units.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut json = simulation::json(&self.outcome);

@@ -20,7 +20,7 @@ use crate::scene::Scene;
 /// Definition of a sweep.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// The force of all scenes, until its content is among the files of the sweep.
+    /// Force of all scenes, until its content is among the files of the sweep.
     force: Option<Force>,
     asked: SweepQuestion,
 }
@@ -75,7 +75,7 @@ pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     Ok(out)
 }
 
-/// The axis of a key: a range, a list, or the syntax of the command line.
+/// Axis of a key: a range, a list, or the syntax of the command line.
 fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Varied> {
     if let Ok(text) = values.cast::<PyString>() {
         return Ok(Varied::Text(format!("{key}={text}")));
@@ -129,7 +129,7 @@ fn starts_number(value: &Bound<'_, PyAny>) -> bool {
         .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// A value as written in a scene file.
+/// Value in the form of a scene file.
 fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
     if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
         return Ok(value.str()?.to_string());
@@ -148,7 +148,7 @@ fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
 }
 
 impl Question {
-    /// A definition with scenes but without axes.
+    /// Definition with scenes but without axes.
     pub fn new(
         py: Python<'_>,
         scenes: Vec<Scene>,
@@ -174,7 +174,7 @@ impl Question {
         })
     }
 
-    /// Sets one force for all scenes, instead of the one that they name.
+    /// Sets one force for all scenes, instead of the one in each scene.
     pub fn force(&mut self, py: Python<'_>, force: Option<Force>) -> PyResult<()> {
         for (scene, force) in self.scenes.iter_mut().zip(force.iter().cycle()) {
             *scene = Scene::of_input(force.named_in(&scene.input).raise(py)?);
@@ -193,7 +193,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds rows of values together.
+    /// Adds columns of values that vary together.
     pub fn rows(&mut self, rows: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let Some(rows) = rows else { return Ok(()) };
         for name in convert::keys(rows, "rows")? {
@@ -203,7 +203,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds the axis of recordings, before all others; without it rejects scenes that leave the force open.
+    /// Adds the axis of recordings before all others. Without recordings, scenes without a force are rejected.
     pub fn recordings(&mut self, py: Python<'_>, paths: Option<Vec<PathBuf>>) -> PyResult<()> {
         let Some(paths) = paths else {
             return self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()));
@@ -227,9 +227,10 @@ impl Question {
         Ok(())
     }
 
-    /// The sweep; without `files` recordings are read from the disk.
+    /// Sweep of this definition. Without `files`, recordings are read from the disk.
     ///
     /// # Errors
+    ///
     /// Invalid axes, rows, tolerances and recordings.
     pub fn sweep(&self, files: Option<Files>) -> Result<gaitcam::sweep::Sweep> {
         if let Some(files) = files {
@@ -243,7 +244,7 @@ impl Question {
         self.asked.sweep(|index| &files[index])
     }
 
-    /// Pickled state: scenes as text, the rest as given, and the content of every file once.
+    /// Pickled state: scenes as text, other data as given, and the content of every file once.
     pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
         // The same object twice is pickled once.
         let mut contents: HashMap<*const Vec<u8>, Bound<'py, PyBytes>> = HashMap::new();
@@ -259,7 +260,7 @@ impl Question {
         Ok(state.into_pyobject(py)?.into_any())
     }
 
-    /// The definition and files restored from [`Question::state`].
+    /// Definition and files restored from [`Question::state`].
     pub fn restore(state: &Bound<'_, PyAny>) -> PyResult<(Question, Files)> {
         let item = |i: usize| state.get_item(i);
         let mut files = Files::new();
@@ -293,7 +294,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// A base scene with its name in the rows.
+/// Base scene with its name in the rows.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),
