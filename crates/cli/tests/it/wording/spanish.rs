@@ -48,7 +48,6 @@ const ENGLISH: &[&str] = &[
     "row",
     "rows",
     "satisfied",
-    "smallest",
     "speed",
     "stroke",
     "target",
