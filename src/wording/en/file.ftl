@@ -44,7 +44,7 @@ file-no-table = no table of numbers found
     }, followed by rows of numbers
 file-motor-column = the torque curve has no column { $column } (columns: { $columns })
     .help = its header is speed_rad_per_s,torque_n_m
-file-motion-column = there is no column { $column } (columns: { $columns })
+file-motion-column = the column { $column } does not exist (columns: { $columns })
     .help = name it with its unit in the header, for example { $example }
 file-motion-unit = column { $column }: the unit is missing or has a wrong dimension
     .help = name it with its unit in the header, for example { $example }

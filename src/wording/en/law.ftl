@@ -51,7 +51,7 @@ law-not-fixed = these { $conditions } conditions do not determine a polynomial o
 law-parameter = `{ $word }` after `{ $motion }` is not a number
     .help = write parameters as in `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` does not take { $given } parameters
-    .help = scca takes b, c, d; eccentric takes its ratio; other motions take none
+    .help = scca has the parameters b, c, d; eccentric has a ratio; other motions have no parameters
 law-unknown-motion = unknown motion `{ $motion }`
     .help = { $nearest ->
         [none] the catalogue contains { $catalogue }
@@ -80,7 +80,7 @@ law-table-level = { $table }: the last lift equals the first
 law-table-spacing = { $table }: the spacing of its rows is too uneven for a spline
     .help = space the rows more evenly
 
-# What may stand beside the end of a law.
+# Possible neighbours of the end of a law.
 joins-dwell = dwell
 joins-return-of-equal-acceleration = return of equal acceleration
 joins-constant-velocity = constant velocity

@@ -112,7 +112,7 @@ name-rigid = rigid
 name-flexible = flexible
 name-contact = contact
 
-# What a key takes.
+# Values of keys.
 name-or = or
 name-number = number
 name-text = text

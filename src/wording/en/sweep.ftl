@@ -3,7 +3,7 @@ sweep-no-assignment = "{ $typed }" is not a key, = and a value
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = the grid is empty: no value is given
     .help = write at least one value between commas, or START:STOP:COUNT
-sweep-sampled-count = a sampled range takes no count
+sweep-sampled-count = a sampled range has no count
     .help = write START:STOP
 sweep-no-count = a range of a grid has no count
     .help = write START:STOP:COUNT, or draw random values with --sample
@@ -33,7 +33,7 @@ sweep-sobol-axes = Sobol sequences are available for up to { $most } keys
 sweep-no-scene = the base scene { $scene } does not exist
 sweep-no-tolerance-value = "{ $typed }" is not a part, = and a value
     .help = write PART=VALUE, for example profile=0.02 mm
-sweep-no-tolerance = "{ $typed }" takes no tolerance
+sweep-no-tolerance = "{ $typed }" has no tolerance
     .help = these parts have a tolerance: profile, base_radius, mass, speed
 sweep-negative-tolerance = the tolerance of { $part } is negative: { $typed }
     .help = give the half width of the tolerance, 0 or more

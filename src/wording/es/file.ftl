@@ -44,7 +44,7 @@ file-no-table = no se encontró ninguna tabla de números
     }, seguido de filas de números
 file-motor-column = la curva de par no tiene la columna { $column } (columnas: { $columns })
     .help = su encabezado es speed_rad_per_s,torque_n_m
-file-motion-column = no hay columna { $column } (columnas: { $columns })
+file-motion-column = la columna { $column } no existe (columnas: { $columns })
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }
 file-motion-unit = columna { $column }: la unidad falta o tiene una dimensión incorrecta
     .help = nómbrela con su unidad en el encabezado, por ejemplo { $example }

@@ -51,7 +51,7 @@ law-not-fixed = estas { $conditions } condiciones no determinan un polinomio de 
 law-parameter = `{ $word }` después de `{ $motion }` no es un número
     .help = escriba los parámetros como en `scca 0.25 0.25 0.5`
 law-parameters = `{ $motion }` no admite { $given } parámetros
-    .help = scca admite b, c, d; eccentric admite su razón; los demás movimientos, ninguno
+    .help = scca tiene los parámetros b, c, d; eccentric tiene una razón; los demás movimientos no tienen parámetros
 law-unknown-motion = movimiento desconocido `{ $motion }`
     .help = { $nearest ->
         [none] el catálogo contiene { $catalogue }
@@ -80,7 +80,7 @@ law-table-level = { $table }: la última elevación es igual a la primera
 law-table-spacing = { $table }: el espaciado de sus filas es demasiado desigual para una spline
     .help = reparta las filas con más regularidad
 
-# Lo que puede estar junto al extremo de una ley.
+# Vecinos posibles del extremo de una ley.
 joins-dwell = detenimiento
 joins-return-of-equal-acceleration = retorno de igual aceleración
 joins-constant-velocity = velocidad constante
