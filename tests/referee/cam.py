@@ -1,8 +1,8 @@
-"""Geometry of the cam from the motion of its follower, in the frame that does not turn.
+"""Geometry of the cam from the motion of its follower, in the fixed frame.
 
-A point p of that frame is R(−θ)p on the cam, R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]]; with J p = (p_y, −p_x) its derivative
-by θ on the cam is R(−θ)(p′ + J p). The normal n = J t / |t| of the pitch curve's tangent t points away from the cam's centre
-where the curve runs clockwise, and curvature is positive where the cam is convex.
+A point p of this frame is R(−θ)p in the frame of the cam with R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]]. With J p = (p_y, −p_x),
+its derivative by θ on the cam is R(−θ)(p′ + J p). The normal n = J t / |t| to the tangent t of the pitch curve points away from
+the centre of the cam if the curve is clockwise. The curvature is positive where the cam is convex.
 """
 
 import math
@@ -11,7 +11,7 @@ import numpy as np
 
 
 class Cam:
-    """Follower, sizes and law: contact, pitch point, radius of curvature and pressure angle at any angle."""
+    """Cam with follower, sizes and law: contact, pitch point, radius of curvature and pressure angle at any angle."""
 
     def __init__(self, kind, law, size):
         self.kind, self.law, self.size = kind, law, size
@@ -19,7 +19,7 @@ class Cam:
         self.roller = size.get("roller", 0.0)
 
     def centre(self, s, v, a):
-        """Roller centre with two derivatives, and the direction in which the lift moves it."""
+        """Roller centre with two derivatives, and the direction of its motion with the lift."""
         z = self.size
         if self.kind.endswith("-translating"):
             depth = math.sqrt(max(z["prime"] ** 2 - z["offset"] ** 2, 0.0))
@@ -104,14 +104,14 @@ class Cam:
         return cos * point[0] + sin * point[1], -sin * point[0] + cos * point[1]
 
     def normal_force_factor(self, theta, s, v, a):
-        """Normal force for each newton along the follower's motion; for an arm for each newton at the end of the arm."""
+        """Normal force per newton along the motion of the follower; for an arm, per newton at the end of the arm."""
         return 1.0 / np.cos(self.at(theta, s, v, a)[3])
 
     def lever(self, theta, s, v, a, friction):
-        """Shaft torque per newton on the follower where it is pressed and where it would be pulled, with Coulomb friction.
+        """Shaft torque per newton on the follower with Coulomb friction, for a pressing and for a pulling contact.
 
-        Force N n + μ|N| t on the follower at the contact, t along the motion of the cam's surface there: the follower takes up
-        its part along its own velocity G, the shaft its part along the velocity U of the cam.
+        The force on the follower at the contact is N n + μ|N| t, where t is the direction of motion of the cam surface. Its
+        component along the velocity G acts on the follower, and its component along the velocity U of the cam on the shaft.
         """
         if friction == 0.0 or self.kind in ("translating-cam", "barrel") or self.kind.startswith("roller"):
             return v, v
@@ -119,11 +119,11 @@ class Cam:
         return found[0], found[1]
 
     def normal_share(self, theta, s, v, a, friction):
-        """Force along the follower's motion for each newton of normal force where the follower is pressed, with friction."""
+        """Force along the motion of the follower per newton of normal force for a pressing contact, with friction."""
         return self.shares(theta, s, v, a, friction)[0][0]
 
     def shares(self, theta, s, v, a, friction):
-        """Parts of the contact force along the velocities of follower and cam, for pressing and for pulling."""
+        """Components of the contact force along the velocities of follower and cam, for a pressing and for a pulling contact."""
         contact, pitch, _, _ = self.at(theta, s, v, a)
         cam = (-contact[1], contact[0])
         if self.kind.endswith("-translating"):
@@ -152,7 +152,7 @@ class Cam:
         return found
 
     def curvature_sum(self, theta, s, v, a):
-        """1/R of cam and follower in contact."""
+        """Curvature 1/R of cam and follower at the contact."""
         rho = self.at(theta, s, v, a)[2]
         with np.errstate(divide="ignore"):
             own = 1.0 / rho

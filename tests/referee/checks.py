@@ -1,4 +1,4 @@
-"""Recomputations of the checks, their limits, and the verdict."""
+"""Recomputation of the checks, their limits, and the verdict."""
 
 import copy
 import math
@@ -14,7 +14,7 @@ from walkers import population as field_of_population, walkers_of
 
 
 def by_motion(r, rising):
-    """|pressure angle| over the angles where the follower rises, or falls."""
+    """|pressure angle| at the angles where the follower rises, or falls."""
     def value(theta, s, v, a, j=None):
         moves = v > 0 if rising else v < 0
         return np.where(moves, np.abs(r.pressure_angle(theta, s, v, a)), 0.0)
@@ -61,7 +61,7 @@ CHECKS = {
 
 
 def wall(r, side):
-    """Radius of a wall of the groove at its floor, where the groove bends towards it."""
+    """Radius of curvature of a wall of the groove at its bottom, where the groove curves towards the wall."""
     floor = r.cam.size["base"] - r.cam.size["depth"]
 
     def value(theta, s, v, a, j=None):
@@ -98,7 +98,7 @@ def check(r, m):
         raise Unknown(f"check {name}")
     value, _ = CHECKS[name]
     if "population" in r.summary and name in FOR_EACH:
-        # The walker for whom it is worst.
+        # The walker with the largest value.
         runs = []
         for _, _, drive in walkers_of(r):
             run = copy.copy(r)
@@ -111,12 +111,12 @@ def check(r, m):
         return place(r, value(r), row["at_rad"], worst)
     if name == "stroke":
         worst -= r.law.extreme(lambda *x: x[1], False)[0]
-    # A force on a shaft that settles is known to a share of the mean force, not of a force near zero.
+    # The force on a shaft with a settling speed is known relative to the mean force, not to a force near zero.
     known = moved(r) * mean_target(r) if name.startswith("force_") and r.target is not None and r.motion else 1e-9
     return close(worst, 1e-6, known)
 
 
-# DIN 6885-1: bores up to this many mm, width and depth in the hub, mm.
+# DIN 6885-1: bores up to this diameter, mm, with width and depth of the keyway in the hub, mm.
 KEYWAYS = ((8, 2, 1.0), (10, 3, 1.4), (12, 4, 1.8), (17, 5, 2.3), (22, 6, 2.8), (30, 8, 3.3), (38, 10, 3.3), (44, 12, 3.3), (50, 14, 3.8), (58, 16, 4.3),
            (65, 18, 4.4), (75, 20, 4.9), (85, 22, 5.4), (95, 25, 5.4), (110, 28, 6.4))
 DEFAULT_ANGLE = {"translating": math.radians(30), "oscillating": math.radians(35), "outer": math.radians(45)}
@@ -152,7 +152,7 @@ def check_limit(r, name, row):
 
 
 def interference(r, second=False):
-    """Depth by which the follower, put back on the profile, cuts it anywhere."""
+    """Maximum penetration of the follower into the profile."""
     if r.cam.kind in ("translating-cam", "barrel"):
         return 0.0
     motion = [r.law(r.theta, k) for k in range(3)]
@@ -222,7 +222,7 @@ def out_of_time(r, m):
 
 @field(r"scene\..*")
 def scene_value(r, m):
-    """The scene of the summary is the one of scene.toml."""
+    """Checks that the scene of the summary equals scene.toml."""
     value = tomllib.loads((r.folder / "scene.toml").read_text())
     for key in re.findall(r"[^.\[\]]+", m[0])[1:]:
         value = value[int(key) if isinstance(value, list) else key]

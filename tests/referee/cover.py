@@ -31,7 +31,7 @@ def read(path):
 
 
 class Walkers:
-    """Wanted force and force at rest of each walker in parts of the weight, which is linear in the lift's second derivative."""
+    """Target force and force at rest of each walker relative to the weight. It is linear in the second derivative of the lift."""
 
     def __init__(self, frequencies):
         low, high, count = frequencies.split(":")
@@ -46,7 +46,7 @@ class Walkers:
         return BASES[spans]
 
     def best(self, group, basis=None):
-        """Second derivative of the law with the least mean square error over a group: of all laws, or of a basis."""
+        """Second derivative of the law with the smallest mean square error for a group: of all laws, or of a basis."""
         gain = self.gain[group]
         aim = gain @ self.wanted[group] / (gain @ gain)
         if basis is None:
@@ -57,7 +57,7 @@ class Walkers:
         return float(np.sum(np.mean((np.outer(self.gain[group], bend) - self.wanted[group]) ** 2, axis=1)))
 
     def least(self, cams):
-        """Least root mean square error of any partition into so many groups, by brute force, in per cent."""
+        """Smallest root mean square error of all partitions into `cams` groups, by brute force, in per cent."""
         count = len(self.gain)
         best = math.inf
         for labels in itertools.product(range(cams), repeat=count):
@@ -68,14 +68,14 @@ class Walkers:
 
 
 def parts(error, force):
-    """Errors of the mean, along the varying force of the cam, and the rest, in per cent."""
+    """Components of the error in per cent: the mean, the component along the varying force of the cam, and the rest."""
     along = float(np.mean(error * force)) / math.sqrt(float(np.mean(force**2)))
     level = float(np.mean(error))
     return [100 * math.sqrt(x) for x in (np.mean(error**2), level**2, along**2, max(np.mean(error**2) - level**2 - along**2, 0.0))]
 
 
 def judge(folder, frequencies, change=None):
-    """Lines that differ; `change` is a (file, row, column) whose number is changed by 0.1 %."""
+    """Differing lines. `change` is a (file, row, column) whose number is changed by 0.1 %."""
     tables = {name: read(Path(folder) / f"{name}.csv") for name in ("cover", "assignment")}
     if change:
         name, row, column = change
@@ -113,7 +113,7 @@ def judge(folder, frequencies, change=None):
 
 
 def self_test(folder, frequencies):
-    """Numbers whose change is not noticed; a bound may be lower."""
+    """Numbers whose change is not detected. A bound may be lower."""
     missed, count = [], 0
     for row, column in [(i, c) for i in range(3) for c in ("mean_percent", "worst_percent")]:
         count += 1

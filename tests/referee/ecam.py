@@ -1,4 +1,4 @@
-"""Recomputations of electronic cams: the points of each dialect are those of the law, and what its controller makes of them errs as stated."""
+"""Recomputation of electronic cams: the points of each dialect are those of the law, and the controller has the stated force error."""
 
 import math
 import re
@@ -9,16 +9,16 @@ DEGREE = math.pi / 180
 SCALE = np.array([DEGREE, 1e-3, 1e-3 / DEGREE, 1e-3 / DEGREE**2])
 # Dialect: ending of the file, relative accuracy of its numbers.
 DIALECTS = {"csv": ("csv", 1e-9), "segments": ("csv", 1e-6), "codesys": ("st", 1e-9), "twincat": ("st", 1e-9), "rockwell": ("st", 1e-6)}
-# Numbers of one point in structured text.
+# Numbers of a point in structured text.
 NUMBERS = {"codesys": r"d[XYVA] *:= *([-+\d.eE]+)", "twincat": r"(?:MasterPos|SlavePos|SlaveVelo|SlaveAcc) *:= *([-+\d.eE]+)",
            "rockwell": r"(?:Master|Slave) *:= *([-+\d.eE]+)"}
-# A share of the mean force below this, in per cent, is rounding of the numbers.
+# A share of the mean force below this value, in per cent, is rounding.
 ROUNDING = 1e-8
 FINE = 16
 
 
 def points(dialect, path):
-    """Angle in rad, and lift with its derivatives by the angle as far as the dialect has them, in m."""
+    """Angle in rad, and lift in m with the derivatives by the angle that the dialect contains."""
     lines = path.read_text().splitlines()
     if dialect in NUMBERS:
         rows = [[float(x) for x in re.findall(NUMBERS[dialect], line)] for line in lines]
@@ -35,13 +35,13 @@ def periodic_cubic(y, h):
     """Second derivatives at the points of the periodic cubic spline through equally spaced values."""
     n = len(y)
     right = 6 * (np.roll(y, -1) - 2 * y + np.roll(y, 1)) / h**2
-    # Circulant: 1 4 1.
+    # Circulant matrix with the elements 1 4 1.
     eigen = 4 + 2 * np.cos(2 * math.pi * np.arange(n) / n)
     return np.fft.ifft(np.fft.fft(right) / eigen).real
 
 
 def clamped_cubic(y, h, start, end):
-    """The same with given slopes at both ends; one more value than for the periodic spline."""
+    """Second derivatives of the spline with given slopes at both ends. It has one value more than the periodic spline."""
     n = len(y)
     matrix = np.diag([2.0] + [4.0] * (n - 2) + [2.0]) + np.diag(np.ones(n - 1), 1) + np.diag(np.ones(n - 1), -1)
     right = np.empty(n)
@@ -51,7 +51,7 @@ def clamped_cubic(y, h, start, end):
 
 
 def control_points(dialect, table, text):
-    """Bernstein coefficients of the polynomial on each interval that the controller makes of the points."""
+    """Bernstein coefficients of the polynomial of the controller on each interval between the points."""
     h, y = table[1, 0] - table[0, 0], table[:, 1]
     if table.shape[1] == 4:
         v, a = h / 5 * table[:, 2], h**2 / 20 * table[:, 3]
@@ -69,7 +69,7 @@ def control_points(dialect, table, text):
 
 
 def followed(dialect, table, text):
-    """Angles, and there the second derivative of what the controller makes of the points, in its numbers."""
+    """Angles, with the second derivative of the controller's polynomial there, in the numbers of the controller."""
     control, h = control_points(dialect, table, text), table[1, 0] - table[0, 0]
     if DIALECTS[dialect][1] > 1e-8:  # REAL, in mm
         control = np.float64(np.float32(control / SCALE[1])) * SCALE[1]
@@ -82,7 +82,7 @@ def followed(dialect, table, text):
 
 
 def judge(r, dialect, path, message, change=None):
-    """Count of numbers and lines that differ; `change` multiplies the numbers of one column."""
+    """Number of checked numbers, and differing lines. `change` multiplies the numbers of one column."""
     table, accuracy = points(dialect, path), DIALECTS[dialect][1]
     if change is not None:
         table[:, change] *= 1.001
@@ -103,7 +103,7 @@ def judge(r, dialect, path, message, change=None):
         faults.append(f"{dialect}: stated less than {stated[3]} % added by the file, recomputed {share}")
     added_share = share if stated[2] else float(stated[3])
     for what, given, own, part in (("N RMS", float(stated[1]), whole, 2e-3), ("% added by the file", added_share, share, 0.02)):
-        # Printed with few digits.
+        # This number is printed with few digits.
         if abs(given - own) > part * own and max(given, own) > ROUNDING:
             faults.append(f"{dialect}: stated {given} {what}, recomputed {own}")
     return table.size + 2, faults

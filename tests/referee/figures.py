@@ -1,4 +1,4 @@
-"""Recomputations of law, cam, force and machine."""
+"""Recomputation of law, cam, force and machine."""
 
 import copy
 import math
@@ -11,7 +11,7 @@ from on_shaft import error_over_time
 from result import Unknown, close, field, model_of, place, presses, size_of
 from units import quantity
 
-# Models of one stance, with kinks where the foot comes down and leaves.
+# Models of a single stance, with kinks where the foot strikes and leaves the ground.
 STANCES = ("li-2010", "iso-22675")
 
 
@@ -25,7 +25,7 @@ def extreme_of_law(r, m):
     for below in range(order):
         least = 1e-7 * max(r.law.jumps(below)[1], 1e-12)
         steps = r.law.steps(below)
-        # A step is infinite once differentiated, on its own side; differentiated again, on both.
+        # At a step the first derivative is infinite on its own side, and the second on both sides.
         if any(abs(step) > least if below + 1 < order else sign * step > least for step in steps):
             return sign * math.inf, 0.0, 0.0
     return close(r.law.extreme(lambda *x: x[1 + order], name.endswith("max"))[0], 1e-6, 1e-9 * max(1e-6, r.law.jumps(order)[1]))
@@ -40,7 +40,7 @@ def continuity(r, m):
 
 @field(r"law\.coefficients\[(\d+)\]")
 def coefficient(r, m):
-    """The law of all stated coefficients has the rows of law.csv; then every one of them is right."""
+    """Checks that the law of all stated coefficients has the rows of law.csv. All coefficients are then correct."""
     i = int(m[1])
     stated = r.summary["law"]["coefficients"]
     if r.summary["law"]["functions"] == "segments":
@@ -73,7 +73,7 @@ def functions(r, m):
 
 @field(r"law\.degree")
 def degree(r, m):
-    """Pieces of this degree vanish at the next derivative; 0 stands for functions that are not polynomials."""
+    """Degree of the pieces, whose next derivative vanishes; 0 for functions that are not polynomials."""
     kind = r.summary["law"]["functions"]
     if kind == "segments":
         degrees = {"3-4-5": 5, "4-5-6-7": 7, "5-6-7-8-9": 9, "berzak-d": 7, "parabolic": 2, "cubic": 3, "constant-velocity": 1}
@@ -142,7 +142,7 @@ def speed(r, m):
 
 @field(r"cam\.(prime_radius|base_radius|offset)_m")
 def size(r, m):
-    """Sizes: the profile of the rows belongs to them, and a size that the scene gives is it."""
+    """Size of the cam: the profile points agree with it, and it equals the size in the scene, if given."""
     z = r.cam.size
     stated = {"prime_radius": z["prime"], "base_radius": z["base"], "offset": r.summary["cam"]["offset_m"]}[m[1]]
     given = quantity(r.scene["cam"].get(m[1], 0.0 if m[1] == "offset" else None))
@@ -211,7 +211,7 @@ def second_size(r, m):
 
 
 class Second:
-    """The cam of the opposite follower: its lift is what the first one lacks to its highest point."""
+    """Cam of the opposite follower. Its lift is the distance of the first one from its highest point."""
 
     def __init__(self, r):
         self.top = r.law.extreme(lambda *x: x[1])[0]
@@ -277,14 +277,14 @@ def force(r, m):
     if name == "rms_error_percent_of_mean":
         return close(100 * rms / mean, 4e-4, 100 * rounding / mean)
     if name == "max_error_n":
-        # Beside the kinks of a stance the program has a cubic between 1024 samples.
+        # Near the kinks of a stance, the program uses a cubic between 1024 samples.
         kinks = 1e-3 * float(np.max(r.target)) if r.scene["gait"].get("model") in STANCES else 0.0
         return close(peak_between_rows(np.abs(error)), 4e-4, max(rounding, kinks, moved(r) * mean))
     raise Unknown(name)
 
 
 def varies(r):
-    """Whether the design is judged at a speed that varies."""
+    """Whether the design is checked at a varying speed."""
     return r.drive.motion is not None and r.drive.motion.shaft is not None
 
 
@@ -296,7 +296,7 @@ def mean_target(r):
 
 
 def peak_between_rows(values):
-    """Highest value of a parabola through the highest row and its neighbours."""
+    """Maximum of a parabola through the highest row and its neighbours."""
     i = int(np.argmax(values))
     a, b, c = values[i - 1], values[i], values[(i + 1) % len(values)]
     bend = a - 2 * b + c
@@ -324,7 +324,7 @@ def machine(r, m):
         mean = r.time_mean(power) if varies(r) else r.law.mean(power)
         return close(mean, 1e-6, (1e-5 if varies(r) else 1e-7 if r.motion else 1e-9) * r.law.extreme(lambda *x: np.abs(power(*x)))[0])
     if name == "liftoff_speed_rad_per_s":
-        # A conjugate pair is held from both sides.
+        # A conjugate pair has contact on both sides.
         if r.drive.motion is not None or r.drive.learned or "conjugate" in r.scene["cam"]:
             return None, 0, 0
         return close(r.drive.liftoff(r.law), 1e-7) if r.drive.liftoff(r.law) is not None else (None, 0, 0)
@@ -338,12 +338,12 @@ def machine(r, m):
 
 
 def moved(r):
-    """Share of the mean force to which a design knows its force: its law is that of the last motion but one (theory §10)."""
+    """Accuracy of the force in a design relative to the mean force. Its law is that of the last motion but one (theory §10)."""
     return 2e-6 if varies(r) else 1e-8
 
 
 def weight_of(r):
-    """Weight of the walker as the target has it: that of a load model, scaled with it; of a recording the mean force."""
+    """Weight of the walker in the target: that of a load model, scaled with it; for a recording the mean force."""
     gait = r.scene.get("gait", {})
     if gait.get("model") in STANCES:
         if gait.get("scale") == "to-mass" and r.drive.kind == "moving-axis":
@@ -376,13 +376,13 @@ def load_factor(r, m):
         wanted = r.target if not varies(r) else (model_of(r) or r.target_at)(2 * math.pi * np.arange(1440) / 1440)
         amplitude, angle = harmonics(wanted, n)[n - 1]
     else:
-        # Over time, at the speed for which the design states its force.
+        # Mean over time, at the speed for which the design states its force.
         turns = r.motion is not None and (r.motion.shaft is None or varies(r))
         run, mean, phase = (r.running(), r.time_mean, r.motion.phase) if turns else (r, r.law.mean, lambda x: x)
         cos = 2 * mean(lambda *x: run.force(*x) * np.cos(n * phase(x[0])))
         sin = 2 * mean(lambda *x: run.force(*x) * np.sin(n * phase(x[0])))
         amplitude, angle = math.hypot(cos, sin), math.atan2(cos, sin)
-    # Stated as A sin(nθ − φ).
+    # The terms are stated as A sin(nθ − φ).
     angle = -angle
     weight = weight_of(r)
     if not m[2].endswith("phase_rad"):

@@ -1,4 +1,4 @@
-"""Force of the drive, target force, and what follows from both at a constant speed of a rigid machine."""
+"""Force of the drive, target force, and derived quantities at the constant speed of a rigid machine."""
 
 import copy
 import math
@@ -19,7 +19,7 @@ def learned_terms(rows):
 
 
 class Drive:
-    """F = F0 + k s + c ω v + m ω² a; for an arm a torque, which acts as a force at the lever."""
+    """F = F0 + k s + c ω v + m ω² a. For an arm this is a torque, which acts as a force at the lever."""
 
     def __init__(self, scene, mass, speed, lever):
         drive = scene["drive"]
@@ -41,7 +41,7 @@ class Drive:
             self.damping = quantity(drive.get("damping", 0)) or 0.0
 
     def learned_force(self, theta):
-        """Force of the machine beyond its drive: a mean, then harmonics of the turn as A sin(nθ + p)."""
+        """Force of the machine outside its drive: a mean, then harmonics of the turn as A sin(nθ + p)."""
         return self.lever * sum(size * np.sin(n * theta + phase) if n else size for n, (size, phase) in enumerate(self.learned))
 
     def force(self, theta, s, v, a, j=None):
@@ -62,11 +62,11 @@ class Drive:
             return None
 
         def touches(theta, s, v, a, j):
-            """The least root of m a ω² + c v ω + F₀ + k s."""
+            """Smallest root of m a ω² + c v ω + F₀ + k s."""
             square, slope, rest = self.inertia * a, self.damping * v, self.rest + self.stiffness * s
             with np.errstate(all="ignore"):
                 root = np.sqrt(slope**2 - 4 * square * rest)
-                # Of both roots 2C/(−B ± √(B² − 4AC)) the positive one that is nearer.
+                # The smaller positive one of both roots 2C/(−B ± √(B² − 4AC)).
                 near, far = 2 * rest / (-slope + root), 2 * rest / (-slope - root)
                 found = np.minimum(np.where(near > 0, near, np.inf), np.where(far > 0, far, np.inf))
             return np.where(rest <= 0, np.where((slope < 0) | (slope == 0) & (square < 0), 0.0, np.inf), found)
@@ -76,7 +76,7 @@ class Drive:
 
 
 def model(name, frequency, weight, phase, feet="both"):
-    """Both feet together: G (1 + Σ a_i sin(i phase + p_i)), or one foot over its stride; `None` for a model that is not known here."""
+    """Force of both feet, G (1 + Σ a_i sin(i phase + p_i)), or of one foot over its stride; `None` for an unknown model."""
     if name == "li-2010":
         return weight * (both_feet(phase, frequency) if feet == "both" else stance(phase / math.pi, frequency))
     factors = load_factors(name, frequency)
@@ -102,7 +102,7 @@ def load_factors(name, f):
 
 
 def sines(factors, phase):
-    """1 + Σ a_i sin(i phase + p_i)."""
+    """Value of 1 + Σ a_i sin(i phase + p_i)."""
     force = np.ones_like(phase)
     for i, (size, shift) in enumerate(factors, 1):
         force = force + size * np.sin(i * phase + shift)
@@ -110,7 +110,7 @@ def sines(factors, phase):
 
 
 def stance(steps, frequency):
-    """Force of one foot per weight (Li and others 2010), over the number of steps since it came down; its stride has two."""
+    """Force of one foot per weight (Li and others 2010), over the number of steps since its strike. A stride has two steps."""
     f = frequency
     part = np.mod(steps, 2.0) * 0.76
     sizes = (-0.0698 * f + 1.211, 0.1052 * f - 0.1284, 0.3002 * f - 0.1534, 0.0416 * f - 0.0288, -0.0275 * f + 0.0608)
@@ -118,7 +118,7 @@ def stance(steps, frequency):
 
 
 def both_feet(phase, frequency):
-    """Two feet half a stride apart, over the phase of a step."""
+    """Force of two feet half a stride apart, over the phase of a step."""
     step = np.mod(phase, 2 * math.pi) / (2 * math.pi)
     return stance(step, frequency) + stance(step + 1.0, frequency)
 

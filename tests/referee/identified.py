@@ -1,4 +1,4 @@
-"""Recomputations of an identification: logs of machines whose parameters are known, and the fit of their samples by least squares."""
+"""Recomputation of an identification: logs of machines with known parameters, and a least-squares fit of their samples."""
 
 import functools
 import json
@@ -13,7 +13,7 @@ KEYS = ("log.bias", "drive.mass", "guide.damping", "guide.friction")
 TRUTH = np.array([4.0, 73.0, 20.0, 3.0])
 CYCLES, RATE, NOISE, DELAY = 30, 500, 2.0, 0.001
 LOGS = 6
-# Own shifts of the cell, rad, that are tried about the best of the coarser ones.
+# Time shifts of the load cell, rad, that are tried around the best of the coarser ones.
 SHIFTS = 61
 
 
@@ -23,7 +23,7 @@ def columns(law, speed, theta):
 
 
 def not_negative(matrix, y):
-    """Least squares in which damping and friction are not negative: the best of all choices of those that are zero."""
+    """Least squares with non-negative damping and friction: the best of all choices of zero parameters."""
     best = None
     for left_out in ((), (2,), (3,), (2, 3)):
         kept = [k for k in range(len(KEYS)) if k not in left_out]
@@ -36,7 +36,7 @@ def not_negative(matrix, y):
 
 
 def fit(law, speed, theta, y):
-    """Parameters and delay in s that fit all samples best."""
+    """Parameters, and delay in s, with the best fit of all samples."""
     centre, width = 0.0, 0.2
     while width > 1e-7:
         shifts = centre + width * np.linspace(-1, 1, SHIFTS)
@@ -57,7 +57,7 @@ def logged(law, speed, seed):
 
 @functools.cache
 def both(gaitcam, result, folder, seed):
-    """What the program says of a log, and the own parameters and delay."""
+    """Output of gaitcam for a log, and parameters and delay of the independent fit."""
     speed = result.drive.speed
     time, theta, force = logged(result.law, speed, seed)
     path = folder / f"log_{seed}.csv"
@@ -67,7 +67,7 @@ def both(gaitcam, result, folder, seed):
 
 
 def judge(gaitcam, result, folder, change=None):
-    """Counts of numbers and lines that differ; `change` alters the value of one parameter as the program states it."""
+    """Numbers of values and differing lines. `change` alters the value of one parameter in the output of the program."""
     speed, faults, count, missed, intervals = result.drive.speed, [], 0, 0, 0
     for seed in range(LOGS):
         stated, own, delay = both(gaitcam, result, folder, seed)
@@ -78,7 +78,7 @@ def judge(gaitcam, result, folder, change=None):
         truths = dict(zip(KEYS, TRUTH), **{"log.delay": DELAY})
         for key, value in values.items():
             row, count = found[key], count + 3
-            # Means of cycles against all samples: they differ by a part of the doubt.
+            # Means of cycles are compared with all samples. They differ by a fraction of the uncertainty.
             if abs(row["value"] - value) > 0.2 * (row["high"] - row["low"]):
                 faults.append(f"log {seed}: {key} stated {row['value']}, recomputed {value}")
             intervals, missed = intervals + 1, missed + (not row["low"] <= truths[key] <= row["high"])
@@ -92,6 +92,6 @@ def judge(gaitcam, result, folder, change=None):
 
 
 def self_test(gaitcam, result, folder):
-    """Parameters whose change is not noticed, and how many were changed."""
+    """Parameters whose change is not detected, and the number of changed ones."""
     keys = (*KEYS, "log.delay")
     return [key for key in keys if not judge(gaitcam, result, folder, key)[1]], len(keys)

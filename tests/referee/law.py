@@ -1,4 +1,4 @@
-"""The law of motion, evaluated from the coefficients that a summary states."""
+"""The law of motion, evaluated from the coefficients in a summary."""
 
 import math
 
@@ -28,19 +28,19 @@ class Law:
         return [self(theta, k) for k in range(4)]
 
     def steps(self, order):
-        """Changes of a derivative between pieces and over the end of the cycle."""
+        """Jumps of a derivative between pieces and over the end of the cycle."""
         after = self.pieces[1:] + self.pieces[:1]
         return [float(b[2](np.array([b[0]]), order)[0]) - float(a[2](np.array([a[1]]), order)[0]) for a, b in zip(self.pieces, after)]
 
     def jumps(self, order):
-        """Largest jump of a derivative between pieces and over the end of the cycle, with its size."""
+        """Position and size of the largest jump of a derivative between pieces and over the end of the cycle."""
         worst, size = max(map(abs, self.steps(order))), 0.0
         for start, end, function in self.pieces:
             size = max(size, float(np.max(np.abs(function(np.linspace(start, end, 65), order)))))
         return worst, size
 
     def extreme(self, value, largest=True):
-        """Largest or smallest value of a function of (theta, s, v, a, j) over the cycle, and its place."""
+        """Maximum or minimum of a function of (theta, s, v, a, j) over the cycle, and its position."""
         sign = 1.0 if largest else -1.0
         starts = []
         for start, end, function in self.pieces:
@@ -57,7 +57,7 @@ class Law:
         return sign * best[0], best[1]
 
     def mean(self, value):
-        """Mean of a function of (theta, s, v, a, j) over the cycle by Gauss' rule on each piece."""
+        """Mean of a function of (theta, s, v, a, j) over the cycle, by Gaussian quadrature on each piece."""
         nodes, weights = np.polynomial.legendre.leggauss(24)
         total = 0.0
         for start, end, function in self.pieces:
@@ -70,7 +70,7 @@ class Law:
 
 
 def along(value, function, sign):
-    """A function of the angle alone, from one of (theta, s, v, a, j) and the law of a piece."""
+    """Function of the angle only, from a function of (theta, s, v, a, j) and the law of a piece."""
 
     def at(theta):
         theta = np.atleast_1d(np.asarray(theta, float))
@@ -82,7 +82,7 @@ def along(value, function, sign):
 
 
 def refine(at, low, high):
-    """Place of the maximum between two places, by golden section."""
+    """Position of the maximum between two positions, by golden-section search."""
     a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     fa, fb = float(at(a)[0]), float(at(b)[0])
     for _ in range(60):
@@ -98,7 +98,7 @@ def refine(at, low, high):
 
 
 def spline(knots, degree, coefficients):
-    """A periodic spline: coefficient i belongs to the B-spline on the knots t_i … t_(i+p+1)."""
+    """Periodic spline. Coefficient i belongs to the B-spline on the knots t_i … t_(i+p+1)."""
     n, turn = len(knots), 2 * math.pi
     t = np.array([knots[i % n] + turn * (i // n) for i in range(-2 * n, 3 * n)])
     c = np.array([coefficients[i % n] for i in range(-2 * n, 3 * n)])
@@ -120,7 +120,7 @@ def spline(knots, degree, coefficients):
 
 
 def span(derivatives, m):
-    """The polynomial of a spline between knots m and m + 1: its Taylor series about the middle, by de Boor's recursion."""
+    """Polynomial of a spline between knots m and m + 1: its Taylor series about the middle, by de Boor's recursion."""
     t = derivatives[0][0]
     middle = (t[m] + t[m + 1]) / 2
     taylor = np.polynomial.Polynomial([de_boor(*row, m, middle) / math.factorial(k) for k, row in enumerate(derivatives)])
@@ -140,7 +140,7 @@ def de_boor(t, c, p, m, theta):
 
 
 def fourier(coefficients):
-    """1, cos θ, sin θ, cos 2θ, sin 2θ …"""
+    """Basis 1, cos θ, sin θ, cos 2θ, sin 2θ …"""
 
     def function(theta, order):
         value = np.full_like(theta, coefficients[0] if order == 0 else 0.0)
@@ -156,7 +156,7 @@ def fourier(coefficients):
 
 
 def monomial(span_rad, coefficients):
-    """Powers of u on a range; the law rests outside."""
+    """Polynomial in powers of u on a range. The law is at rest outside."""
     low, high = span_rad
     powers = np.polynomial.Polynomial(coefficients)
 
@@ -185,7 +185,7 @@ def polynomial(*pairs):
 
 
 def sines(linear, *terms, constant=0.0):
-    """constant + linear x + Σ factor sin(frequency x + phase)."""
+    """Function constant + linear x + Σ factor sin(frequency x + phase)."""
 
     def function(x, k):
         value = constant + linear * x if k == 0 else np.full_like(x, linear if k == 1 else 0.0)
@@ -197,13 +197,13 @@ def sines(linear, *terms, constant=0.0):
 
 
 def joined(*pieces):
-    """Functions side by side on 0 … 1: (end, function)."""
+    """Function on 0 … 1 composed of pieces: (end, function)."""
     edges = [0.0] + [end for end, _ in pieces]
     return [(low, high, function) for low, high, (_, function) in zip(edges, edges[1:], pieces)]
 
 
 def scca(b, c, d):
-    """Sine, constant, cosine acceleration with the peak that brings the lift to 1."""
+    """Law of sine, constant and cosine acceleration. The peak is chosen for a lift of 1."""
     pi = math.pi
     edges = [0.0, b / 2, (1 - d) / 2, (1 + d) / 2, 1 - b / 2, 1.0]
     shapes = []
@@ -217,7 +217,7 @@ def scca(b, c, d):
         shapes.append((edges[3], edges[4], -1.0))
     if b > 0:
         shapes.append((edges[4], edges[5], (lambda u: -math.cos(u), pi / b, edges[4])))
-    # Integrate twice in closed form, piece by piece, with speed and lift carried on.
+    # Integrate twice in closed form, piece by piece, with continuous velocity and lift.
     pieces, speed, lift = [], 0.0, 0.0
     for low, high, shape in shapes:
         if isinstance(shape, float):
@@ -282,12 +282,12 @@ MOTIONS = {
     "scca": scca(0.25, 0.25, 0.5),
     "dwell": polynomial((0, 0.0)),
 }
-# The fall of these is the rise mirrored in x; of all others it is the rise with the opposite sign.
+# The fall of these motions is the rise mirrored in x; the fall of all others is the rise with the opposite sign.
 MIRRORED = {"double-harmonic", "eccentric"}
 
 
 def programme(segments, start=0.0):
-    """A law of segments (motion, change of lift, length), its lowest point at lift 0."""
+    """Law of segments (motion, change of lift, length) whose lowest point has lift 0."""
     pieces, theta, lift = [], start, 0.0
     for motion, change, length in segments:
         shape = MOTIONS[motion]
@@ -304,7 +304,7 @@ def programme(segments, start=0.0):
 
 
 def double_harmonic(level, lift, start, rise, fall):
-    """A rise, a fall and a rest over one turn that begins at an angle of its own; the fall is the rise in the mirror."""
+    """Rise, fall and dwell over one turn that begins at a given angle. The fall is the mirror image of the rise."""
     turn = 2 * math.pi
     hump = [("double-harmonic", 1.0, rise), ("double-harmonic", -1.0, fall)]
     rest = turn - rise - fall

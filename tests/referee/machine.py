@@ -1,7 +1,8 @@
-"""The machine under the cam as it moves: speed of the shaft under its motor, and the floor under the feet.
+"""Motion of the machine under the cam: speed of the shaft with its motor, and motion of the floor.
 
-In E = ω²/2 the shaft obeys (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E + m z″), τ the torque per
-newton of contact force. Mode q of the floor obeys m (q″ + 2ζω q′ + ω² q) = −φ F and moves the feet by z = φ q.
+With E = ω²/2, the equation of the shaft is (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E + m z″),
+where τ is the torque per newton of contact force. The equation of a mode q of the floor is m (q″ + 2ζω q′ + ω² q) = −φ F. It
+moves the feet by z = φ q.
 """
 
 import csv
@@ -17,7 +18,7 @@ STEPS = 1440
 
 
 class Motor:
-    """Torque at the camshaft over its speed, for a no-load speed there; `torque` is a part by which it is multiplied."""
+    """Torque at the camshaft over its speed, for a no-load speed there. `torque` is a factor for the torque."""
 
     def __init__(self, scene, base=Path(), torque=1.0, inertia=1.0, friction=1.0):
         machine = scene["machine"]
@@ -37,7 +38,7 @@ class Motor:
         self.no_load = self.free_speed()
 
     def free_speed(self):
-        """No-load speed of a curve as it is given."""
+        """No-load speed of a curve as given."""
         if self.curve is None:
             return None
         (w0, t0), (w1, t1) = self.part_of_curve(lambda row: row[1] <= 0)
@@ -69,7 +70,7 @@ class Motor:
 
 
 def curve_of(text, base):
-    """Pairs of speed and torque from numbers in turn, or from a file."""
+    """Pairs of speed and torque from an alternating list of numbers, or from a file."""
     words = str(text).split()
     try:
         values = [float(word) for word in words]
@@ -80,7 +81,7 @@ def curve_of(text, base):
 
 
 class Shaft:
-    """The turn that repeats under a motor and takes the time of a mean speed."""
+    """Periodic turn with a motor, with the duration of a given mean speed."""
 
     def __init__(self, law, drive, motor, lever, floor=lambda theta: 0.0, start=None):
         self.law, self.drive, self.motor, self.lever, self.floor = law, drive, motor, lever, floor
@@ -89,7 +90,7 @@ class Shaft:
         self.solve(start)
 
     def loads(self, theta, function):
-        """τ where the follower is pressed and where it would be pulled, F₀ + k s + m z″, c v, 2 m a, m v."""
+        """τ for a pressing and for a pulling contact, F₀ + k s + m z″, c v, 2 m a, m v."""
         d = self.drive
         s, v, a = (function(theta, k) for k in range(3))
         pressed, pulled = self.lever(theta, s, v, a)
@@ -97,7 +98,7 @@ class Shaft:
                          2 * d.inertia * a, d.inertia * v], axis=1)
 
     def table(self, steps):
-        """Loads at the ends and the middle of each step; steps end where the law may jump."""
+        """Loads at the ends and the middle of each step. Steps end where the law may jump."""
         left, middle, right, width, edges = [], [], [], [], []
         rest = self.law.end - self.law.start
         for start, end, function in self.law.pieces:
@@ -114,7 +115,7 @@ class Shaft:
         self.steps = [(float(h), *(tuple(map(float, row)) for row in rows)) for h, *rows in zip(self.width, *self.nodes)]
 
     def rate(self, load, energy, no_load):
-        """E′ at a load."""
+        """Derivative E′ for a load."""
         pressed, pulled, rest, damping, bend, mass = load
         speed = math.sqrt(2 * energy) if energy > 0 else 0.0
         still = rest + damping * speed + bend * energy
@@ -125,7 +126,7 @@ class Shaft:
         return found
 
     def turn(self, energy, no_load, keep=False):
-        """Energy at the end of a turn and its duration, by Runge and Kutta's method of fourth order."""
+        """Energy at the end of a turn, and its duration, by the Runge-Kutta method of order 4."""
         time, energies, times, rates = 0.0, [energy], [0.0], []
         for h, a, b, c in self.steps:
             k1 = self.rate(a, energy, no_load)
@@ -138,7 +139,7 @@ class Shaft:
             next_energy = energy + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
             if not (next_energy > 1e-5 * self.mean**2 and e2 > 0 and e3 > 0):
                 return None
-            # Simpson's rule; the middle by Hermite's cubic.
+            # Duration by Simpson's rule, with the middle from a Hermite cubic.
             mid = (energy + next_energy) / 2 + h / 8 * (k1 - self.rate(c, next_energy, no_load))
             time += h / 6 * ((2 * energy) ** -0.5 + 4 * (2 * max(mid, 1e-30)) ** -0.5 + (2 * next_energy) ** -0.5)
             if keep:
@@ -152,7 +153,7 @@ class Shaft:
         return energy, time
 
     def slow_turn(self, energy, no_load):
-        """The same by the implicit midpoint rule, which small wheels under stiff motors do not upset."""
+        """As `turn`, but by the implicit midpoint rule, which is stable for small inertia and a stiff motor."""
         time = 0.0
         for h, _, load, _ in self.steps:
             k = self.rate(load, energy, no_load)
@@ -232,7 +233,7 @@ class Shaft:
         return self.hermite(theta, self.time, rate[:-1], rate[1:]) + np.where(np.asarray(theta) > self.law.end, turns * self.time[-1], 0.0)
 
     def angular(self, theta, s, v, a):
-        """dω/dt at angles with a given motion."""
+        """dω/dt at the given angles for a given motion."""
         d, energy = self.drive, self.half_square(theta)
         speed = np.sqrt(2 * energy)
         still = d.rest + d.stiffness * s + d.damping * speed * v + 2 * d.inertia * a * energy + d.inertia * self.floor(theta)
@@ -243,7 +244,7 @@ class Shaft:
         return np.where(pulls, (torque - pulled * still) / (self.motor.inertia + pulled * d.inertia * v), found)
 
     def stop_from_rest(self, lowest):
-        """Angle from the lowest lift at which a start from rest ends; `None` where it passes a turn."""
+        """Angle, from the lowest lift, at which a start from rest ends; `None` if it completes a turn."""
         count = 2 * STEPS
         at = lowest + TURN * np.arange(2 * count + 1) / (2 * count)
         table = [tuple(map(float, row)) for row in self.loads(self.law.start + np.mod(at - self.law.start, TURN), self.law)]
@@ -262,7 +263,7 @@ class Shaft:
 
 
 class Floor:
-    """Modes of a structure, and its walkers with phase and weight relative to the first, who is the shaker."""
+    """Modes of a structure, and its walkers with phase and weight relative to the first one, the shaker."""
 
     def __init__(self, scene):
         machine = scene["machine"]
@@ -278,7 +279,7 @@ class Floor:
         self.is_drawn = count > 1 and not phases
 
     def accelerance(self, w):
-        """z″ per newton of all feet at the angular frequencies w."""
+        """z″ per newton of the total foot force at the angular frequencies w."""
         total = np.zeros(len(w), complex)
         for mass, frequency, damping, ordinate in self.modes:
             own = TURN * frequency
@@ -287,7 +288,7 @@ class Floor:
         return total
 
     def others(self, target):
-        """Harmonics of the other walkers' force, who press as the target at their phases."""
+        """Harmonics of the force of the other walkers. They have the target force at their phases."""
         n = np.arange(len(target))
         total = np.zeros(len(target), complex)
         for phase, weight in list(zip(self.phases, self.weights))[1:]:
@@ -302,7 +303,7 @@ def listed(value):
 
 
 def series(harmonics, phase):
-    """Σ over n ≥ 1 of Re(c_n e^{inφ})."""
+    """Sum over n ≥ 1 of Re(c_n e^{inφ})."""
     phase = np.asarray(phase, float)
     total = np.zeros(phase.shape)
     for n, c in enumerate(harmonics):
@@ -312,7 +313,7 @@ def series(harmonics, phase):
 
 
 class Motion:
-    """Steady motion of shaft and floor under one cam; `None` stands for a constant speed and for a stiff floor."""
+    """Steady motion of shaft and floor with a cam. `None` is a constant speed or a rigid floor."""
 
     def __init__(self, law, drive, motor, floor, lever, target, start=None):
         self.drive, self.speed_at_rest = drive, drive.speed
@@ -330,7 +331,7 @@ class Motion:
                 break
 
     def settle_floor(self, law, drive):
-        """z″ of the force without the floor's part: F_n = (P_n + M H O_n)/(1 − M H), z″_n = H (F_n + O_n)."""
+        """z″ from the force without the effect of the floor: F_n = (P_n + M H O_n)/(1 − M H), z″_n = H (F_n + O_n)."""
         count = 2880
         phase = TURN * (np.arange(count) + 0.5) / count
         theta = law.start + phase if self.shaft is None else self.angle(phase)
@@ -350,7 +351,7 @@ class Motion:
         self.kept = series(self.terms, fine), series(1j * n * self.terms, fine)
 
     def angle(self, phase):
-        """The cam angle at a part of the period."""
+        """Cam angle at a fraction of the period."""
         time = phase / self.drive.speed
         theta = np.interp(time, self.shaft.time, self.shaft.edges)
         for _ in range(4):
@@ -381,7 +382,7 @@ class Motion:
         return peak, math.sqrt(0.5 * float(np.sum(np.abs(self.terms) ** 2)))
 
     def error_in_time(self, force, target):
-        """Least RMS of a force less a target over time, over the phase between them, and the mean of the target."""
+        """Smallest RMS difference of force and target over time for any phase between them, and the mean of the target."""
         count = 1440
         part = TURN * np.arange(count) / count
         theta = self.angle(part) if self.shaft is not None else part
@@ -404,7 +405,7 @@ class Motion:
 
 
 def harmonics_of(target, count):
-    """c_n of a periodic function, whose value is Re Σ c_n e^{inφ}."""
+    """Coefficients c_n of a periodic function Re Σ c_n e^{inφ}."""
     phase = TURN * np.arange(count) / count
     found = np.fft.rfft(target(phase)) / count
     found[1:] *= 2

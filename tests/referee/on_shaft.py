@@ -1,4 +1,4 @@
-"""Recomputations of the motion of shaft and floor, and of what the design says of other machines."""
+"""Recomputation of the motion of shaft and floor, and of the results for other machines."""
 
 import copy
 import math
@@ -12,9 +12,9 @@ from optimum import Program
 from result import Unknown, close, field, model_of
 from units import quantity
 
-# The program's steps between the breaks of a law resolve the speed to this.
+# Accuracy of the speed between the breaks of a law with the steps of the program.
 SPEED = 5e-5
-# The motion repeats to 1e-6 of its energy from turn to turn: half of it of the speed.
+# The motion repeats to 1e-6 of its energy from turn to turn, and to half of this of the speed.
 SETTLED = 5e-7
 CLASSES = (0.5, 1.0, 2.5)
 
@@ -50,7 +50,7 @@ def shaft(r, m):
         stop = own.stop_from_rest(r.law.extreme(lambda *x: x[1], False)[1])
         return (None, 0, 0) if stop is None else close(stop, 5e-4, 5e-4)
     if name == "least_inertia_kg_m2":
-        # The program's search ends within a few per cent, and at 1e-4 of the inertia given.
+        # The search of the program ends within a few per cent, and at 1e-4 of the given inertia.
         least, end = least_inertia(r), 1e-4 * own.motor.inertia
         return (least, 0.04, 0.0) if least > end else (0.0, 0.0, 1.01 * end)
     if name == "motor_torque_max_n_m":
@@ -65,17 +65,17 @@ def shaft(r, m):
 
 
 def least_inertia(r):
-    """Smallest inertia with which a turn repeats; 0 where it turns with any.
+    """Smallest inertia for which a turn repeats; 0 if it repeats for any inertia.
 
-    The time of a turn falls from ∞ to 0 as the no-load speed rises, so a turn of the mean speed exists unless the shaft jams: the
-    inertia at the shaft, J + τ m v, must be positive. Without friction τ = v, and it is.
+    The duration of a turn falls from ∞ to 0 as the no-load speed increases. A turn with the mean speed therefore exists unless
+    the shaft jams: the inertia at the shaft, J + τ m v, must be positive. Without friction τ = v, and this holds.
     """
     seen = r.law.extreme(lambda theta, s, v, a, j: r.drive.inertia * v * r.lever(theta, s, v, a)[0], False)[0]
     return max(-seen, 0.0)
 
 
 def error_over_time(r, motion, law=None):
-    """RMS force error over time on a motion, and the mean of the target."""
+    """RMS force error over time for a motion, and the mean of the target."""
     law = law or r.law
     drive = copy.copy(motion.drive)
     drive.motion = motion
@@ -125,8 +125,8 @@ def sensitivity(r, m):
 
 
 def at_constant_speed(r):
-    """Laws for constant speed: the design itself where no round corrected it, else those of the fewest spans or harmonics
-    that reach the accuracy, and of some more."""
+    """Laws for constant speed: the design itself if no iteration corrected it, else those with the smallest numbers of spans
+    or harmonics that reach the accuracy, and with some more."""
     if r.summary["shaft_design"]["rounds"] == 0:
         return [r.law]
     if binding(r):
@@ -162,7 +162,7 @@ def at_constant_speed(r):
 
 
 def on_base_circle(law, drive):
-    """The law with its lowest point at lift 0, where the force leaves the level free; friction depends on it."""
+    """Law with its lowest point at lift 0 if the force does not determine the level. Friction depends on it."""
     if drive.stiffness:
         return law
     lowest = law.extreme(lambda *x: x[1], False)[0]
@@ -170,7 +170,7 @@ def on_base_circle(law, drive):
 
 
 def share_of(r):
-    """The accuracy as a share of the mean force."""
+    """Accuracy relative to the mean force."""
     own = quantity(r.scene.get("accuracy", {}).get("rms", "auto"))
     return 0.005 if own is None else own
 
@@ -216,7 +216,7 @@ def figure_of(law, before, r, m):
 
 
 def held(r):
-    """Whether something beside the force error depends on the speed of the shaft."""
+    """Whether a quantity other than the force error depends on the speed of the shaft."""
     still = ("stroke", "curvature", "pressure_angle", "pressure_angle_rise", "pressure_angle_fall", "prime_radius", "face_width")
     limits = [name for name, value in r.scene["limits"].items() if name not in still and value != "none"]
     usual = "force-error" if r.target is not None else "jerk"
@@ -228,7 +228,7 @@ def binding(r):
 
 
 def linear(law, before, r):
-    """Ripple and change of the force to first order about a constant speed: ε′ = r + r_E ε + r_ω δω with a period's time kept."""
+    """Ripple, and first-order change of the force about a constant speed: ε′ = r + r_E ε + r_ω δω with a constant period."""
     drive, motor = before.drive, r.motor()
     level = 0.5 * drive.speed**2
     theta = law.start + TURN * (np.arange(2880) + 0.5) / 2880
@@ -246,7 +246,7 @@ def linear(law, before, r):
     base = rates(level, no_load)
     by_energy = (rates(level * 1.0001, no_load) - rates(level * 0.9999, no_load)) / (2e-4 * level)
     by_supply = (rates(level, no_load * 1.0001) - rates(level, no_load * 0.9999)) / (2e-4 * no_load)
-    # Affine in (ε(0), δω): the midpoint rule of each step.
+    # The midpoint rule of each step is affine in (ε(0), δω).
     row, rows = np.array([0.0, 1.0, 0.0]), []
     for b, e, w in zip(base, by_energy, by_supply):
         after = (row * (1 + h / 2 * e) + h * np.array([b, 0.0, w])) / (1 - h / 2 * e)
@@ -258,7 +258,7 @@ def linear(law, before, r):
     change = rows @ np.array([1.0, first, supply])
     slope = base + by_energy * change + by_supply * supply
     force = (drive.damping * v / drive.speed + 2 * drive.inertia * a) * change + drive.inertia * v * slope
-    # The angle comes at another time; the phase is that of the least change.
+    # The time of each angle changes; the phase is that of the smallest change.
     slope = drive.stiffness * v + drive.damping * drive.speed * a + drive.inertia * drive.speed**2 * law(theta, 3)
     ahead = (np.cumsum(change) - change / 2) * h / (2 * level)
     force = force + slope * ahead
@@ -276,7 +276,7 @@ def floor(r, m):
 
 
 def inertia(r, row, side):
-    """The smallest inertia with which the law reaches the accuracy over time."""
+    """Smallest inertia for which the law reaches the accuracy over time."""
     own = motion_of(r).shaft.motor.inertia
     if side == "from":
         return close(own, 1e-12)

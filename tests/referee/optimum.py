@@ -1,7 +1,7 @@
-"""The best law of a family under limits that are linear in it, by an interior point method on a dense grid of angles.
+"""Optimal law of a family under limits that are linear in the law, by an interior-point method on a dense grid of angles.
 
-The grid leaves the limits out between its angles, so its optimum is a lower bound of the true one, nearer by the square of
-the spacing. Multipliers of neighbouring angles belong to one contact of the true program.
+The limits are not enforced between the angles of the grid. The optimum is therefore a lower bound of the true optimum, with an
+error of the order of the squared spacing. Multipliers of adjacent angles belong to one contact of the true program.
 """
 
 import math
@@ -18,9 +18,9 @@ def design_matrix(law_of, count, theta):
 
 
 def interior_point(h, g, a, b, e, f, level=0.0):
-    """min ½ xᵀHx + gᵀx with Ax ≤ b and Ex = f: Mehrotra's method. Returns x and the multipliers of Ax ≤ b.
+    """Solves min ½ xᵀHx + gᵀx with Ax ≤ b and Ex = f by Mehrotra's method. Returns x and the multipliers of Ax ≤ b.
 
-    `level` is the size of the objective where its value is only a change.
+    `level` is the magnitude of the objective if its value is only a change.
     """
     n, m = len(g), len(b)
     scale = np.maximum(np.linalg.norm(a, axis=1), 1e-300)
@@ -70,7 +70,7 @@ def longest(value, change):
 
 
 def cubic(theta, samples, span):
-    """Periodic samples at equal steps, joined by cubics through four neighbours."""
+    """Function through periodic samples at equal steps, by cubics through four neighbours."""
     n = len(samples)
     place = (theta - span[0]) / (span[1] - span[0]) * n
     i = np.floor(place).astype(int)
@@ -80,10 +80,10 @@ def cubic(theta, samples, span):
 
 
 class Program:
-    """Force error as objective, limits at a grid of angles, demands as equalities."""
+    """Program with the force error as objective, limits at a grid of angles, and demands as equalities."""
 
     def __init__(self, law_of, count, drive, target, span=(0.0, 2 * math.pi), angles=ANGLES):
-        # Midpoints, so that jumps at knots fall between them.
+        # Midpoints are used, so that jumps at knots are between them.
         theta = span[0] + (span[1] - span[0]) * (np.arange(angles) + 0.5) / angles
         self.theta = theta
         self.basis = design_matrix(law_of, count, theta)
@@ -97,11 +97,11 @@ class Program:
         self.equalities, self.values = [], []
         self.span, self.law_of, self.count = span, law_of, count
         self.objective = (self.force, self.wanted - self.rest) if target else None
-        # The lowest point of the law lies on the base circle.
+        # The lowest point of the law is on the base circle.
         self.add("base_circle", -self.basis[0], 0.0)
 
     def on_floor(self, drive):
-        """The force on the moving floor, which is linear in the law: F_n = (P_n + M H O_n)/(1 − M H) harmonic by harmonic."""
+        """Force on the moving floor, which is linear in the law for each harmonic: F_n = (P_n + M H O_n)/(1 − M H)."""
         motion, count = drive.motion, len(self.theta)
         n = np.arange(count // 2 + 1)
         moved = drive.inertia * motion.floor.accelerance(n * drive.speed)
@@ -120,7 +120,7 @@ class Program:
         self.names += [name] * len(rows)
 
     def demand(self, order, theta, value):
-        """The lift or a derivative has a value at some angles."""
+        """Adds a demand: the lift or a derivative has a value at some angles."""
         self.equalities.append(design_matrix(self.law_of, self.count, np.asarray(theta, float))[order])
         self.values.append(np.full(len(theta), value))
 
@@ -133,7 +133,7 @@ class Program:
         return float(np.mean(self.objective[1] ** 2))
 
     def best(self):
-        """Coefficients, mean square of the objective's residual, and the multipliers of the rows of all limits."""
+        """Coefficients, mean square of the objective's residual, and multipliers of the rows of all limits."""
         matrix, aim = self.objective
         n = len(self.theta)
         h, g = matrix.T @ matrix / n, -matrix.T @ aim / n

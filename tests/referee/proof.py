@@ -1,4 +1,4 @@
-"""The optimum: what is proved, what binds, what relaxing it buys."""
+"""Recomputation of the optimum: certificate, active limits, effect of relaxing them."""
 
 import math
 
@@ -19,11 +19,11 @@ FINE = 4 * ANGLES
 
 
 def program_of(r, relaxed=None, weights=None, angles=ANGLES):
-    """The convex program of a law without other demands than limits that are linear in it; `Unknown` elsewhere."""
+    """Convex program of a law whose only demands are limits that are linear in it; `Unknown` for other laws."""
     law, scene = r.summary["law"], r.scene
     if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
         raise Unknown("certificate of this family")
-    # Harmonics are those of the force: the key has no effect there.
+    # The harmonics are those of the force, so that the key has no effect there.
     minimised = "force-error" if law["functions"] == "fourier" else scene["law"].get("minimise", "force-error")
     if minimised not in ("force-error", "acceleration", "jerk") or r.target is None:
         raise Unknown("certificate of this objective")
@@ -78,7 +78,7 @@ def program_of(r, relaxed=None, weights=None, angles=ANGLES):
 
 
 def forces_of(program, drives):
-    """Force of each walker's machine as rows of the law, and at rest; of one machine on its floor."""
+    """Force of each walker's machine, or of one machine on its floor, as rows of the law, and the force at rest."""
     if len(drives) == 1:
         return [(program.force, program.rest)]
     return [(force_rows(program, drive), drive.rest) for drive in drives]
@@ -90,7 +90,7 @@ def force_rows(program, drive):
 
 
 def for_walkers(r, program, weights=None):
-    """The mean of the squares of the force errors of all walkers as objective, with weights whose mean is 1."""
+    """Objective: mean of the squared force errors of all walkers, with weights whose mean is 1."""
     rows, aims = [], []
     population = walkers_of(r)
     for (_, target, drive), weight in zip(population, np.ones(len(population)) if weights is None else weights):
@@ -102,7 +102,7 @@ def for_walkers(r, program, weights=None):
 
 
 def best_of(r, relaxed=None, angles=ANGLES):
-    """Program and its optimum; of a population whose worst part counts the one with the weights that bound it best."""
+    """Program and its optimum. For the worst part of a population, the weights are those of the best bound."""
     def solve():
         if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
             return worst_part(r, relaxed)
@@ -112,10 +112,11 @@ def best_of(r, relaxed=None, angles=ANGLES):
 
 
 def worst_part(r, relaxed=None):
-    """The program whose optimum bounds the worst part of a population from below, and its optimum.
+    """Program whose optimum is a lower bound for the worst part of a population, and this optimum.
 
-    For weights λ with 0 ≤ λ ≤ p/(1 − α) and sum 1, min over laws of Σ λ e² is a lower bound (Rockafellar and Uryasev 2000). The
-    best weights maximise Σ λ e² − ½ |Σ λ ∇e² + Aᵀμ|² in the metric of the inverse Hessian at the law: one quadratic program.
+    For weights λ with 0 ≤ λ ≤ p/(1 − α) and sum 1, the minimum of Σ λ e² over all laws is a lower bound (Rockafellar and Uryasev
+    2000). The best weights maximise Σ λ e² − ½ |Σ λ ∇e² + Aᵀμ|² in the metric of the inverse Hessian at the law. This is a
+    quadratic program.
     """
     robust = str(r.scene["law"]["robust"])
     program, count = program_of(r, relaxed), len(walkers_of(r))
@@ -141,7 +142,7 @@ def worst_part(r, relaxed=None):
 
 
 def holds_motion(r):
-    """Whether the law was found for one motion of the shaft, or of the floor where a limit is not linear in the force."""
+    """Whether the law was found for one motion of the shaft, or of the floor if a limit is not linear in the force."""
     shaft = r.summary.get("shaft_design")
     turned = shaft is not None and (shaft["rounds"] > 0 or r.scene["law"].get("shaft") == "constant")
     curved = any(key in r.scene.get("limits", {}) for key in ("torque", "power", "power_mean", "torque_rate", "hertz_pressure"))
@@ -161,7 +162,7 @@ def doubt(r, m):
 
 @field(r"solver\.certified")
 def certified(r, m):
-    """Prescribed laws have nothing to prove; otherwise no law of the family is better than the stated one."""
+    """Checks that no law of the family is better than the stated one. Prescribed laws have no proof."""
     functions = r.summary["law"]["functions"]
     if functions == "segments" or "monomial" in functions:
         return True, 0, 0
@@ -183,7 +184,7 @@ def no_solver(r, m):
 
 @field(r"infeasible\.conflict\[(\d+)\]")
 def conflict(r, m):
-    """A key that the scene gives."""
+    """Key that is given in the scene."""
     stated = r.summary["infeasible"]["conflict"][int(m[1])]
     section, _, name = stated.partition(".")
     return (stated if name in r.scene.get(section, {}) else math.nan), 0, 0
@@ -201,7 +202,7 @@ def binding(r, m):
 
 
 def contact(r, row, what, angles):
-    """A number of a contact, from the multipliers of the limits on a grid of angles."""
+    """Value at a contact, from the multipliers of the limits on a grid of angles."""
     program, _, _, dual = best_of(r, angles=angles)
     names = np.array(program.names)
     if what == "limit":
@@ -236,7 +237,7 @@ def easing(r, m):
 
 
 def eased_size(r, row, what):
-    """What the smallest cam gains from a limit eased by 1 %."""
+    """Change of the smallest cam if a limit is relaxed by 1 %."""
     if what == "limit":
         names = {"pressure_angle_rise", "pressure_angle_fall", "curvature"}
         return (row["limit"] if row["limit"] in names else math.nan), 0, 0
@@ -249,13 +250,13 @@ def eased_size(r, row, what):
 
 
 def round_step(value):
-    """The distance between numbers of four digits."""
+    """Distance between neighbouring numbers of four digits."""
     return 10 ** (math.floor(math.log10(abs(value))) - 3)
 
 
 @field(r"relaxations\[(\d+)\]\.(from|to)")
 def relaxed(r, m):
-    """The least change of four digits: with it the optimum reaches the accuracy, with the round value before it does not."""
+    """Checks the smallest change of four digits: with it the optimum reaches the accuracy, with the preceding value it does not."""
     row = r.summary["relaxations"][int(m[1])]
     section, _, name = row["key"].partition(".")
     if row["key"] == "machine.inertia":

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Random scenes over all keys of the program: each is refused with a message, or the referee recomputes its numbers.
+"""Random scenes over all keys of the program. Each is rejected with a message, or the referee recomputes its numbers.
 
     python3 tests/referee/random_scenes.py GAITCAM [COUNT [SEED]]      (in two processes; default 200 scenes, seed 1)
 
-The keys, their ranges and choices are those of `gaitcam keys --json`: a new key is drawn without being named here.
+The keys, their ranges and choices are those of `gaitcam keys --json`, so that new keys are included automatically.
 """
 
 import json
@@ -21,23 +21,23 @@ from referee import Result, judge, judge_rows
 from result import Unknown
 
 WORKERS = 2
-# Seconds of a design: those that need more are judged as they are then.
+# Time limit of a design, s. A design that needs longer is checked in its state at that time.
 TIME_LIMIT = "2"
 
 SCENES = ["footbridge", "footbridge_thesis_scale", "thesis_iteration_3", "camdas_01_roller", "camdas_03_flat", "mushroom"]
-# Usual sizes of a quantity by its unit.
+# Typical sizes of a quantity by its unit.
 SIZES = {
     "m": (2e-3, 0.2), "kg": (0.5, 100), "N": (5, 2000), "Hz": (1.4, 2.4), "rad": (0.1, 6.0), "s": (0.2, 2), "rad/s": (5, 20), "%": (0.1, 10),
     "m/s": (0.05, 1), "m/s^2": (1, 20), "m/s^3": (20, 500), "N m": (1, 50), "W": (10, 500), "N m/rad": (5, 100), "Pa": (1e8, 1e9),
     "N/m": (1e3, 1e5), "N s/m": (1, 100), "kg m^2": (0.05, 20), "N m s/rad": (1, 20), "m/s²": (1, 20),
 }
-# Under a motor: law.csv joins the speed at 240 angles by straight lines.
+# With a motor, law.csv interpolates the speed linearly between 240 angles.
 OPEN_UNDER_A_MOTOR = re.compile(r"rows\.speed_rad_per_s")
 NUMBERED = ("point", "dwell", "segment", "weight", "mode")
 
 
 def value(key, draw):
-    """A value for a key, as a scene file has it."""
+    """Random value of a key, as in a scene file."""
     if key["choices"]:
         return draw.choice(key["choices"])
     kind, limits = key["kind"], key["range"] or {}
@@ -68,7 +68,7 @@ def scene(keys, draw):
 
 
 def check(gaitcam, name, given):
-    """What became of a scene, the faults, and the fields without recomputation."""
+    """Result of a scene, its faults, and the fields without recomputation."""
     words = [word for key, text in given.items() for word in ("--set", f"{key}={text}")]
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "result"
@@ -99,7 +99,7 @@ def judged(folder):
 
 
 def sample(gaitcam, count, seed):
-    """Counts of what became of the scenes, the lines of their faults, and those of the fields without recomputation."""
+    """Counts of the results of the scenes, lines of their faults, and fields without recomputation."""
     keys = json.loads(subprocess.run([gaitcam, "keys", "--json"], capture_output=True, check=True).stdout)
     draw, counts, lines, unknown = random.Random(seed), {}, [], []
     scenes = [scene(keys, draw) for _ in range(count)]

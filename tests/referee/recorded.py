@@ -1,4 +1,4 @@
-"""Target of a file of critical points: the curve through them, level at peaks and valleys and monotone between them."""
+"""Target from a file of critical points: the curve through them, level at maxima and minima and monotone between them."""
 
 import re
 from pathlib import Path
@@ -25,7 +25,7 @@ def read(r):
 
 
 def slopes(time, force):
-    """Slopes at periodic points: 0 at an extreme, else a weighted harmonic mean of those beside (Fritsch and Butland 1984)."""
+    """Slopes at periodic points: 0 at an extreme, else a weighted harmonic mean of the adjacent slopes (Fritsch and Butland 1984)."""
     width, secant = np.diff(time), np.diff(force) / np.diff(time)
     before, slope_before = np.roll(width, 1), np.roll(secant, 1)
     own = np.zeros(len(width))
@@ -36,7 +36,7 @@ def slopes(time, force):
 
 
 def curve(r):
-    """The target over the phase of the cycle, N; `None` for any other file."""
+    """Target over the phase of the cycle, N; `None` for any other file."""
     points = read(r)
     if points is None:
         return None

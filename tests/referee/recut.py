@@ -1,4 +1,4 @@
-"""Recomputations of a new cut: logs of a machine that is heavier and has viscous and Coulomb friction, and what the new cam presses on it."""
+"""Recomputation of a corrected cam: logs of a machine that is heavier and has viscous and Coulomb friction, and force of the new cam."""
 
 import math
 import subprocess
@@ -12,12 +12,12 @@ from result import Result, model_of
 GRAVITY = 9.81
 MASS, DAMPING, FRICTION, NOISE = 73.0, 20.0, 6.0, 2.0
 CYCLES, RATE, ANGLES, LOGS = 30, 500, 2880, 3
-# The log knows a harmonic to the noise of its cycles, and the forecast adds that noise.
+# The noise of the cycles limits the accuracy of each harmonic; the forecast includes this noise.
 BEFORE, PREDICTED = 0.01, 0.06
 
 
 def pressed(law, speed, theta):
-    """Force of the machine that the program does not know."""
+    """Force of the machine that the program does not model."""
     v, a = law(theta, 1), law(theta, 2)
     return MASS * (GRAVITY + speed**2 * a) + DAMPING * speed * v + FRICTION * np.sign(v)
 
@@ -27,7 +27,7 @@ def spread(values):
 
 
 def judge(gaitcam, folder):
-    """Counts of numbers and changes, and the lines that differ."""
+    """Numbers of values and changes, and the differing lines."""
     first = Result(folder)
     speed = first.drive.speed
     theta = 2 * math.pi * (np.arange(ANGLES) + 0.5) / ANGLES

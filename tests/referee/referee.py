@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Recomputes every number of a result folder from first principles, with numpy alone.
+"""Recomputes every number of a result folder independently, with numpy only.
 
     python3 tests/referee/referee.py DIR                 prints field, stated, recomputed, difference
-    python3 tests/referee/referee.py DIR --self-test     changes each number in turn and fails where that is not noticed
+    python3 tests/referee/referee.py DIR --self-test     changes each number in turn and fails if a change is not detected
 
-Reads summary.json, scene.toml, law.csv and profile.csv. Exit 1 where a number differs or has no recomputation.
+Reads summary.json, scene.toml, law.csv and profile.csv. The exit code is 1 if a number differs or has no recomputation.
 """
 
 import argparse
@@ -15,7 +15,7 @@ import re
 import sys
 from pathlib import Path
 
-# Small matrices: threads of the linear algebra cost more than they save.
+# The matrices are small: threads of the linear algebra would make it slower.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 
@@ -28,10 +28,10 @@ import simulated  # noqa: F401
 import walkers
 from result import FIELDS, Result, Unknown, model_of, size_of
 
-# Records of the run itself: nothing of the design can tell them.
-# The certificate's digits are the solver's own; the claim that they support, solver.certified, is recomputed.
+# Records of the run itself. They do not follow from the design.
+# The digits of the certificate are those of the solver. The field solver.certified, which they support, is recomputed.
 RECORDS = re.compile(r"(population\.(gap|rounds)|shaft_design\.(rounds|contraction)|simulation\.details\.(profile|law)_mismatch_m|solver\.(tier|iterations|solve_s|certificate.*)|time\.total_s)$")
-# Texts for people; their numbers are those of the fields.
+# Texts. Their numbers are those of the fields.
 TEXTS = re.compile(r"(name|simulation\.(why|details\.(notes|next|impacts).*)|reason|remarks.*|verdict_text\..*|solver\.status|reasons\[\d+\]\..*|relax.*\.(key|limit)|infeasible\..*words)$")
 
 
@@ -60,12 +60,12 @@ def agrees(stated, own, relative, absolute):
 
 
 def statements(result):
-    """All that the result states: the summary, and the run below the key `simulation`."""
+    """All stated values of the result: the summary, and the run below the key `simulation`."""
     return {**result.summary, **({"simulation": result.simulation} if result.simulation else {})}
 
 
 def judge(result, only=None):
-    """Rows (field, stated, recomputed, difference or reason) and the count of faults."""
+    """Rows (field, stated, recomputed, difference or reason), and the number of faults."""
     rows, faults = [], 0
     for path, stated in leaves(statements(result)):
         if only is not None and path != only:
@@ -92,7 +92,7 @@ def judge(result, only=None):
 
 
 def judge_rows(r):
-    """Faults of the columns of law.csv and profile.csv, each against its own recomputation."""
+    """Faults of the columns of law.csv and profile.csv, each compared with its recomputation."""
     motion = [r.law(r.theta, k) for k in range(4)]
     own = dict(zip(r.columns[1:5], motion))
     own["force_n"] = r.force(r.theta, *motion[:3])
@@ -143,7 +143,7 @@ def judge_rows(r):
 
 
 def accuracy_of_row(r, name):
-    """A speed that varies is resolved by the program's steps; the program has a cubic between 1024 samples of a target with kinks."""
+    """Tolerance for a varying speed, which the steps of the program resolve. For a target with kinks it has a cubic between 1024 samples."""
     if name == "target_n" and (r.is_recorded or r.scene["gait"].get("model") in figures.STANCES):
         return 1e-5 if r.is_recorded else 1e-3
     if name == "force_n" and r.drive.learned:  # a cubic between samples of its harmonics
@@ -154,15 +154,15 @@ def accuracy_of_row(r, name):
 
 
 def target_of(r):
-    """Target of the load model that the scene names, at the rows; `None` for a recording."""
+    """Target of the load model in the scene, at the rows; `None` for a recording."""
     own = model_of(r)
     return None if own is None else own(r.motion.phase(r.theta) if r.motion is not None and r.is_timed else r.theta)
 
 
-# Estimates, and numbers found by a search to 1 %: there the self-test changes the number by 5 %.
+# Estimates, and numbers found by a search to 1 %. The self-test changes them by 5 %.
 COARSE = re.compile(r"((simulation\.)?shaft\.least_inertia_kg_m2|shaft_design\.(sensitivity|forecast).*)$")
 
-# A phase of 1e-5 is not told from 0, nor a mean power of 1e-4 W beside hundreds: these are changed by 1 mrad and 50 mW.
+# A phase of 1e-5 cannot be distinguished from 0, nor 1e-4 W from a mean power of hundreds. These are changed by 1 mrad and 50 mW.
 SIGNED = re.compile(r"(_phase_rad|machine\.power_mean_w|simulation\.torque\.mean)$")
 
 
@@ -184,7 +184,7 @@ def put(summary, path, value):
 
 
 def self_test(folder, fields=""):
-    """Fields whose change by 0.1 % is not noticed, of those that match a pattern."""
+    """Fields that match a pattern and whose change by 0.1 % is not detected."""
     whole = Result(folder)
     missed, count = [], 0
     for path, stated in list(leaves(statements(whole))):

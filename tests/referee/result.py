@@ -1,4 +1,4 @@
-"""A result folder: what its files state, and the quantities of its law, cam and drive over the cycle."""
+"""Result folder: the values in its files, and the quantities of its law, cam and drive over the cycle."""
 
 import copy
 import csv
@@ -17,7 +17,7 @@ from force import CONTACT_MODULUS, Drive, model, sines
 from machine import Floor, Motion, Motor
 from units import quantity
 
-# (pattern of a field, function of (result, match) that returns own value, relative and absolute tolerance)
+# (pattern of a field, function of (result, match) that returns recomputed value, relative and absolute tolerance)
 FIELDS = []
 
 
@@ -33,7 +33,7 @@ def close(own, relative=1e-6, absolute=1e-12):
     return own, relative, absolute
 
 
-# Costly parts, for the fields of one result and for its copies with another number in a field.
+# Cache of costly parts, for the fields of one result and for its copies with another number in a field.
 KEPT = {}
 
 
@@ -50,7 +50,7 @@ def read_rows(path):
 
 
 class Result:
-    """A result folder with the law, cam and drive that its summary states."""
+    """Result folder with the law, cam and drive of its summary."""
 
     def __init__(self, folder, summary=None, simulation=None):
         self.folder = Path(folder)
@@ -86,7 +86,7 @@ class Result:
             self.on_machine(design is not None and design["rounds"] > 0)
 
     def kept(self, name, value):
-        """A value that depends on law, cam, drive and scene alone."""
+        """Value that depends only on law, cam, drive and scene."""
         stated = self.summary
         key = (str(self.folder), name, json.dumps([self.scene, stated["law"], stated["cam"], stated["drive"]], sort_keys=True))
         if key not in KEPT:
@@ -97,7 +97,7 @@ class Result:
         return Motor(self.scene, self.folder, **parts) if "motor" in self.machine else None
 
     def on_machine(self, varies):
-        """The motion of shaft and floor under the cam; the design is judged in it where the law was made for it."""
+        """Motion of shaft and floor with the cam. The design is checked in this motion if the law was designed for it."""
         floor = Floor(self.scene) if "floor" in self.machine else None
         if floor and floor.is_drawn:
             raise Unknown("walkers with drawn phases")
@@ -117,7 +117,7 @@ class Result:
             self.drive.motion = self.motion
 
     def target_at(self, phase):
-        """The target at parts of the period, from the rows: cubics through four neighbours."""
+        """Target at fractions of the period, from the rows, by cubics through four neighbours."""
         own = self.motion.phase(self.theta) if self.motion is not None and self.is_timed else self.theta
         turn = self.law.end - self.law.start
         x = np.concatenate([own - turn, own, own + turn])
@@ -192,7 +192,7 @@ class Result:
         return force * np.where(force < 0, pulled, pressed)
 
     def running(self):
-        """The same result with its cam on the machine as it runs."""
+        """The result with its cam on the machine in motion."""
         run = copy.copy(self)
         run.drive = copy.copy(self.drive)
         run.drive.motion = self.motion
@@ -200,7 +200,7 @@ class Result:
         return run
 
     def time_mean(self, value):
-        """Mean over time on the shaft as it turns; over the angle at constant speed."""
+        """Mean over time for the varying speed of the shaft, or over the angle at constant speed."""
         if self.motion is None or self.motion.shaft is None:
             return self.law.mean(value)
         shaft = self.motion.shaft
@@ -222,13 +222,13 @@ class Result:
 
 
 def place(r, value, stated, worst):
-    """The stated place where the quantity has its worst value."""
+    """Stated position of the worst value of the quantity."""
     if stated is None:
         return None, 0, 0
     nearest = math.inf
     for start, end, function in r.law.pieces:
         if start - 1e-9 <= stated <= end + 1e-9:
-            # Beside the place too: a supremum over the rise or the fall lies where the follower turns.
+            # Neighbouring angles are included: a supremum over the rise or the fall is where the follower reverses.
             for beside in (0.0, -1e-6, 1e-6):
                 theta = np.array([min(max(stated + beside, start), end)])
                 found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
@@ -250,7 +250,7 @@ def presses(r):
 
 
 def model_of(r):
-    """The target of the scene's load model, load factors or critical points over the phase of the cycle; `None` for a recording."""
+    """Target of the load model, load factors or critical points of the scene over the phase of the cycle; `None` for a recording."""
     gait = r.scene.get("gait", {})
     frequency, weight = quantity(gait.get("step_frequency")), quantity(gait.get("body_weight", 700.0)) or 700.0
     parts = str(gait.get("step_frequency")).split(":")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Designs the built-in scenes and lets the referee recompute every number, with its self-test on some of them.
+"""Designs the built-in scenes and recomputes every number with the referee, with its self-test on some of them.
 
     python3 tests/referee/run.py GAITCAM [CASE ...]
 """
@@ -19,10 +19,10 @@ import recut
 import speeds
 from referee import Result, judge, judge_rows, self_test
 
-# Fields that are left open, by case: pattern of the field, and why. This list only becomes shorter.
+# Fields without recomputation, by case: pattern of the field, and reason. This list may only become shorter.
 OPEN = {
     "heel_tester_fitted": {
-        # Points and dwells fix the law there, so the gradient of these limits is 0 in all directions that are left.
+        # There, points and dwells determine the law, so that the gradient of these limits is 0 in all remaining directions.
         r"binding\[([4-9]|1[0-6])\]\.multiplier": "any multiplier is right: prescribed points fix the law where these limits are met",
     },
     "walkers_spring": {
@@ -39,14 +39,14 @@ SLOPE = ("machine.motor.slope=10 N m s/rad", "machine.inertia=0.5 kg m^2")
 STALL = ("machine.motor.stall_torque=8 N m", "machine.motor.gear=12", "machine.motor.efficiency=0.8", "machine.friction_torque=0.5 N m",
          "machine.inertia=2 kg m^2")
 SPRING = ("drive.kind=fixed-axis", "drive.spring_rate=15000 N/m", "drive.preload=200 N", "drive.mass=2 kg", "drive.speed=11.624 rad/s")
-# Name: scene, values that are set.
+# Name: scene, changed values.
 WALKING = {
     "walkers_mean": ("footbridge", ("gait.step_frequency=1.6 Hz:2.2 Hz:4",)),
     "walkers_worst": ("footbridge", ("gait.step_frequency=1.7 Hz:2.3 Hz:5", "law.robust=worst", "limits.force_max=1400 N")),
     "walkers_spring": ("footbridge", ("gait.step_frequency=1.5 Hz:1.9 Hz:3", "drive.kind=fixed-axis", "drive.spring_rate=20 N/mm", "drive.mass=2 kg",
                                       "drive.speed=11 rad/s", "law.robust=cvar 0.5", "law.error=absolute", "gait.adjust=none")),
 }
-# All of them are run too.
+# All cases are simulated too.
 MACHINES = {
     "double_harmonic": ("footbridge_thesis_scale", ("law.family=double-harmonic",)),
     "friction": ("footbridge", ("machine.friction=0.15",)),
@@ -56,17 +56,17 @@ MACHINES = {
     "motor": ("footbridge", SLOPE),
     "motor_stall": ("footbridge", STALL),
     "motor_floor": ("footbridge", SLOPE + FLOOR),
-    # Too weak to start from rest; with friction the shaft jams below an inertia.
+    # The motor is too weak to start from rest; with friction the shaft jams below a certain inertia.
     "motor_weak": ("footbridge", ("machine.motor.slope=1 N m s/rad", "machine.inertia=5 kg m^2")),
     "motor_friction": ("footbridge", ("machine.motor.stall_torque=7 N m", "machine.friction=0.15", "machine.inertia=4 kg m^2")),
     "motor_spring": ("footbridge", SPRING + ("machine.motor.slope=5 N m s/rad", "machine.inertia=1 kg m^2", "accuracy.rms=0.1 %")),
     "motor_stiff": ("thesis_iteration_3", ("machine.motor.slope=3 N m s/rad", "machine.inertia=0.05 kg m^2")),
 }
-# Cases whose cam runs at several speeds too.
+# Cases whose cam is also simulated at several speeds.
 AT_SPEEDS = ("footbridge", "friction", "floor", "motor", "motor_stall", "motor_floor")
 MOVED = r"simulation\.(floor|force|torque)|floor|machine"
 TURNED = r"simulation\.(shaft|force|torque)|shaft|force_time"
-# Case: pattern of the fields that are changed in turn.
+# Case: pattern of the fields that the self-test changes one by one.
 SELF_TESTED = {
     "double_harmonic": "law",
     "heel_tester_fitted": "easing|solver",
@@ -86,7 +86,7 @@ def is_open(scene, path):
 
 
 def write(gaitcam, folder, name, scene, values, is_run):
-    """Designs a scene with some values set, and runs it."""
+    """Designs a scene with changed values, and simulates it."""
     out, run = folder / name, folder / "run"
     given = [scene] + [word for value in values for word in ("--set", value)]
     designed = subprocess.run([gaitcam, "synth", *given, "--out", str(out), "--no-png"], capture_output=True)
@@ -98,7 +98,7 @@ def write(gaitcam, folder, name, scene, values, is_run):
 
 
 def covers(gaitcam, folder):
-    """Counts of numbers and changes, and lines of faults, of the tables of a cover."""
+    """Numbers of values and changes, and lines of faults, for the tables of a cover."""
     frequencies, out = "1.5 Hz:2.3 Hz:6", folder / "cover"
     subprocess.run([gaitcam, "cover", "--set", f"gait.step_frequency={frequencies}", "--cams", "1:3", "--out", str(out)], check=True, capture_output=True)
     count, faults = cover.judge(out, frequencies)
@@ -107,7 +107,7 @@ def covers(gaitcam, folder):
 
 
 def electronic(gaitcam, folder):
-    """The same of electronic cams."""
+    """Numbers of values and changes, and lines of faults, for electronic cams."""
     count, changes, faults, result = 0, 0, [], Result(folder)
     for dialect, (ending, _) in ecam.DIALECTS.items():
         run = subprocess.run([gaitcam, "ecam", str(folder), "--dialect", dialect], check=True, capture_output=True, text=True)
@@ -122,7 +122,7 @@ def electronic(gaitcam, folder):
 
 
 def identifications(gaitcam, folder):
-    """The same of parameters found in logs of a design's machine."""
+    """Numbers of values and changes, and lines of faults, for parameters identified from logs of a design's machine."""
     result = Result(folder)
     count, faults = identified.judge(gaitcam, result, folder)
     missed, changes = identified.self_test(gaitcam, result, folder)

@@ -1,4 +1,4 @@
-"""Recomputations of simulation.json and dynamics.csv: a rigid run, on the shaft and the floor as they move, with friction."""
+"""Recomputation of simulation.json and dynamics.csv: a rigid run with the motion of shaft and floor and with friction."""
 
 import math
 
@@ -10,7 +10,7 @@ from on_shaft import error_over_time
 from result import Unknown, close, field
 from units import quantity
 
-# The run follows the profile, whose motion is recovered to about 1e-7 of the acceleration.
+# The run follows the profile, from which the motion is recovered to about 1e-7 of the acceleration.
 RECOVERED = 5e-7
 
 
@@ -21,7 +21,7 @@ def rigid(r):
 
 
 def accuracy(r):
-    """Where shaft or floor move, the extremes are those of the rows, and the shaft's steps resolve its speed."""
+    """If shaft or floor move, the extremes are those of the rows, and the steps of the shaft resolve its speed."""
     if r.motion is None and "friction" in r.machine:
         return 4e-6
     return RECOVERED if r.motion is None else 2e-4 if r.motion.shaft else 2e-5
@@ -60,7 +60,7 @@ def liftoff(r, m):
 
 @field(r"simulation\.details\.hertz\.(at_rad|pressure_pa|half_width_m|shear_depth_m|shear_pa)")
 def contact(r, m):
-    """Line contact: p = √(F E*/(π L R)), b = 2 p R/E*, greatest shear 0.300 p at the depth 0.786 b."""
+    """Line contact: p = √(F E*/(π L R)), b = 2 p R/E*, maximum shear stress 0.300 p at the depth 0.786 b."""
     run = rigid(r)
     stated = r.simulation["details"]["hertz"]
     at = np.array([stated["at_rad"]])
@@ -68,7 +68,7 @@ def contact(r, m):
     pressure = float(run.hertz(at, *motion)[0])
     half_width = 2 * pressure / (CONTACT_MODULUS * float(r.cam.curvature_sum(at, *motion)[0]))
     if m[1] == "at_rad" and r.motion is not None:
-        # That of a row.
+        # The value is that of a row.
         rows = run.hertz(r.run_theta, *(r.law(r.run_theta, k) for k in range(3)))
         near = int(np.argmin(np.abs(r.run_theta - stated["at_rad"])))
         return (r.run_theta[near] if rows[near] >= np.max(rows) * (1 - 1e-6) else math.nan), 0, 1e-9
@@ -94,7 +94,7 @@ def state(r, m):
 
 
 def columns(r):
-    """Own columns of dynamics.csv."""
+    """Recomputed columns of dynamics.csv."""
     run = r.running()
     motion = [r.law(r.run_theta, k) for k in range(4)]
     force, torque = run.force(r.run_theta, *motion), run.torque(r.run_theta, *motion)
@@ -108,7 +108,7 @@ def columns(r):
     if r.cam.kind == "flat-translating":
         own["normal_force_n"] = force
         own["side_thrust_n"] = run.friction * force
-        # The cam's contact point moves with Rb + s along the face, the face's with the acceleration of the contact offset.
+        # The contact point moves along the face with Rb + s on the cam, and with the acceleration of the contact offset on the face.
         own["sliding_m_per_s"] = speed * (r.cam.size["base"] + motion[0])
         own["entraining_m_per_s"] = own["sliding_m_per_s"] / 2 + speed * motion[2]
     elif r.cam.kind == "roller-translating":

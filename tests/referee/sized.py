@@ -1,7 +1,8 @@
-"""The smallest cam under a translating roller whose law, prime circle and offset are free.
+"""Smallest cam with a translating roller whose law, prime circle and offset are free.
 
-Variables are the coefficients of the law, the depth D and the offset e, and the objective is √(D² + e²). Pressure angle, level and direction
-of the motion are linear in them. The radius of curvature under a roller is not convex: the optimum is the one near the stated design.
+The variables are the coefficients of the law, the depth D and the offset e; the objective is √(D² + e²). The limits on pressure angle, level
+and direction of the motion are linear in them. The limit on the radius of curvature is not convex, so that the optimum is the one near the
+stated design.
 """
 
 import math
@@ -17,14 +18,14 @@ COARSE, FINE, ROUNDS = 240, 12000, 10
 
 
 def is_sized(r):
-    """Whether law and size are one program that is known here."""
+    """Whether law and size are variables of one program that is implemented here."""
     law, cam = r.scene["law"], r.scene["cam"]
     return (law.get("minimise") == "size" and r.cam.kind == "roller-translating" and cam.get("prime_radius", "auto") == "auto"
             and cam.get("offset") == "auto" and set(r.scene["limits"]) <= {"pressure_angle", "curvature"})
 
 
 class Sized:
-    """Limits as values that are at most 0, with their gradients."""
+    """Limits as functions that are at most 0, with their gradients."""
 
     def __init__(self, r, eased=None):
         if not is_sized(r):
@@ -47,7 +48,7 @@ class Sized:
         return [np.stack([column(theta, order) for column in self.columns], axis=1) for order in range(3)]
 
     def prescribe(self, r):
-        """The directions that keep lift and velocity of all points and dwells."""
+        """Directions that do not change lift and velocity of points and dwells."""
         rows = []
         for point in r.scene["law"]["point"]:
             own = self.basis([quantity(point["angle"])])
@@ -60,14 +61,14 @@ class Sized:
         self.free = np.zeros((self.count + 2, free.shape[1] + 2))
         self.free[: self.count, :-2] = free
         self.free[self.count, -2] = self.free[self.count + 1, -1] = 1.0
-        # Points are level: the law rises and falls in turn between them, and rests behind the last.
+        # Points are level: the law alternately rises and falls between them, and is at rest behind the last.
         self.moving = self.marks[-1]
 
     def rising(self, theta):
         return np.where(np.searchsorted(self.marks, theta, side="right") % 2 == 1, 1.0, -1.0)
 
     def sharpness(self, s, v, a, depth, offset):
-        """K − √w³/ρ, at most 0 where the pitch curve is no sharper than the least radius ρ and the roller's: its radius is √w³/K."""
+        """K − √w³/ρ, at most 0 if the radius √w³/K of the pitch curve is at least ρ, the minimum radius plus that of the roller."""
         along, across = depth + s, v - offset
         square = along**2 + across**2
         return square + v * across - a * along - square**1.5 / (self.least + self.roller)
@@ -115,7 +116,7 @@ class Sized:
         return math.hypot(x[-2], x[-1]), places, names, dual
 
     def finer(self, x, theta, basis, fine, fine_basis):
-        """The angles with those between them at which a limit is nearest or exceeded."""
+        """The angles, and those between them at which a limit is closest or exceeded."""
         more = set()
         for value, _ in self.limits(x, fine, fine_basis).values():
             peak = (value[1:-1] >= value[:-2]) & (value[1:-1] >= value[2:]) & (value[1:-1] > -1e-6)
@@ -127,12 +128,12 @@ class Sized:
 
 
 def best(r, eased=None):
-    """Radius, and places, names and multipliers of the rows at the optimum, with a limit eased by 1 %."""
+    """Radius, and positions, names and multipliers of the rows at the optimum, with a limit relaxed by 1 %."""
     return r.kept(f"smallest cam of {eased}", lambda: Sized(r, eased).solve())
 
 
 def binding(r, row, what):
-    """A number of an active limit: the limit is met there, and its multiplier is the sum of those beside it."""
+    """Checks a value of an active limit: the limit is reached there, and its multiplier is the sum of the adjacent ones."""
     _, places, names, dual = best(r)
     if what == "limit":
         return (row["limit"] if row["limit"] in set(names) | {"base_circle"} else math.nan), 0, 0
@@ -144,7 +145,7 @@ def binding(r, row, what):
         return (row["at_rad"] if abs(float(value[0])) < 1e-7 else math.nan), 0, 1e-12
     if row["limit"] in ("base_circle", "monotone"):
         raise Unknown("multiplier of a limit that prescribed points fix")
-    # The sequence of the program ends when a step gains 1e-7, and contacts side by side share their sum.
+    # The sequence of the program ends when a step improves by less than 1e-7, and adjacent contacts share their sum.
     total = float(np.sum(dual[names == row["limit"]]))
     others = sum(other["multiplier"] for other in r.summary["binding"] if other["limit"] == row["limit"]) - row["multiplier"]
     return total - others, 0, 5e-3 * total

@@ -1,4 +1,4 @@
-"""Recomputations of `simulate --speeds`: one cam at several speeds of its shaft, against the load model at the step frequency of each."""
+"""Recomputation of `simulate --speeds`: one cam at several shaft speeds, compared with the load model at each step frequency."""
 
 import copy
 import csv
@@ -19,7 +19,7 @@ COLUMNS = ("rms_error_n", "dlf_1", "dlf_2", "dlf_3", "dlf_4", "torque_max_n_m", 
 
 
 def at_speed(r, speed):
-    """Own row of the table."""
+    """Recomputed row of the table."""
     run = copy.copy(r)
     run.drive = copy.copy(r.drive)
     run.drive.speed, run.drive.motion, run.motion = speed, None, None
@@ -49,7 +49,7 @@ def at_speed(r, speed):
 
 
 def judge(gaitcam, folder):
-    """Counts of numbers and changes, and the lines that differ."""
+    """Numbers of values and changes, and the differing lines."""
     out, r = folder / "speeds", Result(folder)
     subprocess.run([gaitcam, "simulate", str(folder), "--speeds", RANGE, "--out", str(out)], check=True, capture_output=True)
     with open(out / "speeds.csv", newline="") as file:

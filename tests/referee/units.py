@@ -1,4 +1,4 @@
-"""Quantities as scene files write them, in SI."""
+"""Quantities of scene files in SI units."""
 
 import math
 import re
@@ -27,7 +27,7 @@ def factor(unit):
 
 
 def quantity(value):
-    """A number in SI from a number or a text with a unit; `None` where the text is not a quantity."""
+    """Number in SI units from a number or a text with a unit; `None` if the text is not a quantity."""
     if isinstance(value, bool) or value is None:
         return None
     if isinstance(value, (int, float)):

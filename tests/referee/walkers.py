@@ -1,4 +1,4 @@
-"""Recomputations of a population: the force error of every walker, and what is made of them."""
+"""Recomputation of a population: force error of every walker, and derived values."""
 
 import copy
 import csv
@@ -59,7 +59,7 @@ def errors(r):
 
 
 def tail(values, level):
-    """Mean of the largest part 1 − level of values of equal weight."""
+    """Mean of the largest fraction 1 − level of values of equal weight."""
     values, left, total = np.sort(values)[::-1], (1 - level) * len(values), 0.0
     for value in values:
         total += min(left, 1.0) * value
@@ -96,7 +96,7 @@ def population(r, m):
 
 
 def rows(r):
-    """Own columns of walkers.csv."""
+    """Recomputed columns of walkers.csv."""
     found = r.kept("walkers", lambda: errors(r))
     drives = [drive for _, _, drive in walkers_of(r)]
     return {
