@@ -1,4 +1,4 @@
-"""Writes reports/distributed.md, what docs/distributed.md reckons with: target/python-tests/bin/python lab/clusters.py
+"""Writes reports/distributed.md, on which docs/distributed.md is based: target/python-tests/bin/python lab/clusters.py
 
 The environment is that of `python/run.sh engines`. Nothing else should run on the machine.
 """
@@ -21,14 +21,14 @@ ROW = "| {} | {:.0f} /s | {} | {:.2g} € |\n"
 
 
 def closed(frequencies, rows):
-    """Closed-form designs at `frequencies` of the footbridge's force, as many as `rows`."""
+    """Sweep of `rows` closed-form designs for the force of the footbridge with the given step frequencies."""
     weights = [f"{500 + 400 * i / (rows // len(frequencies))} N" for i in range(rows // len(frequencies))]
     scene = gaitcam.Scene.builtin("footbridge").set({"law.family": "harmonic"})
     return gaitcam.Sweep(scene, vary={"gait.step_frequency": frequencies, "gait.body_weight": weights})
 
 
 def mixed():
-    """The sweep of the engine tests, longer."""
+    """The sweep of the engine tests with more rows."""
     names = {}
     exec(PLAN.replace(f"sample={ROWS}", f"sample={ROWS_HERE}"), names)
     return names["plan"]
@@ -50,7 +50,7 @@ def on_dask(workers, folder):
 
 
 def model(name, designs):
-    """10⁹ designs on 100 machines of 16 cores, and their cost at 0.02 € for an hour of a core."""
+    """Duration of 10⁹ designs on 100 machines of 16 cores, and their cost at 0.02 € per core hour."""
     seconds = 1e9 / (1600 * designs)
     took = f"{seconds:.1f} s" if seconds < 100 else f"{seconds / 60:.1f} min"
     return ROW.format(name, designs, took, 1e9 / designs / 3600 * 0.02)

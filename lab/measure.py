@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Measures of the structure of the source, as a table of a commit.
+"""Measures the structure of the source and prints a table for a commit.
 
-    lab/measure.py [COMMIT ...]     without a commit: the files in the working tree that git knows
-    lab/measure.py --check          fails at a circle of files, and at another public name than in lab/api.txt
+    lab/measure.py [COMMIT ...]     without a commit: the tracked files of the working tree
+    lab/measure.py --check          fails for import cycles, and for public names that differ from lab/api.txt
     lab/measure.py --store          writes lab/api.txt
 
-Product code lines are those of `src/*.rs`, `crates/*.rs` and `python/*.rs` without tests, examples, fuzz targets and the lab, up to the
-first `#[cfg(test)]` of a file, neither blank nor a comment.
+Product code lines are the lines of `src/*.rs`, `crates/*.rs` and `python/*.rs` that are neither blank nor comments, up to the first
+`#[cfg(test)]` of a file. Tests, examples, fuzz targets and the lab are excluded.
 """
 
 import collections
@@ -22,7 +22,7 @@ NOT_PRODUCT = re.compile(r"^crates/evidence/|^lab/|(^|/)tests/|tests\.rs$|^crate
 
 
 class Tree:
-    """The files of a commit, or of the working tree."""
+    """Files of a commit, or of the working tree."""
 
     def __init__(self, commit):
         self.commit = commit
@@ -42,7 +42,7 @@ def git(*arguments, given=None):
 
 
 def blobs(commit, names):
-    """The texts of files of a commit, by one process."""
+    """Texts of files of a commit, read by one process."""
     given = "".join(f"{commit}:{name}\n" for name in names).encode()
     done = subprocess.run(["git", "cat-file", "--batch"], cwd=ROOT, check=True, capture_output=True, input=given)
     out, texts, at = done.stdout, {}, 0
@@ -61,7 +61,7 @@ def is_product(name):
 
 
 def code_lines(text):
-    """Lines that are neither blank nor a comment nor of tests, which stand in files of their own or last in a file."""
+    """Number of lines that are neither blank nor comments nor tests. Tests are in separate files or at the end of a file."""
     count, lines = 0, iter(text.splitlines())
     for line in lines:
         if line.startswith("#[cfg(test)]"):
@@ -90,14 +90,14 @@ def lines_by_part(tree):
 # --- imports -----------------------------------------------------------------------------------
 
 def code(text):
-    """A file without comments and tests."""
+    """Text of a file without comments and tests."""
     text = re.sub(r"(?m)//.*$", "", text)
     text = re.sub(r"#\[cfg\(test\)\]\s*(#\[[^\]]*\]\s*)*(pub(\([a-z]+\))? )?(mod|use) [^;{]*;", "", text)
     return re.split(r"#\[cfg\(test\)\]\s*(?:#\[[^\]]*\]\s*)*mod \w+ \{", text)[0]
 
 
 def paths_of(text):
-    """Every path that begins with `crate` or `super`, with the names in braces apart."""
+    """All paths that begin with `crate` or `super`, one for each name in braces."""
     for found in re.finditer(r"(?<![\w:])(crate|super)((?:::super)*)::", text):
         yield from expanded(found.group()[:-2].split("::"), text, found.end())
 
@@ -129,7 +129,7 @@ def expanded(before, text, at):
 
 
 def modules(tree):
-    """Module path -> file, of the library."""
+    """Mapping of the library: module path -> file."""
     out = {}
     for name in tree.names:
         if not name.startswith("src/") or not is_product(name) or name in ("src/lib.rs", "src/main.rs"):
@@ -143,7 +143,7 @@ PASSED_ON = re.compile(r"(?m)^\s*pub(?:\([^)]*\))? use ([^;]*);")
 
 
 def absolute(path, own, known):
-    """A path from the root of the library."""
+    """Absolute path from the root of the library."""
     if path[0] == "crate":
         return path[1:]
     ups = path.count("super")
@@ -153,7 +153,7 @@ def absolute(path, own, known):
 
 
 def imports(tree):
-    """Module -> modules whose files it names, of the library. A name that a module only passes on is of the file that defines it."""
+    """Mapping of the library: module -> imported modules. A re-exported name counts for the file that defines it."""
     known = modules(tree)
     texts = {module: code(tree.text(name)) for module, name in known.items()}
     passed_on = {}
@@ -164,7 +164,7 @@ def imports(tree):
                 passed_on[module, path[-1]] = absolute(path, own, known)
 
     def home(path):
-        """The module that defines what a path names."""
+        """Module that defines the item of a path."""
         at = 0
         while at < len(path) and "::".join(path[:at + 1]) in known:
             at += 1
@@ -183,7 +183,7 @@ def imports(tree):
 
 
 def plain_paths(text):
-    """Every path that begins with neither `crate` nor `super`."""
+    """All paths that begin with neither `crate` nor `super`."""
     for found in re.finditer(r"(?<![\w:])([a-z_][a-z0-9_]*)::(?=[\w{])", text):
         if found.group(1) not in ("crate", "super", "self", "std"):
             yield from expanded([found.group(1)], text, found.end())
@@ -224,7 +224,7 @@ PUBLIC = re.compile(r"(?m)^pub (?:const |unsafe |async )*(fn|struct|enum|trait|t
 
 
 def public_names(tree):
-    """Names that a user of the library can reach: items of public modules, and what is passed on, without methods and fields."""
+    """Public names of the library: items of public modules, and re-exports, without methods and fields."""
     known = {module: code(tree.text(name)) for module, name in modules(tree).items()}
     known[""] = code(tree.text("src/lib.rs"))
     out = set()
@@ -285,7 +285,7 @@ def measure(commit):
 
 
 def check():
-    """What the working tree has that it must not have."""
+    """Forbidden contents of the working tree."""
     tree = Tree(None)
     for circle in circles(imports(tree)):
         yield f"files import each other: {', '.join(circle)}"

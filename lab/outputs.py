@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Compares what two builds of gaitcam write for the built-in scenes and several commands.
+"""Compares the files that two builds of gaitcam write for the built-in scenes and several commands.
 
     lab/outputs.py OLD NEW [--quick] [--tolerance 1e-9]
 
-Every file of every scene, two sweeps, simulations and catalogues are written by both builds and compared. Numbers in text may
-differ by the tolerance; times are left out. Exit code 1 where anything differs.
+Both builds write all files of every scene, two sweeps, simulations and catalogues, which are then compared. Numbers in texts may
+differ by the tolerance; times are left out. The exit code is 1 if there is a difference.
 """
 
 import argparse
@@ -26,7 +26,7 @@ BINARY = {".png", ".xlsx", ".3mf"}
 
 
 def jobs(binary, quick):
-    """Names and arguments of every command; `{out}` is a folder of its own."""
+    """Names and arguments of all commands; `{out}` is a separate folder for each."""
     listed = subprocess.run([binary, "scenes", "--json"], capture_output=True, check=True).stdout
     for name in (scene["name"] for scene in json.loads(listed)):
         yield f"synth {name}", ["synth", name, "--out", "{out}", *(["--no-png"] if quick else [])]
@@ -41,7 +41,7 @@ def jobs(binary, quick):
 
 
 def run(binary, arguments, folder):
-    """Runs a command in a folder and stores what it prints beside what it writes."""
+    """Runs a command in a folder and stores its printed output beside its files."""
     out = folder / "o"
     out.mkdir(parents=True)
     words = [word.replace("{out}", str(out)) for word in arguments]
@@ -52,7 +52,7 @@ def run(binary, arguments, folder):
 
 
 def without_times(text):
-    """The text without figures that differ from run to run."""
+    """Text without numbers that differ from run to run."""
     lines = text.split(b"\n")
     names = lines[0].split(b",")
     if names[0] == b"row" and b"time_s" in names:
@@ -63,7 +63,7 @@ def without_times(text):
 
 
 def difference(a, b, tolerance):
-    """One sentence where two files differ, else nothing."""
+    """Sentence on the difference of two files; empty if they are equal."""
     if a == b:
         return ""
     a, b = without_times(a), without_times(b)
@@ -82,7 +82,7 @@ def difference(a, b, tolerance):
 
 
 def compare(old, new, job, tolerance):
-    """What differs between the two builds for one command."""
+    """Differences between the two builds for one command."""
     name, arguments = job
     found = []
     with tempfile.TemporaryDirectory() as folder:

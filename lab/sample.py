@@ -21,7 +21,7 @@ SENTENCE = re.compile(r"[A-Z`*\[].*?(?:[.?!:](?=\s|$)|$)", re.S)
 
 
 def blank(text, pattern):
-    """The text without the matches, with the same lines."""
+    """Text without the matches, with the same number of lines."""
     return re.sub(pattern, lambda match: "\n" * match[0].count("\n"), text)
 
 

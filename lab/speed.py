@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Compare the speed of two builds of gaitcam, job by job and in turns, by CPU seconds.
+"""Compares the speed of two builds of gaitcam by CPU seconds, job by job in alternation.
 
     python3 lab/speed.py OLD NEW [--runs 5] [--jobs sweep,files] [--check]
 
-OLD and NEW are binaries, clones that hold target/release/gaitcam, or commits, which are built in a worktree below
---worktrees (default: target/speed). Each job runs once to warm up, then in turns; medians are compared. CPU seconds
-are those of the process, which a busy machine changes less than the time on the clock.
+OLD and NEW are binaries, clones that contain target/release/gaitcam, or commits, which are built in a worktree below
+--worktrees (default: target/speed). Each job runs once as a warm-up, then alternately with both builds; medians are
+compared. The CPU time of the process depends less on the load of the machine than the elapsed time.
 """
 import argparse
 import pathlib
@@ -24,7 +24,7 @@ ROLLER = [
 HARMONIC = ["--set", "law.family=harmonic", "--set", "limits.stroke=200mm", "--vary", "gait.body_weight=500N:900N:2000"]
 ONE = ["--jobs", "1", "--out"]
 
-# Name, arguments ("{out}" is a fresh folder), largest ratio NEW / OLD that is wanted.
+# Name, arguments ("{out}" is a new folder), maximum ratio NEW / OLD.
 JOBS = {
     "sweep": (["sweep", "footbridge", *GRID, "--vary", "limits.stroke=20mm:45mm:50", *ONE, "{out}/t.csv"], 1.3),
     "files": (["synth", "footbridge", "--out", "{out}/design"], 1.0),
@@ -36,7 +36,7 @@ JOBS = {
 
 
 def built(what, worktrees):
-    """The binary of a path or of a commit."""
+    """Path of the binary of a path or of a commit."""
     path = pathlib.Path(what)
     if path.is_dir():
         path = path / "target/release/gaitcam"
@@ -50,13 +50,13 @@ def built(what, worktrees):
 
 
 def cpu(binary, arguments):
-    """CPU seconds of one run."""
+    """CPU time of one run, s."""
     with tempfile.TemporaryDirectory() as out:
         command = [str(binary)] + [a.replace("{out}", out) for a in arguments]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    # A design outside its limits ends with a code of its own; only a wrong call is an error here.
+    # A design outside its limits has a separate exit code. Only an invalid call is an error here.
     if done.returncode not in (0, 1, 3):
         sys.exit(f"{' '.join(command)}: {done.returncode}\n{done.stderr}")
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime

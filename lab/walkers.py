@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""One cam for many walkers, and several: writes reports/walkers.md and its pictures.
+"""Compares one cam with several cams for many walkers; writes reports/walkers.md and its pictures.
 
     python3 lab/walkers.py target/release/gaitcam [FOLDER OF RECORDINGS]
 
-500 walkers are drawn from published distributions; load models give the walkers of one cam for every bridge. Without a folder the
-part on recordings stays as the report has it.
+The 500 walkers are random samples of published distributions; load models provide the walkers of one cam for every bridge. Without
+a folder, the section on recordings in the report is kept.
 """
 
 import csv
@@ -61,8 +61,8 @@ The recordings are measured stances and strides of adults and children, overgrou
 
 
 def population(path, phases):
-    """Mass lognormal (Portier et al. 2007), step frequency normal and harmonics 2 to 5 normal (Živanović et al. 2007), the first
-    harmonic Kerr's (1998) with 16 %. Phases: uniform, or those of SCI P354 with a spread of 0.3 rad."""
+    """Random walkers. The mass is lognormal (Portier et al. 2007), step frequency and harmonics 2 to 5 are normal (Živanović et al.
+    2007), and the first harmonic is Kerr's (1998) with 16 %. The phases are uniform, or those of SCI P354 with a spread of 0.3 rad."""
     rng = random.Random(SEED)
     names = ",".join(f"f_{i:03d}" for i in range(STEPS + 1))
     with open(path, "w", encoding="utf-8") as table:
@@ -99,7 +99,7 @@ def number(text):
 
 
 def cover(gaitcam, folder, walkers, name, *settings, cams="1:6"):
-    """The tables of a cover as Markdown; its picture goes beside the report."""
+    """Tables of a cover as Markdown. The picture is written beside the report."""
     out = folder / name
     begun = time.process_time()
     run(gaitcam, "cover", walkers, "--cams", cams, "--out", out, "--time-limit", "3000", *settings)
@@ -130,12 +130,12 @@ def cover(gaitcam, folder, walkers, name, *settings, cams="1:6"):
 
 
 def one_cam_for_every_bridge(gaitcam, folder):
-    """For each model: the cam of 1.85 Hz turned at other speeds, that of the mean error and that of the worst."""
+    """Rows for each model: the cam of 1.85 Hz at other speeds, that of the mean error and that of the worst error."""
     lines = ["| model | cam for 1.85 Hz, mean % | worst % | cam for the mean error, mean % | worst % | cam for the worst error, mean % | worst % | gap |", "|---|---|---|---|---|---|---|---|"]
     for model in MODELS:
         common = ["--set", f"gait.model={model}", "--set", "accuracy.rms=none", "--set", "law.spans=24", *LIMITS]
         cells = [model]
-        # The cam for one frequency at the others: the same law, the mass and speed of each.
+        # Cam for one frequency at the other ones: the same law, with the mass and speed of each walker.
         frequencies = [1.4 + 0.1 * i for i in range(11)]
         forces = []
         for f in frequencies:
@@ -162,7 +162,7 @@ def one_cam_for_every_bridge(gaitcam, folder):
 
 
 def recordings(gaitcam, folder, place):
-    """The part on recordings: what cannot be taken is left out by name, as the command asks."""
+    """Section on recordings. Recordings that the command rejects are excluded by name."""
     left = []
     for _ in range(5):
         settings = ["--set", f"gait.leave_out={json.dumps(left)}", "--set", "law.robust=worst"]

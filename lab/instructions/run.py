@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the instructions of ten kernels under callgrind and holds them against counts.json beside this file.
+"""Counts the instructions of ten kernels under callgrind and compares them with counts.json beside this file.
 
-    lab/instructions/run.py            fails where a kernel needs 10 % more than is stored
+    lab/instructions/run.py            fails if a kernel needs 10 % more than the stored count
     lab/instructions/run.py --store    measures and stores
 
-Counts depend on the compiler, the C library and the processor's instruction set far less than times do, but they do:
-all three stand beside the counts, and a difference is said. Without valgrind nothing is counted, which is said loudly;
-with GAITCAM_COUNT=must that is a failure. CI installs it where it may.
+Counts depend on the compiler, the C library and the processor's instruction set, although less than times. All three are
+stored with the counts, and a difference is reported. Without valgrind nothing is counted, which is reported; with
+GAITCAM_COUNT=must this is an error. CI installs valgrind where possible.
 """
 
 import argparse
@@ -28,7 +28,7 @@ ALLOWED = 0.10
 
 
 def built():
-    """The program with the kernels."""
+    """Path of the program with the kernels."""
     build = ["cargo", "build", "--quiet", "--release", "-p", "gaitcam-lab", "--example", "instructions"]
     plain = subprocess.run(
         build + ["--message-format=json"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True
@@ -39,7 +39,7 @@ def built():
 
 
 def count(program, kernel):
-    """Instructions of one kernel."""
+    """Number of instructions of one kernel."""
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", "--collect-atstart=no",
@@ -53,20 +53,20 @@ def count(program, kernel):
 
 
 def surroundings():
-    """What counts depend on beside the source."""
+    """Versions on which the counts depend, other than the source."""
     compiler = subprocess.run(["rustc", "--version"], cwd=ROOT, check=True, capture_output=True, text=True)
     return {"compiler": compiler.stdout.strip(), "libc": " ".join(platform.libc_ver()), "machine": platform.machine()}
 
 
 def skipped():
-    """Says that nothing was counted; a failure where counting is asked for."""
+    """Reports that valgrind is missing; returns 1 if GAITCAM_COUNT=must."""
     print("NOT COUNTED: valgrind is not installed, so no kernel's instructions were held against what is stored.\n"
           "             Install it (apt-get install valgrind) and run lab/instructions/run.py again.", file=sys.stderr)
     return 1 if os.environ.get("GAITCAM_COUNT") == "must" else 0
 
 
 def judged(counts, stored):
-    """Prints every kernel beside what is stored; the names of those that need too much."""
+    """Prints every kernel with its stored count. Returns the names of those that exceed it too far."""
     grown = []
     for kernel, found in counts.items():
         before = stored["kernels"].get(kernel)

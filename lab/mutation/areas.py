@@ -1,16 +1,16 @@
-"""The areas whose tests are tested, and the faults written by hand."""
+"""Areas of the mutation tests, and the faults written by hand."""
 
 import collections
 
-# The package whose faults are written by hand, files as cargo-mutants takes them, one mutant in so many is drawn;
-# then programs with filters of tests: those that go first, and the rest.
+# Package with its handwritten faults, its files as arguments of cargo-mutants, and the fraction 1/n of mutants that is tried;
+# then test programs with filters of tests: those that run first, and the rest.
 Area = collections.namedtuple("Area", "package files one_in first then")
-# What cargo builds a test program from.
+# Inputs from which cargo builds a test program.
 KINDS = {"lib": ["--lib"], "it": ["--test", "it"]}
 
 
-# Tests of the library that take more than five seconds, those of its words and examples, and that of the order of modules,
-# which the switches are not in: left out, so that a mutant that survives here may still be noticed by one of them.
+# Tests of the library that are left out: those of more than five seconds, those of its texts and examples, and the test of the
+# module order, which does not contain the switches. One of them might still detect a mutant that survives here.
 LEFT_OUT = ["layering", "readme", "examples", "wording", "random", "guard", "spans", "widened", "inspect", "leave_no_law",
             "leaves_no_law", "that_fights", "the_smallest_cam_under", "follower_that_swings", "reads_back_exactly"]
 
@@ -43,7 +43,7 @@ AREAS = {
                          gait("c3d", "layouts"), gait()),
 }
 
-# An expression that stands once in a file, and what takes its place.
+# An expression that occurs once in a file, and its replacement.
 Fault = collections.namedtuple("Fault", "name area file old new")
 
 FAULTS = [

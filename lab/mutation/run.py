@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Tests of the tests: how many faults put into the code do they notice?
+"""Mutation tests: the share of faults in the code that the tests detect.
 
-    lab/mutation/run.py [AREA ...]     draws, builds, tests; writes reports/mutation.csv and reports/mutation.md
-    lab/mutation/run.py --all AREA     every mutant of an area instead of its sample
-    lab/mutation/run.py --again        only what survived the last run, or was not tried in it
+    lab/mutation/run.py [AREA ...]     selects, builds and tests mutants; writes reports/mutation.csv and reports/mutation.md
+    lab/mutation/run.py --all AREA     every mutant of an area instead of a sample
+    lab/mutation/run.py --again        only mutants that survived the last run or were not tried in it
 
-Needs cargo-mutants (cargo install cargo-mutants) and for the places of expressions tree-sitter and tree-sitter-rust (pip).
-What a mutant is and which ones are drawn (--shard 0/n, round robin) is what cargo-mutants says. Instead of one build
-per mutant there is one build of all: each stands beside the original under `if crate::mutant(k)`, and an environment
-variable says which one is in force. What cannot stand so is built alone. The areas and the faults written by hand are in areas.py.
-A mutant is caught where a test fails or does not end; the tests of its area go first, then all of its crate.
-Reasons for mutants that survive are kept in the table from run to run.
+It needs cargo-mutants (cargo install cargo-mutants), and tree-sitter and tree-sitter-rust (pip) for the positions of expressions.
+cargo-mutants generates the mutants and selects the sample (--shard 0/n, round robin). One build contains all mutants: each is
+beside the original under `if crate::mutant(k)`, and an environment variable selects the active one. Mutants that do not compile
+in this form are built separately. The areas and the handwritten faults are in areas.py. A mutant is caught if a test fails or
+does not end; the tests of its area run first, then all tests of its crate. The table keeps the reasons for surviving mutants from
+run to run.
 """
 
 import argparse
@@ -55,7 +55,7 @@ Mutant = collections.namedtuple("Mutant", "number area package file name start e
 
 
 def drawn(area, whole):
-    """The mutants of an area that cargo-mutants draws, and how many there are."""
+    """Random mutants of an area by cargo-mutants, and the number of all."""
     files = [argument for glob in AREAS[area].files for argument in ("-f", glob)]
     listing = ["cargo", "mutants", "--list", "--json", "--workspace", *files]
     listed = lambda *more: json.loads(subprocess.run([*listing, *more], cwd=ROOT, check=True, capture_output=True).stdout)
@@ -65,14 +65,14 @@ def drawn(area, whole):
 
 
 def position(text, place):
-    """Byte of a line and column counted from 1."""
+    """Byte offset of a line and column counted from 1."""
     lines = text.split("\n")
     before = lines[: place["line"] - 1] + [lines[place["line"] - 1][: place["column"] - 1]]
     return len("\n".join(before).encode())
 
 
 def numbered(areas, whole):
-    """All mutants to be tried."""
+    """All mutants to try."""
     out = []
     for area in areas:
         for m in drawn(area, whole)[0]:
@@ -97,7 +97,7 @@ def nodes(node):
 
 
 def switched(mutant, source, tree):
-    """Bytes around which a mutant is put, what goes before and behind them; None where no switch fits."""
+    """Byte range of a mutant with the texts before and behind it; None if no switch is possible."""
     start, end, k = mutant.start, mutant.end, mutant.number
     text = lambda a, b: source[a:b].decode()
     either = lambda a, b, other: (a, b, f"(if crate::mutant({k}) {{ {other} }} else {{ ", " })")
@@ -126,7 +126,7 @@ def switched(mutant, source, tree):
 
 
 def with_switches(source, wraps):
-    """A source with all its switches; of two that begin or end together the longer one is outside."""
+    """Source with all its switches. If two begin or end at the same place, the longer one is outside."""
     puts = []
     for k, (start, end, before, behind) in enumerate(wraps):
         puts.append((start, 1, start - end, k, before))
@@ -139,14 +139,14 @@ def with_switches(source, wraps):
 
 
 def put(path, content):
-    """Writes what differs, so that the build sees only that."""
+    """Writes the changed files only, so that the build is incremental."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_bytes() != content:
         path.write_bytes(content)
 
 
 def lay_out(mutants, alone=None):
-    """The tree with the switches of all mutants, or with one mutant in place of its original; those that have no switch."""
+    """Writes the tree with the switches of all mutants, or with one mutant. Returns the mutants without a switch."""
     left = []
     tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True).stdout
     by_file = collections.defaultdict(list)
@@ -172,7 +172,7 @@ def lay_out(mutants, alone=None):
 
 
 def built(areas):
-    """Test programs by package and name, and the compiler's errors."""
+    """Test programs by package and name, and the errors of the compiler."""
     programs = {(package, name) for area in areas for package, name, _ in AREAS[area].first + AREAS[area].then}
     packages = [argument for package in sorted({p for p, _ in programs}) for argument in ("-p", package)]
     kinds = [argument for name in sorted({n for _, n in programs}) for argument in KINDS[name]]
@@ -193,7 +193,7 @@ def built(areas):
 
 
 def culprits(errors):
-    """Numbers of the switches at which the compiler's errors lie."""
+    """Numbers of the switches with compiler errors."""
     out = set()
     for error in errors:
         for span in error["spans"]:
@@ -205,7 +205,7 @@ def culprits(errors):
 
 
 def build_of_all(mutants, areas):
-    """Test programs with all mutants that can stand beside the original, and the others."""
+    """Test programs with all mutants that compile as switches, and the other mutants."""
     alone, active = [], mutants
     while True:
         left = lay_out(active)
@@ -248,7 +248,7 @@ def failing(program, filters, number):
 
 
 def outcome(mutant, programs, number):
-    """Caught with the test that did, or missed."""
+    """Outcome of a mutant: caught, with the test that caught it, or missed."""
     area = AREAS[mutant.area]
     for package, name, filters in area.first + area.then:
         if test := failing(programs[package, name], filters, number):
@@ -273,7 +273,7 @@ def tried(mutants, areas):
 
 
 def plain_name(name):
-    """The name without line and column, which move."""
+    """Name of a mutant without line and column, which change."""
     return re.sub(r":\d+:\d+:", ":", name)
 
 
@@ -282,13 +282,13 @@ OPEN = ("missed", "not tried")
 
 
 def place(name):
-    """Column and line of a mutant; of a fault, which has a name alone, 0."""
+    """Column and line of a mutant; 0 for a fault, which has only a name."""
     found = re.search(r":(\d+):(\d+):", name)
     return (int(found[2]), int(found[1])) if found else (0, 0)
 
 
 def still_open(mutants, rows):
-    """The mutants of the table that survived or were not tried; of several of one name in a function the nearest."""
+    """Mutants of the table that survived or were not tried. Of several with the same name in a function, the nearest one is used."""
     out = {}
     for row in (r for r in rows if r["outcome"] in OPEN):
         column, line = place(row["mutant"])
@@ -301,7 +301,7 @@ def still_open(mutants, rows):
 
 
 def stored():
-    """The table of the last run."""
+    """Table of the last run."""
     if not TABLE.exists():
         return []
     with TABLE.open(newline="") as file:
@@ -316,7 +316,7 @@ def store(rows):
 
 
 def page(rows, sizes):
-    """reports/mutation.md."""
+    """Writes reports/mutation.md."""
     out = [HEAD, "| area | mutants | drawn | not tried | do not compile | caught | survive | caught of those tried that compile |",
            "|---|---:|---:|---:|---:|---:|---:|---:|"]
     for area in [*AREAS, "all"]:

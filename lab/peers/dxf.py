@@ -1,4 +1,4 @@
-"""profile.dxf of several designs, as arcs and as splines, read back by ezdxf: see dxf.sh."""
+"""Reads profile.dxf of several designs, as arcs and as splines, with ezdxf: see dxf.sh."""
 
 import csv
 import math
@@ -12,7 +12,7 @@ from ezdxf.math import BSpline
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BINARY = os.environ["GAITCAM"]
-# Scene, changes, closed edges with their tables.
+# Scene, changes, closed curves with their tables.
 SCENES = [
     ("footbridge", ["cam.bore=20 mm", "cam.keyway=auto"], {"CUT_PROFILE": "profile.csv"}),
     ("heel_tester", [], {"CUT_PROFILE": "profile.csv"}),
@@ -27,7 +27,7 @@ def shoelace(points):
 
 
 def of_arcs(entity):
-    """Area within a closed polyline of arcs: the polygon and the segments between chords and arcs."""
+    """Area within a closed polyline of arcs: area of the polygon and of the segments between chords and arcs."""
     rows = [(v.dxf.location.x, v.dxf.location.y, v.dxf.bulge) for v in entity.vertices]
     area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(rows, rows[1:] + rows[:1])) / 2
     for (x, y, bulge), (u, v, _) in zip(rows, rows[1:] + rows[:1]):
@@ -62,7 +62,7 @@ def on(document, layer, kind):
 
 
 def distance(point, points, near):
-    """From a polygon, near the place where it was last met."""
+    """Distance of a point from a polygon, searched near the last position."""
     n = len(points)
     best = math.inf
     for k in range(near - 40, near + 40):
@@ -89,7 +89,7 @@ def main():
                 exact = shoelace(truth)
                 by_arcs = of_arcs(on(arcs, layer, "POLYLINE")[0])
                 by_spline, points = of_spline(on(splines, layer, "SPLINE")[0])
-                # A deviation of 0.1 µm along the whole edge.
+                # Area of a deviation of 0.1 µm along the whole curve.
                 length = sum(math.dist(a, b) for a, b in zip(truth, truth[1:]))
                 assert abs(by_arcs - exact) < 1e-4 * length, (scene, by_arcs, exact)
                 assert abs(by_spline - exact) < 1e-4 * length, (scene, by_spline, exact)

@@ -1,5 +1,5 @@
-"""A motor under every follower and drive: dynamics.csv of `gaitcam simulate` against scipy's DOP853 on the closed form of
-the law, in time on (θ, ω). Only the scene is shared: the law is s = h/2 (1 − cos θ), two harmonic segments."""
+"""A motor with every follower and drive: dynamics.csv of `gaitcam simulate` compared with scipy's DOP853 in time for (θ, ω), with
+the closed form of the law. Only the scene is shared. The law is s = h/2 (1 − cos θ), two harmonic segments."""
 
 import csv
 import json
@@ -38,7 +38,7 @@ FRICTION = 0.7
 
 
 def scene(follower, kind, keys, inertia, slope):
-    """The text of a scene file."""
+    """Text of a scene file."""
     arm = follower.endswith("oscillating")
     cam = dict(FOLLOWERS[follower])
     name = "roller-translating" if follower == "conjugate" else follower
@@ -55,7 +55,7 @@ def scene(follower, kind, keys, inertia, slope):
 
 
 def steady(stroke, coefficients, inertia, slope, no_load, start, angles):
-    """Force at the angles in the steady turn, and its time, by DOP853."""
+    """Force at the angles in the steady turn, and the duration of the turn, by DOP853."""
     f0, k, c, m = coefficients
 
     def rates(_, state):
@@ -77,7 +77,7 @@ def steady(stroke, coefficients, inertia, slope, no_load, start, angles):
             break
         w = end
     period = turn.t_events[0][0]
-    # Time at which each angle is passed, by Newton's method.
+    # Time of each angle, by Newton's method.
     times = np.interp(angles, turn.y[0], turn.t)
     for _ in range(6):
         theta, speed = turn.sol(times)

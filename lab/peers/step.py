@@ -1,4 +1,4 @@
-"""cam.step of several designs, read back by OCCT and by gmsh: see step.sh."""
+"""Reads cam.step of several designs with OCCT and gmsh: see step.sh."""
 
 import csv
 import math
@@ -20,7 +20,7 @@ from OCP.TopExp import TopExp_Explorer
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BINARY = os.environ["GAITCAM"]
-# Scene, changes, area of the hole in mm² (DIN 6885-1 by hand), number of solids.
+# Scene, changes, area of the hole in mm² (DIN 6885-1, computed by hand), number of solids.
 ROUND = math.pi * 36
 KEYED = 100 * math.pi + 6 * (12.8 - math.sqrt(91)) - (100 * math.asin(0.3) - 3 * math.sqrt(91))
 SCENES = [
@@ -41,7 +41,7 @@ def shapes(whole, kind):
 
 
 def area(path):
-    """Within the profile's table, mm²: the trapezoid rule on a smooth closed curve."""
+    """Area within the profile of the table, mm², by the trapezoid rule on a smooth closed curve."""
     with open(path, newline="") as file:
         points = [(1e3 * float(r["x_m"]), 1e3 * float(r["y_m"])) for r in csv.DictReader(file)]
     twice = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1]))
@@ -55,7 +55,7 @@ def synth(scene, changes, out):
 
 
 def solids_of(path, count):
-    """The valid solids of a file, and the volume of the first, mm³."""
+    """Valid solids of a file, and the volume of the first, mm³."""
     reader = STEPControl_Reader()
     assert reader.ReadFile(str(path)) == IFSelect_RetDone, f"{path}: not read"
     reader.TransferRoots()
@@ -64,13 +64,13 @@ def solids_of(path, count):
     found = list(shapes(whole, TopAbs_SOLID))
     assert len(found) == count, f"{path}: {len(found)} solids"
     properties = GProp_GProps()
-    # To the accuracy that is asked for: the plain call integrates with few points and is off by 1e-4.
+    # The accuracy is stated, because the call without it uses few points and has an error of 1e-4.
     BRepGProp.VolumeProperties_s(found[0], properties, 1e-9, True, False)
     return found, properties.Mass()
 
 
 def farthest(points, parts):
-    """Largest distance of points from the nearest of some edges or faces, mm."""
+    """Maximum distance of points from the nearest of some edges or faces, mm."""
     worst = 0.0
     for p in points:
         vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*map(float, p))).Vertex()
@@ -97,7 +97,7 @@ def read(scene, changes, hole, solids, folder):
 
 
 def slide(folder):
-    """The translating cam: the area under its table, closed by the foot."""
+    """Area of the translating cam: the area under its table, closed by the base."""
     out = folder / "slide"
     synth(ROOT / "scenes" / "translating_cam.toml", [], out)
     found, volume = solids_of(out / "cam.step", 1)
@@ -132,7 +132,7 @@ prime_radius = "65 mm"
 """
 
 def furnished(folder):
-    """A plate with keyway and mark: what is taken away is known."""
+    """Area of a plate with keyway and mark. The removed area is known."""
     out = folder / "furnished"
     changes = ["cam.bore=20 mm", "cam.keyway=auto", "cam.mark=true"]
     scene = folder / "furnished.toml"
@@ -148,7 +148,7 @@ def furnished(folder):
 
 
 def meshed(path):
-    """gmsh reads the solid and sees its volume too."""
+    """Checks that gmsh reads the solid with the same volume."""
     import gmsh
 
     gmsh.initialize(interruptible=False)

@@ -1,5 +1,5 @@
-"""One cam for 200 walkers against a conic program of cvxpy. Only the table of cycles is shared: a walker's force error is
-‖ω² a − y‖ over the harmonics of the law, y = F/mean − 1; limits hold at 200 000 angles."""
+"""One cam for 200 walkers, compared with a conic program in cvxpy. Only the table of cycles is shared. The force error of a walker
+is ‖ω² a − y‖ over the harmonics of the law with y = F/mean − 1; the limits hold at 200 000 angles."""
 
 import csv
 import json
@@ -40,12 +40,12 @@ def write(path, f, sine, cosine, weights):
 
 
 def by_cones(f, sine, cosine, tail):
-    """The measure of cvxpy's law: coefficients of a(θ) in units of G/100, one column each of sine and cosine. Angles at which a limit is
-    broken join those that count, until none is."""
+    """Objective of cvxpy's law. The coefficients of a(θ) are in units of G/100, with one column each for sine and cosine. Angles at
+    which a limit is violated are added until there is none."""
     n = np.arange(1, HARMONICS + 1)
 
     def rows(order, x):
-        """A derivative of the law in a's coefficients: s = −a/n²."""
+        """Matrix of a derivative of the law in the coefficients of a: s = −a/n²."""
         k = (1.0 * n) ** (order - 2) * G / 100
         sin, cos = np.sin(np.outer(x, n)) * k, np.cos(np.outer(x, n)) * k
         return {0: np.hstack([-sin, -cos]), 2: np.hstack([sin, cos]), 3: np.hstack([cos, -sin])}[order]

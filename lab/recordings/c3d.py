@@ -1,4 +1,4 @@
-"""A small writer of C3D files: Intel numbers, integer or float storage, force plates of types 1 to 4."""
+"""Small writer of C3D files: Intel numbers, integer or float storage, force plates of types 1 to 4."""
 
 import struct
 
@@ -8,7 +8,7 @@ CAL = np.diag([4.0, 4.0, 11.0, 2.6, 1.9, 1.3]) + 0.004
 
 
 def parameter(group, name, values, kind, dims):
-    """One parameter; kind -1 text, 2 integer, 4 float."""
+    """One parameter. The kind is -1 for text, 2 for integer, 4 for float."""
     if kind == -1:
         data = b"".join(v.ljust(dims[0])[: dims[0]].encode("latin-1") for v in values)
     else:
@@ -22,7 +22,7 @@ def group(number, name):
 
 
 def split(base, values, kind, width=None):
-    """A list parameter in parts of 255, the later ones with a number: LABELS, LABELS2."""
+    """List parameter in parts of 255. The later parts have a number in their name: LABELS, LABELS2."""
     for part in range(0, max(len(values), 1), 255):
         some = values[part : part + 255]
         name = base + (str(part // 255 + 1) if part else "")
@@ -31,7 +31,7 @@ def split(base, values, kind, width=None):
 
 
 def plate_channels(kind, fz):
-    """Raw channels of a plate whose upward force on the foot is fz, in the axes of the plate (z down)."""
+    """Raw channels of a plate for the upward force fz on the foot, in the axes of the plate (z downwards)."""
     zero = np.zeros_like(fz)
     fx, fy = 0.05 * fz, -0.12 * fz
     if kind == 3:

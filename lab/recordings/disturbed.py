@@ -1,4 +1,4 @@
-"""Class 1: right layouts with disturbed or incomplete readings."""
+"""Class 1: known layouts with disturbed or incomplete readings."""
 
 import numpy as np
 
@@ -97,7 +97,7 @@ def hum(rng, i):
 def spikes(rng, i):
     trial = belts(rng, rate=1000, steps=16) if i < 6 else belts(rng, rate=200, steps=20)
     x = with_sensor(rng, trial, noise=2)
-    # Some single samples, or one run of several.
+    # Several single samples, or one sequence of samples.
     count, width = [(1, 1), (3, 1), (6, 1), (2, 2), (1, 4), (1, 6), (3, 1), (6, 1)][i]
     for at in rng.choice(len(trial.t) - 20, count, replace=False):
         x[rng.integers(2), at : at + width] += rng.uniform(2000, 5000) * rng.choice([1, 1, -1])

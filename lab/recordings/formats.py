@@ -1,10 +1,10 @@
-"""Writers of text formats. Every function returns bytes; forces in N, one row per channel, unless said otherwise."""
+"""Writers of text formats. Each returns bytes; forces are in N with one row per channel, unless stated otherwise."""
 
 import numpy as np
 
 
 def cells(values, decimals=2, mark=".", group="", minus="-"):
-    """Numbers as text: decimal mark, thousands separator and minus sign of choice."""
+    """Numbers as text with the given decimal mark, thousands separator and minus sign."""
     if mark == "." and not group and minus == "-":
         return [f"{x:.{decimals}f}" for x in values]
     out = []
@@ -16,20 +16,20 @@ def cells(values, decimals=2, mark=".", group="", minus="-"):
 
 
 def table(names, columns, separator=",", head=(), units=None, end="\n", encoding="utf-8"):
-    """Lines of a head, names, perhaps units, and one row per sample."""
+    """Table with head lines, names, optional units, and one row per sample."""
     lines = [*head, *([separator.join(names)] if names else []), *([separator.join(units)] if units else [])]
     lines += [separator.join(row) for row in zip(*columns)]
     return (end.join(lines) + end).encode(encoding)
 
 
 def plain(t, forces, names=("Left Fz (N)", "Right Fz (N)"), time="time (s)", **how):
-    """Time and forces with a header."""
+    """Table of time and forces with a header."""
     places = 3 if len(t) < 2 or t[1] - t[0] >= 0.001 else 4
     return table([time, *names], [cells(t, places), *(cells(f) for f in forces)], **how)
 
 
 def without(columns, forces, token, level=20.0):
-    """Cells below a level replaced by a token for nothing."""
+    """Table in which cells below a level are replaced by a token for a missing value."""
     return [[token if f < level else c for c, f in zip(col, row)] for col, row in zip(columns, forces)]
 
 
@@ -62,7 +62,7 @@ def vec3(t, forces, rows=None):
 
 
 def visual3d(forces, token="", level=20.0):
-    """Visual3D export: five header rows and a counter; empty where nothing is on the plate."""
+    """Visual3D export with five header rows and a counter. Cells without load are empty."""
     n = len(forces)
     row = lambda word: "\t" + "\t".join([word] * (3 * n))
     head = [row("C:\\data\\walk01.c3d"), "\t" + "\t".join(f"FP{k + 1}" for k in range(n) for _ in range(3)), row("FORCE"),
@@ -75,7 +75,7 @@ def visual3d(forces, token="", level=20.0):
 
 
 def loadsol(t, left, right, zones=True, moving=True):
-    """Export of the loadsol app: two header rows, zones beside totals, a clock for each insole."""
+    """Export of the loadsol app: two header rows, zones beside totals, a separate time for each insole."""
     names, units, columns = [], [], []
     for name, force in (("AB1-L", left), ("AB1-R", right)):
         share = 0.5 + 0.4 * np.cos(np.linspace(0, 3, len(t)))
@@ -109,7 +109,7 @@ def stances(rows, component="F_V_RAW", scale=1.0):
 
 
 def cut_rows(data, rows, keep, extra=4):
-    """The file up to some row of its last `rows`, and some bytes of the next."""
+    """The file truncated at a random row of its last `rows`, with some bytes of the next row."""
     at = len(data)
     for _ in range(rows - keep + 1):
         at = data.rfind(b"\n", 0, at)
@@ -117,7 +117,7 @@ def cut_rows(data, rows, keep, extra=4):
 
 
 def with_bad_cell(data, rows, row, column, separator, text):
-    """One cell of the last `rows` replaced."""
+    """The file with one cell of the last `rows` replaced."""
     lines = data.split(b"\n")
     at = len(lines) - 1 - rows + row
     fields = lines[at].split(separator.encode())

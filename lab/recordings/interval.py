@@ -1,4 +1,4 @@
-"""Class 5: walks of known mass for the interval of the mass."""
+"""Class 5: recordings of walkers with known mass, for the interval of the mass."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def interval_belts(rng, i):
 def interval_insoles(rng, i):
     trial = belts(rng, rate=100, steps=int(rng.integers(12, 40)))
     x = np.maximum(with_sensor(rng, trial, noise=1), 0)
-    # Published errors of insoles against plates: some percent of gain for each.
+    # Published errors of insoles compared with plates: gain errors of some percent.
     x *= 1 + rng.normal(0, 0.05, (2, 1))
     return Recording({"walk.txt": loadsol(trial.t, *x, zones=False, moving=False)}, trial.truth(), asks=[INSOLE])
 

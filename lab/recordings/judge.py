@@ -1,11 +1,11 @@
-"""Runs `gaitcam gait` on a recording and judges the result: right, asked rightly or wrong."""
+"""Runs `gaitcam gait` on a recording and classifies the result: right, asked rightly or wrong."""
 
 import json
 import re
 import subprocess
 from dataclasses import dataclass
 
-# What no text for people may contain: placeholders, values that do not exist, empty brackets and numbers without value.
+# Forbidden parts of a text for users: placeholders, missing values, empty brackets and numbers without value.
 FAULTS = re.compile(r"\{\$|\bNaN\b(?!['\"`»”])|\bundefined\b|\binf\b|\bnull\b|\(\s*\)|\[\s*\]|  ,|: *$")
 
 
@@ -15,7 +15,7 @@ class Verdict:
 
     result: str
     why: str = ""
-    # Truth, low, high and width of the mass in kg, if stated.
+    # True value, lower and upper bound and width of the mass in kg, if stated.
     interval: tuple = ()
     silent: bool = False
 
@@ -35,7 +35,7 @@ def close(value, low, high, part):
 
 
 def differences(recording, d):
-    """What is wrong about the numbers: pairs of the question that covers it and a sentence."""
+    """Wrong numbers: pairs of the question that covers the number, and a sentence."""
     truth, cycle = recording.truth, d.get("cycle") or {}
     if "kind" in truth and d.get("kind") != truth["kind"]:
         yield "kind", f"kind {d.get('kind')}, true {truth['kind']}"
@@ -65,7 +65,7 @@ def differences(recording, d):
 
 
 def judge(binary, recording, folder):
-    """Verdict on one recording; its files are in the folder."""
+    """Classification of one recording, whose files are in the folder."""
     out = run(binary, recording, folder, "--json")
     said = {}
     for language in ("en", "es"):
@@ -91,7 +91,7 @@ def judge(binary, recording, folder):
 
 
 def shortened(notes):
-    """The notes in one line, without the question at the end."""
+    """Notes in one line, without the question at the end."""
     lines = [line.split(maxsplit=1)[1] for line in notes.splitlines() if not line.startswith("open")]
     return " / ".join(line[:150] for line in lines)
 

@@ -8,7 +8,7 @@ from recording import Recording, belts, case, options, with_sensor
 
 
 def landing_force(rng, t, mass, hop):
-    """One leg lands from a box, then stands, or hops off at once with a second peak as in a walk."""
+    """Landing of one leg from a box. The person then stands, or hops off at once, so that there is a second peak as in walking."""
     length = rng.uniform(0.5, 0.7) if hop else rng.uniform(0.7, 1.3)
     s = np.clip((t - 0.8) / length, 0, 1)
     if hop:
@@ -45,7 +45,7 @@ def drop_outs(rng, i):
         x[k, at : at + gap] = 0
         a, b = trial.start + trial.t[at], trial.start + trial.t[at + gap]
         hit |= {j for j, s in enumerate(w.stances) if s.foot == k and s.start < b and s.end > a}
-    # The median of fewer strides is less certain.
+    # The median of fewer strides is less accurate.
     truth = trial.truth(period_error=0.005 + 2 * w.cv_time / np.sqrt(sum(trial.counts) - len(hit)))
     asks = [(r"lost|zero|missing|drop", options("file|mass|force") + "|give (a|another) recording")]
     return Recording({"walk.csv": plain(trial.t, x)}, truth, asks=asks, says=r"lost|drop|missing|zero", slack=len(hit))

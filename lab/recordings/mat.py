@@ -1,4 +1,4 @@
-"""A small writer of MATLAB files of version 5: real arrays, texts and structs, plain or compressed."""
+"""Small writer of MATLAB files of version 5: real arrays, texts and structs, plain or compressed."""
 
 import struct
 import zlib
@@ -13,7 +13,7 @@ def element(kind, data):
 
 
 def array(name, value):
-    """An array of the type of the value: dict is a struct, str a text, the rest doubles or singles."""
+    """Array for a value: dict is a struct, str a text, all others are doubles or singles."""
     if isinstance(value, dict):
         code, dims = 2, (1, 1)
         width = max(len(k) for k in value) + 1

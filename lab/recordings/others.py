@@ -48,7 +48,7 @@ def matlab_damaged(rng, i):
 
 
 def cycle_of(rng, count=101, feet=1, **of_walk):
-    """Cycles of one foot or both of a steady walk, in percent of the stride: shape (cycles, feet, count); stride time and walk."""
+    """Cycles of one foot or both of steady walking, in percent of the stride: shape (cycles, feet, count); stride time and walk."""
     trial = belts(rng, steps=20, cv_time=0.0, **of_walk)
     w = trial.walk
     period = 2 * w.step_s
@@ -62,7 +62,7 @@ def cycle_of(rng, count=101, feet=1, **of_walk):
 
 
 def mean_of(cycle, period):
-    """Truth of a cycle whose last value repeats the first."""
+    """True values of a cycle whose last value repeats the first."""
     return {"mean": float(0.5 * (cycle[:-1] + cycle[1:]).mean()), "period": (period, period)}
 
 

@@ -1,4 +1,4 @@
-"""Class 0: clean recordings in many formats, and damaged files of them."""
+"""Class 0: clean recordings in many formats, and damaged copies of their files."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""A generated recording with its truth, and the walks that most classes start from."""
+"""A generated recording with its true values, and the walks for most classes."""
 
 import zlib
 from dataclasses import dataclass, field
@@ -13,36 +13,36 @@ CASES = []
 
 
 def options(names):
-    """Pattern of the name of an option as messages write it: `option mass`, `options period and mass`, `--mass`, `gait.mass`."""
+    """Pattern for the name of an option in messages: `option mass`, `options period and mass`, `--mass`, `gait.mass`."""
     return rf"(options? ([a-z]+(, | and ))*|--|gait\.)({names})\b|\b({names}) = "
 
 
-# Words that name what was seen, and words that name what settles it.
+# Words for an observation, and words for the option that settles it.
 CLOCK = (r"stride (time|duration)|one (step|stride)|duty", options("mass|period|span|rate|file"))
 INSOLE = (r"insole", options("mass") + r"|give the (walker's )?mass")
 
 
 @dataclass
 class Recording:
-    """Files (the first is read), options, truth and the questions that are right to ask."""
+    """Recording with its files (the first is read), options, true values and the justified questions."""
 
     files: dict
     truth: dict
     args: list = field(default_factory=list)
-    # Pairs of patterns: what was seen and what settles it.
+    # Pairs of patterns: the observation and the option that settles it.
     asks: list = field(default_factory=list)
     # Pattern that the text must contain if the recording is read.
     says: str = ""
-    # Number of stances that may be left out.
+    # Maximum number of stances that may be left out.
     slack: int = 0
-    # Whether a refusal or a question is the only right outcome.
+    # Whether a rejection or a question is the only correct result.
     only_asks: bool = False
     group: str = ""
     name: str = ""
 
 
 def case(group, count):
-    """Registers a function that makes the i-th recording of a class."""
+    """Registers a function that generates the i-th recording of a class."""
 
     def add(make):
         CASES.extend((group, make, i) for i in range(count))
@@ -52,7 +52,7 @@ def case(group, count):
 
 
 def build(group, make, i):
-    """The i-th recording of a class, the same in every run."""
+    """The i-th recording of a class. It is the same in every run."""
     name = make.__name__.replace("_", "-")
     rng = np.random.default_rng([SEED, zlib.crc32(name.encode()), i])
     recording = make(rng, i)
@@ -62,7 +62,7 @@ def build(group, make, i):
 
 @dataclass
 class Trial:
-    """Times from zero, true forces per channel, the walk, and when the trial starts in it."""
+    """Times from zero, true forces per channel, the walk, and the start time of the trial in it."""
 
     t: np.ndarray
     forces: np.ndarray
@@ -71,7 +71,7 @@ class Trial:
     counts: list
 
     def truth(self, end=None, **more):
-        """What a reading must find up to a time of the trial."""
+        """True values of a reading up to a time of the trial."""
         t1 = self.start + (self.t[-1] if end is None else end)
         n = max(1, sum(self.counts))
         low, high = self.walk.stride_range(self.start - 1e-6, t1)
@@ -79,13 +79,13 @@ class Trial:
                 "counts": self.counts, "kind": "walking", **more}
 
     def until(self, end):
-        """Truth of the part before a time."""
+        """True values of the part before a time."""
         trial = Trial(self.t, self.forces, self.walk, self.start, self.walk.counts(self.start, self.start + end))
         return trial.truth(end)
 
 
 def belts(rng, rate=200.0, steps=20, idle=False, **of_walk):
-    """Both feet on their own channel; the recording starts and ends within stances, or with unloaded plates."""
+    """Trial with a channel for each foot. The recording starts and ends within stances, or with unloaded plates."""
     w = walk(rng, steps=steps, **of_walk)
     start, end = (0.0, w.stances[-1].end + 0.4) if idle else (w.middle(1), w.middle(steps - 2))
     t = np.arange(int((end - start) * rate)) / rate
@@ -93,7 +93,7 @@ def belts(rng, rate=200.0, steps=20, idle=False, **of_walk):
 
 
 def walkway(rng, rate=1000.0, plates=2, first=None, **of_walk):
-    """One stance on each of some plates in a row, which are unloaded before and after."""
+    """Trial with one stance on each of several plates in a row, which are unloaded before and after."""
     first = int(rng.integers(2)) if first is None else first
     w = walk(rng, steps=plates, first=first, start=rng.uniform(0.4, 0.8), **of_walk)
     t = np.arange(int((w.stances[-1].end + rng.uniform(0.4, 0.8)) * rate)) / rate

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Reads generated recordings of known truth with one or more builds and counts right, asked rightly and wrong.
+"""Reads generated recordings with known true values with one or more builds and counts right, asked rightly and wrong.
 
     lab/recordings/run.py BINARY [BINARY2] [--check] [--only WORD] [--keep FOLDER]
 
-Prints a table class x result for each build and every wrong one with a sentence; coverage and width of the interval of the mass where
-it is stated. Silent are the wrong ones with a false number and no question. With --check exit code 1 if the last build has a wrong one.
---keep writes the recordings and their truth.
+It prints a table class x result for each build, every wrong result with a sentence, and coverage and width of the mass interval if
+stated. Silent results are wrong ones with a false number and no question. With --check, the exit code is 1 if the last build has a
+wrong result. --keep writes the recordings and their true values.
 """
 
 import argparse
@@ -30,7 +30,7 @@ RESULTS = ("right", "asked", "wrong", "silent")
 
 
 def one(job):
-    """Builds a recording and judges it with every build."""
+    """Generates a recording and classifies the results of all builds."""
     at, binaries, keep = job
     recording = build(*CASES[at])
     with tempfile.TemporaryDirectory() as folder:
@@ -60,7 +60,7 @@ def print_counts(binary, judged, k):
 
 
 def print_intervals(judged, k):
-    """Share of intervals that hold the true mass, and their median width, for each class that states any."""
+    """Share of intervals that contain the true mass, and their median width, for each class that states any."""
     stated = defaultdict(list)
     for group, _, verdicts in judged:
         if verdicts[k].interval:

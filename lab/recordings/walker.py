@@ -1,6 +1,6 @@
-"""A walker of known mass: vertical force of each foot, from published peaks against speed.
+"""Walker of known mass: vertical force of each foot, from published relations of the peaks to the speed.
 
-Peaks and their places are straight-line fits to the 600 stances of Pataky et al. (2008), each divided by its own mean. Step times,
+Peaks and their positions are linear fits to the 600 stances of Pataky et al. (2008), each divided by its mean. Step times,
 peaks and the momentum at heel strike vary from step to step. The impulses of all stances sum to M g times the duration.
 """
 
@@ -13,7 +13,7 @@ G = 9.81
 
 @dataclass
 class Stance:
-    """One stance: foot (0 left, 1 right), first and last time in s, nodes of the shape and their force in N."""
+    """Stance: foot (0 left, 1 right), first and last time in s, nodes of the shape and their force in N."""
 
     foot: int
     start: float
@@ -43,7 +43,7 @@ class Stance:
 
 @dataclass
 class Walk:
-    """Stances in order, and the numbers that a reading must find."""
+    """Stances in order, and the true values for a reading."""
 
     mass: float
     speed: float
@@ -63,16 +63,16 @@ class Walk:
         return out
 
     def middle(self, k):
-        """Middle of stance k, when the other foot is in the air."""
+        """Middle of stance k, where the other foot is in its swing phase."""
         return 0.5 * (self.stances[k].start + self.stances[k].end)
 
     def counts(self, t0, t1):
-        """Whole stances of the left and the right foot between two times."""
+        """Complete stances of the left and the right foot between two times."""
         inside = [s.foot for s in self.stances if s.start > t0 and s.end < t1]
         return [inside.count(0), inside.count(1)]
 
     def stride_range(self, t0, t1):
-        """Lowest and highest of mean and median of the strides between two times, s."""
+        """Minimum and maximum of mean and median of the strides between two times, s."""
         times = self.strikes[(self.strikes > t0) & (self.strikes < t1)]
         strides = times[2:] - times[:-2]
         if len(strides) == 0:
@@ -84,7 +84,7 @@ class Walk:
 
 
 def walk(rng, mass=None, speed=None, steps=24, cv_time=None, cv_force=None, asymmetry=0.0, first=0, start=0.4):
-    """A walk of some steps from a time on; what is not given is drawn."""
+    """Walk of some steps from a time on. Parameters that are not given are random."""
     mass = mass or float(np.clip(rng.lognormal(4.28, 0.2), 40, 125))
     speed = speed or rng.uniform(0.85, 1.75)
     cv_time = rng.uniform(0.01, 0.03) if cv_time is None else cv_time
@@ -117,7 +117,7 @@ def walk(rng, mass=None, speed=None, steps=24, cv_time=None, cv_force=None, asym
 
 @dataclass
 class Sensor:
-    """What a plate adds: noise, offset and hum in N, share of the other plates, sign."""
+    """Disturbance of a plate: noise, offset and hum in N, share of the other plates, sign."""
 
     noise: float = 0.0
     offset: float = 0.0
@@ -128,7 +128,7 @@ class Sensor:
 
 
 def measured(rng, t, forces, sensor):
-    """Readings of plates with true forces (one row each) at times t."""
+    """Readings of plates for true forces (one row each) at times t."""
     total = forces.sum(axis=0)
     out = np.empty_like(forces)
     for k, own in enumerate(forces):

@@ -1,5 +1,5 @@
-"""A double-dwell roller cam by the package `mechanism`, 3600 points: its motion and pitch curve alone,
-without its pictures (it has no roller envelope)."""
+"""Double-dwell roller cam of the package `mechanism` with 3600 points: motion and pitch curve only, without
+pictures (the package has no roller envelope)."""
 
 import importlib.metadata
 
@@ -12,7 +12,7 @@ MOTION = [("Rise", 20, 90), ("Dwell", 90), ("Fall", 20, 90), ("Dwell", 90)]
 
 
 def exact(theta):
-    """The roller's envelope: the true profile."""
+    """True profile, the envelope of the roller."""
     turn = 2.0 * np.pi
     x = np.mod(theta, turn) / (turn / 4.0)
     rise = lambda u: (u - np.sin(turn * u) / turn, 1.0 - np.cos(turn * u))
@@ -36,7 +36,7 @@ def main():
     order = np.argsort(angle)
     true = np.interp(theta, angle[order], exact(theta)[0][order])
     worst = np.abs(np.asarray(radius) - true).max()
-    # Both as x and y, the points of the true profile at the same angles.
+    # The result and the true profile as x and y at the same angles.
     true_x, true_y = true * np.cos(theta), true * np.sin(theta)
     off = np.hypot(radius * np.cos(theta) - true_x, radius * np.sin(theta) - true_y).max()
     words = (

@@ -1,4 +1,4 @@
-"""The tasks, as the Rust benchmark `peers` has them."""
+"""Tasks of the comparison, the same as in the Rust benchmark `peers`."""
 
 import json
 import math
@@ -13,22 +13,22 @@ OMEGA = 2.0 * np.pi / PERIOD
 WEIGHT, GRAVITY = 700.0, 9.81
 MASS = WEIGHT / GRAVITY
 SAMPLES, SPANS, DEGREE = 1024, 32, 5
-# Young's load factors at 1.85 Hz and phases, as the model "young" of gaitcam.
+# Young's load factors and phases at 1.85 Hz, as in the model "young" of gaitcam.
 F = 1.85
 FACTORS = [0.37 * (F - 0.95), 0.054 + 0.0044 * F, 0.026 + 0.0050 * F, 0.010 + 0.0051 * F]
 THETA = 2.0 * np.pi * np.arange(SAMPLES) / SAMPLES
 
 
 def force(theta):
-    """Wanted force, N. Harmonics in step: only their sizes matter to the clock and the error."""
+    """Target force, N. The phases of the harmonics have no influence on time and error."""
     return WEIGHT * (1.0 + sum(a * np.sin((i + 1) * theta) for i, a in enumerate(FACTORS)))
 
 
 def median_time(run, repeats=31):
-    """Median seconds of the processor that `run` takes after a warm-up, all threads together, and its answer."""
+    """Median processor time of `run` in all threads after a warm-up, s, and its result."""
     answer = run()
     if "once" in sys.argv:
-        # The whole process is timed from outside.
+        # The time of the whole process is measured from outside.
         return math.nan, answer
     times = []
     for _ in range(repeats):

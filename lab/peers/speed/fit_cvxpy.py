@@ -1,11 +1,11 @@
-"""The footbridge law with a jerk limit, written as a cvxpy user would: limits at sampled angles."""
+"""Law of the footbridge with a jerk limit, in the form of a cvxpy user: limits at sampled angles."""
 
 import numpy as np
 import common as c
 
 
 def basis(theta, order):
-    """Values of the periodic uniform B-splines' derivative of given order (Cox-de Boor by convolution)."""
+    """Values of the derivative of an order of the periodic uniform B-splines (Cox-de Boor by convolution)."""
     from math import comb, factorial
     h = 2.0 * np.pi / c.SPANS
     out = np.zeros((len(theta), c.SPANS))

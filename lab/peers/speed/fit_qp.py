@@ -1,9 +1,8 @@
-"""The footbridge law with acceleration and jerk at 95 % of the free law's, as the users of three solvers would write it.
+"""Law of the footbridge with limits on acceleration and jerk at 95 % of the law without limits, in the form of users of three solvers.
 
-On every span the Bernstein coefficients of acceleration and jerk are held: 448 rows, which keep the limits between the
-samples too, a little more strictly than the limits themselves. A solver's time is that of its setup and solution with
-all matrices at hand; assembling them is not counted. Each solver gets the form that suits it best: no free level (the
-first coefficient is 0 and left out), both sides of a row as one where it takes them.
+The Bernstein coefficients of acceleration and jerk on every span are limited. These 448 rows also hold between the samples and are
+slightly stricter than the limits. The time of a solver contains its setup and solution, but not the assembly of the matrices. Each
+solver gets its best form: no free level (the first coefficient is 0 and left out), and both sides of a row in one if possible.
 """
 
 import importlib.metadata
@@ -33,7 +32,7 @@ def binomial(n, k):
 
 
 def problem():
-    """Least squares ½xᵀHx + gᵀx under |rows·x| ≤ 1, with x in units that bring all near one."""
+    """Least squares ½xᵀHx + gᵀx with |rows·x| ≤ 1, where x is scaled so that all coefficients are near one."""
     a = basis(c.THETA, 2)[:, 1:]
     wanted = (c.force(c.THETA) - c.WEIGHT) / (c.MASS * c.OMEGA**2)
     free = np.linalg.lstsq(a, wanted, rcond=None)[0]
@@ -63,7 +62,7 @@ def daqp(h, g, rows):
 
 
 def daqp_one_sided(h, g, rows):
-    """The same with a row for each side."""
+    """Least squares with a row for each side of a limit."""
     import daqp
 
     both = np.vstack([rows, -rows])

@@ -1,4 +1,4 @@
-"""The footbridge law without limits: integrate the force twice, then scipy's spline least squares."""
+"""Law of the footbridge without limits: integrate the force twice, then scipy's spline least squares."""
 
 import numpy as np
 import scipy
@@ -9,7 +9,7 @@ import common as c
 def main():
     h = 2.0 * np.pi / c.SPANS
     knots = h * np.arange(-c.DEGREE, c.SPANS + c.DEGREE + 1)
-    # Three copies of the samples keep the ends from curling up.
+    # Three copies of the samples suppress errors at the ends.
     extended = np.concatenate([c.THETA - 2 * np.pi, c.THETA, c.THETA + 2 * np.pi])
     inside = (extended >= knots[c.DEGREE]) & (extended <= knots[-c.DEGREE - 1])
     theta = extended[inside]

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""Holds gaitcam against other programs on the same tasks, on this machine.
+"""Compares gaitcam with other programs for the same tasks on this machine.
 
     cargo build --release && python3 lab/peers/speed/run.py [--out reports]
 
-A temporary virtual environment is made for each peer and the peer is installed into it by name; what cannot
-be installed is reported as "skipped". gaitcam is measured by lab/examples/peers.rs, which prints one line of JSON per
-task, before and after the peers; the slower of its two medians counts. All times are the
-processor's, of all threads together. The tables become the section "Peers" of speed_accuracy.md, which
-`gaitcam-lab chart` keeps, and the chart of whole processes becomes whole_process.svg.
+Each peer is installed by name into a temporary virtual environment. A peer that cannot be installed is reported as "skipped".
+gaitcam is measured before and after the peers by lab/examples/peers.rs, which prints one line of JSON per task; the slower one
+of its two medians is used. All times are processor times of all threads. The tables are written as the section "Peers" of
+speed_accuracy.md, which `gaitcam-lab chart` keeps, and the chart of whole processes as whole_process.svg.
 """
 
 import argparse
@@ -30,21 +29,21 @@ PEERS = [
     ("", ["numpy", "scipy", "daqp", "piqp", "clarabel"], "fit_qp.py"),
     ("mechanism (PyPI)", ["mechanism"], "cam_mechanism.py"),
 ]
-# What was asked: faster by at least.
+# Required speed ratios.
 ASKED = {"fit_cvxpy.py": 50, "fit_scipy.py": 5, "fit_qp.py": 2, "cam_mechanism.py": 10}
-# Our kernel does what the peer does, no more; the public call does all that a user gets.
+# The kernel of gaitcam does the same work as the peer; the public call does the complete work for a user.
 PUBLIC = {
     "jerk limit, quintic 32 spans": "jerk limit, quintic 32 spans, public call",
     "no limits, quintic 32 spans": "no limits, quintic, public call",
     "acceleration and jerk at 95 %, quintic 32 spans": "acceleration and jerk at 95 %, quintic 32 spans, assembled too",
 }
-# Processes from start to end: name, command, whether a peer's.
+# Whole processes: name, command, whether it is a peer's.
 RUNS = 15
 SECTION = "\n## Peers\n"
 
 
 def ours():
-    """Task name -> {seconds, error} from the Rust benchmark."""
+    """Mapping task name -> {seconds, error} from the Rust benchmark."""
     run = subprocess.run(
         ["cargo", "run", "--quiet", "--release", "-p", "gaitcam-lab", "--example", "peers"],
         cwd=ROOT, capture_output=True, text=True, check=True,
@@ -54,7 +53,7 @@ def ours():
 
 
 def integrators():
-    """Rows of the crate ode_solvers on chart (d1)'s follower, or why it was skipped."""
+    """Rows of the crate ode_solvers for the follower of chart (d1), or the reason why it was skipped."""
     run = subprocess.run(
         ["cargo", "run", "--quiet", "--release", "--manifest-path", str(ROOT / "lab/peers/ode/Cargo.toml")],
         capture_output=True, text=True,
@@ -66,7 +65,7 @@ def integrators():
 
 
 def closed_form(out):
-    """Time and error of gaitcam's own way on chart (d1), from the chart's last run."""
+    """Time and error of gaitcam's method in chart (d1), from the last run of the chart."""
     table = out / "speed_accuracy.csv"
     rows = csv.DictReader(table.open()) if table.exists() else []
     own = [r for r in rows if r["chart"].endswith("_d1") and r["method"] == "closed form"]
@@ -74,12 +73,12 @@ def closed_form(out):
 
 
 def slower(one, two):
-    """Of two runs of ours, task by task, the slower."""
+    """The slower one of two runs of gaitcam, for each task."""
     return {task: max(row, two[task], key=lambda r: r["seconds"]) for task, row in one.items()}
 
 
 def peer(python, names, script):
-    """The peer's rows, or why it was skipped."""
+    """Rows of the peer, or the reason why it was skipped."""
     install = subprocess.run(
         [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *names],
         capture_output=True, text=True,
@@ -96,7 +95,7 @@ def peer(python, names, script):
 
 
 def whole(command):
-    """Median time of the processor that a process takes from start to end, s."""
+    """Median processor time of a whole process, s."""
     times = []
     for _ in range(RUNS):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -107,7 +106,7 @@ def whole(command):
 
 
 def processes(pythons, folder):
-    """Whole processes of gaitcam and of the two scripts that do the same fit, all in one go."""
+    """Times of whole processes of gaitcam and of the two scripts with the same fit, measured alternately."""
     gaitcam = str(ROOT / "target" / "release" / "gaitcam")
     out = str(pathlib.Path(folder) / "footbridge")
     rows = [
@@ -122,7 +121,7 @@ def processes(pythons, folder):
 
 
 def chart(rows):
-    """Bars of the processes' times, on a scale of powers of ten."""
+    """Picture with bars of the process times on a logarithmic scale."""
     low, high = 1e-3, 10.0
     width, bar, left = 560, 26, 240
     place = lambda s: left + width * math.log(s / low) / math.log(high / low)

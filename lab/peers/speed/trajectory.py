@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""One rise from rest to rest under a jerk limit by programs for trajectories: writes reports/trajectory.md, which
+"""Compares programs for trajectories on a rise from rest to rest with a jerk limit: writes reports/trajectory.md, which
 docs/comparison.md cites.
 
     pip install ./python scipy toppra ruckig drake && python3 lab/peers/speed/trajectory.py
 
-In units of the rise and its duration: |jerk| ≤ 50. The least peak acceleration in time 1 is 5, and with |acceleration| ≤ 5 the
-least time is 1 (docs/theory/program.md). Peaks are those of 20 011 points, which no program was given; gaitcam's are the exact ones that it
-reports of its law, for rise and fall, and its time is that of the whole design. What is
-not installed is left out.
+In units of the rise and its duration, |jerk| ≤ 50. The minimum peak acceleration in time 1 is 5, and with |acceleration| ≤ 5 the
+minimum time is 1 (docs/theory/program.md). Peaks are evaluated at 20 011 points that no program uses. For gaitcam they are the exact
+peaks of its law for rise and fall, and the time is that of the complete design. Programs that are not installed are left out.
 """
 
 import statistics
@@ -28,7 +27,7 @@ SCENE = {
 
 
 def peaks(derivative, duration):
-    """Largest acceleration and jerk of a motion on points between all samples."""
+    """Maximum acceleration and jerk of a motion at points between all samples."""
     t = np.linspace(0.0, duration, 20011)
     return [max(abs(derivative(x, order)) for x in t) for order in (2, 3)]
 
@@ -54,7 +53,7 @@ def ruckig():
         return motion
 
     motion, seconds = timed(solve)
-    # Jerk is constant on every piece.
+    # The jerk is constant on every piece.
     t = np.linspace(0.0, motion.duration, 20011)
     a = np.array([motion.at_time(x)[2][0] for x in t])
     return motion.duration, [abs(a).max(), abs(np.diff(a) / np.diff(t)).max()], seconds
@@ -99,7 +98,7 @@ def drake(points):
 
 
 def sampled(spans, rows):
-    """A quintic spline with limits at the middles of `rows` parts of every span, as a linear program."""
+    """Quintic spline with limits at the centres of `rows` parts of every span, by a linear program."""
     from scipy.interpolate import BSpline
     from scipy.optimize import linprog
     knots = np.concatenate([[0.0] * 5, np.linspace(0.0, 1.0, spans + 1), [1.0] * 5])
