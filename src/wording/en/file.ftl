@@ -14,30 +14,30 @@ file-held = another gaitcam{ $process ->
        *[other] {" "}(process { $process })
     } is writing here
     .help = wait until it ends, stop it, or choose another --out
-file-folder = is a folder
+file-folder = this is a folder, not a file
     .help = give a file
-file-device = is a pipe or a device, not a file
+file-device = this is a pipe or a device, not a file
     .help = give a file, or - for standard input
-file-too-large = is larger than { $mib } MiB
-file-not-utf8 = is not UTF-8 text
+file-too-large = the file is larger than { $mib } MiB
+file-not-utf8 = the file is not UTF-8 text
     .help = a scene is a TOML file; `gaitcam scenes footbridge` prints an example
 file-not-toml = { $fault }
     .help = a scene is a TOML file; `gaitcam scenes footbridge` prints an example
-file-not-json = is not JSON ({ $fault })
+file-not-json = the file is not JSON ({ $fault })
 file-measured-columns = there are no columns of measured points; the columns are { $found }
     .help = name them x_mm,y_mm or angle_deg,radius_mm (or m, in, rad)
 file-measured-field = "{ $typed }" is not a finite number
     .help = each line requires two numbers with a decimal point
-file-not-csv = is not a CSV table ({ $fault })
-file-no-scene-in-summary = contains no scene
+file-not-csv = the file is not a CSV table ({ $fault })
+file-no-scene-in-summary = the file contains no scene
     .help = give a summary.json of gaitcam, or a scene file
-file-replaced = { $file } would be replaced
-    .help = an input file is never overwritten; choose another folder
+file-replaced = the input file { $file } would be replaced
+    .help = input files are never overwritten; choose another folder
 file-another-sweep = contains a different sweep: { $differences }
     .help = repeat the sweep unchanged, or choose another folder
 file-not-sweep-folder = contains { $file }, which is not a block of a sweep
     .help = give an empty folder or the folder of this sweep
-file-no-table = no table of numbers found
+file-no-table = the file contains no table of numbers
     .help = the file starts with "{ $start }"; { $purpose ->
         [motor] the torque curve of a motor has the header speed_rad_per_s,torque_n_m
        *[table] a motion has a header such as angle_deg,lift_mm

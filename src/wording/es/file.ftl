@@ -14,30 +14,30 @@ file-held = otro gaitcam{ $process ->
        *[other] {" "}(proceso { $process })
     } está escribiendo aquí
     .help = espere a que termine, deténgalo, o elija otro --out
-file-folder = es una carpeta
+file-folder = es una carpeta, no un archivo
     .help = indique un archivo
 file-device = es una tubería o un dispositivo, no un archivo
     .help = indique un archivo, o - para la entrada estándar
-file-too-large = supera { $mib } MiB
-file-not-utf8 = no es texto UTF-8
+file-too-large = el archivo supera { $mib } MiB
+file-not-utf8 = el archivo no es texto UTF-8
     .help = una escena es un archivo TOML; `gaitcam scenes footbridge` muestra un ejemplo
 file-not-toml = error de sintaxis TOML: { $fault }
     .help = una escena es un archivo TOML; `gaitcam scenes footbridge` muestra un ejemplo
-file-not-json = no es JSON ({ $fault })
+file-not-json = el archivo no es JSON ({ $fault })
 file-measured-columns = no hay columnas de puntos medidos; las columnas son { $found }
     .help = llámelas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad)
 file-measured-field = "{ $typed }" no es un número finito
     .help = cada línea necesita dos números con punto decimal
-file-not-csv = no es una tabla CSV ({ $fault })
-file-no-scene-in-summary = no contiene ninguna escena
+file-not-csv = el archivo no es una tabla CSV ({ $fault })
+file-no-scene-in-summary = el archivo no contiene ninguna escena
     .help = indique un summary.json de gaitcam o un archivo de escena
-file-replaced = se sustituiría { $file }
-    .help = un archivo de entrada nunca se sobrescribe; elija otra carpeta
+file-replaced = se sustituiría el archivo de entrada { $file }
+    .help = los archivos de entrada nunca se sobrescriben; elija otra carpeta
 file-another-sweep = contiene un barrido distinto: { $differences }
     .help = repita el barrido sin cambios, o elija otra carpeta
 file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
     .help = indique una carpeta vacía o la de este barrido
-file-no-table = no se encontró ninguna tabla de números
+file-no-table = el archivo no contiene ninguna tabla de números
     .help = el archivo empieza con «{ $start }»; { $purpose ->
         [motor] la curva de par de un motor tiene el encabezado speed_rad_per_s,torque_n_m
        *[table] un movimiento tiene un encabezado como angle_deg,lift_mm

@@ -59,9 +59,9 @@ force-no-live-channel = { $duration } of recording contain no complete walking s
     .help = name the force column (option force)
 force-no-contact = { $duration } of recording contain no complete walking stance, because no channel exceeds 20 N
     .help = check the unit of force and the force column (options unit and force)
-force-no-stance-of-foot = no complete stance of the { $foot } foot
+force-no-stance-of-foot = the recording contains no complete stance of the { $foot } foot
     .help = all stances are of the other foot; use feet = "one" or "both"
-force-feet-not-named = no complete stance of the { $foot } foot
+force-feet-not-named = the recording contains no complete stance of the { $foot } foot
     .help = the file does not identify the feet; use feet = "one" or "both"
 
 note-rows-differ = the header states { $announced } rows, but the file has { $found }

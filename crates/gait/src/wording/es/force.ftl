@@ -59,9 +59,9 @@ force-no-live-channel = { $duration } de registro no contienen ningún apoyo com
     .help = indique la columna de fuerza (opción force)
 force-no-contact = { $duration } de registro no contienen ningún apoyo completo de marcha, porque ningún canal supera 20 N
     .help = compruebe la unidad de fuerza y la columna de fuerza (opciones unit y force)
-force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
+force-no-stance-of-foot = el registro no contiene ningún apoyo completo del pie { $foot }
     .help = todos los apoyos son del otro pie; use feet = "one" o "both"
-force-feet-not-named = ningún apoyo completo del pie { $foot }
+force-feet-not-named = el registro no contiene ningún apoyo completo del pie { $foot }
     .help = el archivo no identifica los pies; use feet = "one" o "both"
 
 note-rows-differ = la cabecera indica { $announced } filas, pero el archivo tiene { $found }
