@@ -4,9 +4,9 @@
     python3 docs/architecture.py            writes the picture
     python3 docs/architecture.py --check    fails if the committed picture is stale
 
-A box is a top-level module of the library (src/) or a crate (crates/*): above the library the crates that use it, below it
-those that it uses. An arrow points from a module to one that it imports. Arrows that follow from others are left out (transitive reduction). A
-module stands one layer above the highest module that it imports. Only code counts, neither comments nor tests.
+A box is a top-level module of the library (src/) or a crate (crates/*). Crates that use the library are above it, crates that it uses are
+below it. An arrow points from a module to an imported module. Arrows that follow from others are left out (transitive reduction). A module
+is one layer above its highest import. Comments and tests are ignored.
 """
 
 import re
@@ -29,7 +29,7 @@ LIBRARY = "gaitcam"
 # --- reading -----------------------------------------------------------------------------------
 
 def code(path):
-    """The text of a source file without comments, doc comments and its tests."""
+    """Text of a source file without comments, doc comments and tests."""
     text = path.read_text(encoding="utf-8")
     text = re.sub(r"(?m)//.*$", "", text)
     text = re.sub(r"#\[cfg\(test\)\]\s*(#\[[^\]]*\]\s*)*(pub(\([a-z]+\))? )?(mod|use) [^;{]*;", "", text)
@@ -37,7 +37,7 @@ def code(path):
 
 
 def first_names(text, root):
-    """The names that follow `root::` in the text, each with the rest of its path."""
+    """Names that follow `root::` in the text, each with the rest of its path."""
     for found in re.finditer(r"(?<![\w:])" + root + r"::", text):
         at = found.end()
         if text[at] != "{":
@@ -62,12 +62,12 @@ def sources(folder):
 
 
 def folders(module):
-    """The folders of a module that hold more than tests."""
+    """Folders of a module that contain more than tests."""
     return sorted(p.name for p in module.iterdir() if p.is_dir() and sources(p)) if module.is_dir() else []
 
 
 def library():
-    """Modules of the library with what each one imports, and its folders."""
+    """Modules of the library with their imports and folders."""
     src = ROOT / "src"
     files = [p for p in sources(src) if p.parent != src or p.stem not in ("lib", "main")]
     modules = sorted({p.relative_to(src).parts[0].removesuffix(".rs") for p in files})
@@ -79,11 +79,11 @@ def library():
             parts.pop()
         text = code(path)
         names = list(first_names(text, "crate"))
-        # `super::` chains that climb to the root.
+        # Chains of `super::` up to the root.
         names += first_names(text, "super::" * (len(parts) - 1) + "super")
         for name in names:
             target = re.match(r"\w*", name).group()
-            # An error gathers the error types of all areas; that is data, not a dependency on their work.
+            # An error contains the error types of all areas. This is data, not a dependency on their functions.
             gathers = module == "error" and re.search(r"Error\b", name)
             if target in imports and target != module and not gathers:
                 imports[module].add(target)
@@ -92,7 +92,7 @@ def library():
 
 
 def crates():
-    """Crates beside the library with what each one imports; the library is one name among them."""
+    """Crates other than the library with their imports. The library is one name among them."""
     folder = ROOT / "crates"
     manifests = [*folder.glob("*/Cargo.toml"), *ROOT.glob("python/Cargo.toml")]
     found = sorted(p.parent for p in manifests)
@@ -107,12 +107,12 @@ def crates():
 
 
 def spelt(crate):
-    """The name by which the sources import a crate: that of its manifest."""
+    """Name of a crate in the sources: that of its manifest."""
     return tomllib.loads((crate / "Cargo.toml").read_text(encoding="utf-8"))["package"]["name"].replace("-", "_")
 
 
 def below(imports):
-    """The crates that the library uses, and those that they use."""
+    """Crates that the library uses directly and indirectly."""
     text = "\n".join(code(p) for p in sources(ROOT / "src"))
     names = {spelt(ROOT / "crates" / n): n for n in imports if (ROOT / "crates" / n).is_dir()}
     todo = [names[n] for n in sorted(set(re.findall(r"(?<![\w:])(\w+)::", text))) if n in names]
@@ -128,7 +128,7 @@ def below(imports):
 # --- layers ------------------------------------------------------------------------------------
 
 def levels(imports):
-    """Layer of every node: one above the highest that it imports. Ends the program on a circle."""
+    """Layer of every node: one above its highest import. Ends the program if there is an import cycle."""
     level = {}
 
     def visit(node, above):
@@ -145,7 +145,7 @@ def levels(imports):
 
 
 def reduced(imports):
-    """The imports that do not follow from others."""
+    """Imports that do not follow from others."""
     def reach(node):
         out = set()
         for n in imports[node]:
@@ -177,7 +177,7 @@ def wrapped(text, most):
 
 
 def layered(imports, rooms):
-    """Rows of nodes, lowest first, with a chain of slots for every arrow that passes a layer."""
+    """Rows of nodes, lowest first, with a chain of slots for every arrow that crosses a layer."""
     level, arrows = levels(imports), reduced(imports)
     rows = [[] for _ in range(1 + max(level.values()))]
     nodes = {}
@@ -210,7 +210,7 @@ def crossings(rows):
 
 
 def ordered(rows):
-    """Sweeps that put every node near the mean place of its neighbours; the best order is kept."""
+    """Moves every node near the mean position of its neighbours, row by row, and keeps the best order."""
     best, fewest = [list(r) for r in rows], crossings(rows)
     for sweep in range(40):
         up = sweep % 2 == 0
@@ -223,7 +223,7 @@ def ordered(rows):
                 near = [place[id(n)] for n in (node.down if up else node.up)]
                 return sum(near) / len(near) if near else now[id(node)]
             rows[i].sort(key=wish)
-        # Neighbours change places where that saves a crossing.
+        # Adjacent nodes are exchanged if this removes a crossing.
         for row in rows:
             for k in range(len(row) - 1):
                 before = crossings(rows)
@@ -236,7 +236,7 @@ def ordered(rows):
 
 
 def spread(row):
-    """Moves the nodes of a row apart, as little as the least distances ask, to both sides alike."""
+    """Moves the nodes of a row apart symmetrically, by as little as the minimum distances require."""
     def pushed(nodes, sign):
         out, at = {}, None
         for node in nodes:
@@ -297,7 +297,7 @@ STYLE = """
 
 
 def heights(rows, bottom):
-    """Gives every row its place, lowest row at the bottom; answers with the top."""
+    """Sets the position of every row, with the lowest row at the bottom. Returns the top."""
     y = bottom
     for row in rows:
         tall = max(n.height for n in row)
@@ -320,7 +320,7 @@ def box(node, kind):
 
 
 def ports(rows):
-    """Where each arrow leaves and reaches a box: side by side, in the order of the other ends."""
+    """Ends of each arrow at its boxes, side by side, in the order of the other ends."""
     out = {}
     for row in rows:
         for node in row:
@@ -385,7 +385,7 @@ def picture():
         f'<text class="title" x="{left + 14}" y="{frame + 22:.1f}">library gaitcam (src/)</text>',
     ] + shapes
     if around:
-        # All crates rest on the library, so only the arrows between crates are drawn.
+        # All crates use the library, so that only the arrows between crates are drawn.
         between = {c: used - {LIBRARY} - under for c, used in around.items()}
         top, more, rows = diagram(between, crate_rooms, "crate", left + 16, right - 16, frame - 36)
         shapes += more

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""Checks that what the documents and comments point at exists.
+"""Checks that the targets of all references in documents and comments exist.
 
     python3 docs/check.py
     python3 docs/check.py --book target/book      the links of the HTML that docs/book.sh has built
 
 - `theory §n` anywhere in the repository is a section of docs/theory/;
-- a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
+- a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is the path of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
-- every number with a decimal point (in Spanish a comma) or of four digits and more in the paragraph after `<!-- from FILE -->` stands in that file,
-  but for rounding of decimals;
-- every number of four digits and more with a decimal point in docs/theory/ stands, but for rounding and powers of a
+- every number with a decimal point (in Spanish a comma) or with four digits or more in the paragraph after `<!-- from FILE -->` occurs in this
+  file, up to rounding of decimals;
+- every number with four digits or more and a decimal point in docs/theory/ occurs, up to rounding and powers of a
   thousand, in a test, a source or a report, unless `docs/commands.py` computes it (`<!-- printed by`);
-- nothing cites a document that is not in the repository;
-- the README installs and tests with the commands that `.ci/run` runs;
-- every crate that is meant for others, which is without `publish = false`, has description, README, keywords and both licences.
+- no text cites a document that is not in the repository;
+- the README installs and tests with the commands of `.ci/run`;
+- every published crate (without `publish = false`) has description, README, keywords and both licences.
 """
 
 import bisect
@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TEXT = {".rs", ".md", ".toml", ".py", ".ftl", ".html", ".js", ".css"}
 SKIP = {"target", ".git", "out", "corpus", "node_modules", ".venv", "dist"}
 FIGURE = r"\d+(?:\.\d+)+|\d{4,}"
-# Short names of documents that only their writers had.
+# Abbreviations of documents that are not in the repository.
 FOREIGN = re.compile(r"\b(FACTS|INTERFACE\.md|DESIGN\.md|STYLE\.md)\b|\b[Tt]hesis 00\d|\b[Pp]aper 00\d")
 
 
@@ -40,7 +40,7 @@ def files():
 
 
 def anchors(text):
-    """The anchors that GitHub gives the headings of a Markdown text."""
+    """Anchors that GitHub generates for the headings of a Markdown text."""
     out = set()
     for heading in re.findall(r"(?m)^#+ +(.*?)\s*$", re.sub(r"(?ms)^```.*?^```", "", text)):
         plain = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", heading)
@@ -65,7 +65,7 @@ def decimals_of(text):
 
 
 def holds(known, number, scale=1):
-    """Whether one of the known numbers, times `scale`, is this one but for rounding."""
+    """Whether one of the known numbers, times `scale`, equals this number up to rounding."""
     last = 0.5001 * 10 ** -len(number.split(".")[1])
     i = bisect.bisect_left(known, (float(number) - last) / scale)
     return i < len(known) and known[i] * scale <= float(number) + last
@@ -83,7 +83,7 @@ def changed_figures(path, text):
 
 
 def unknown_figures(theory):
-    """The numbers of the theory that nothing computes or holds."""
+    """Numbers of the theory that no test, source or report contains."""
     places = ["src", "tests", "crates", "lab", "reports", "data"]
     texts = (path.read_text(encoding="utf-8", errors="ignore") for place in places for path in (ROOT / place).rglob("*")
              if path.suffix in (".rs", ".md", ".csv") and not SKIP.intersection(path.relative_to(ROOT).parts))
@@ -113,7 +113,7 @@ def faults(path, sections):
 
 
 class Links(HTMLParser):
-    """What a page of HTML points at, and the anchors that it has."""
+    """Targets of the links in a page of HTML, and its anchors."""
 
     def __init__(self, path):
         super().__init__()
@@ -143,7 +143,7 @@ def broken_book_links(folder):
 
 
 def install_faults():
-    """The commands of a fresh machine: in the first block of the README's Install, and in .ci/run."""
+    """Commands for a new machine: in the first block of the README's section Install, and in .ci/run."""
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     block = re.search(r"(?ms)^## Install$.*?^```sh\n(.*?)^```$", readme)
     shown = [line.split("#")[0].strip() for line in (block.group(1) if block else "").splitlines()]
@@ -156,7 +156,7 @@ def install_faults():
 
 
 def package_faults():
-    """What a crate lacks for others."""
+    """Missing requirements of a published crate."""
     for manifest in [ROOT / "Cargo.toml", *sorted(ROOT.glob("*/Cargo.toml")), *sorted(ROOT.glob("crates/*/Cargo.toml"))]:
         package = tomllib.loads(manifest.read_text(encoding="utf-8"))["package"]
         if package.get("publish", True):

@@ -3,22 +3,22 @@
 
     python3 docs/commands.py target/release/gaitcam [--python INTERPRETER] [PAGE.md …]
 
-Each page has a temporary folder with copies of scenes/ and data/, in which its blocks take effect in order:
+Each page has a temporary folder with copies of scenes/ and data/, in which its blocks are run in order:
 
-- `sh`: every line `gaitcam …` is run; an exit code other than 0 stands behind it as `# exit code 3`;
-- `text` after `sh`: each of its lines must occur in what those commands printed; a line that ends in ` …` is the
-  beginning of a printed line, a line `…` stands for lines left out;
-- `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables that Slurm sets, and the
-  first once more, as in an array that is submitted again;
-- after `<!-- printed -->` every number of the paragraph that has a decimal point, or two digits and more before a unit,
-  is printed, but for rounding, by the commands above (times aside) or stands in them; `<!-- printed by`, commands that the reader does not see, `-->` has
-  them run for the paragraph: beside gaitcam there are `column FILE.csv NAME FACTOR`, which prints a column, and
-  `value EXPRESSION`, which computes from a JSON object d;
-- `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
-- `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
+- `sh`: every line `gaitcam …` is run; an exit code other than 0 is stated behind it as `# exit code 3`;
+- `text` after `sh`: each of its lines must occur in the output of these commands; a line that ends in ` …` is the
+  beginning of a printed line, and a line `…` replaces omitted lines;
+- `bash`, a job for Slurm (`#SBATCH --array=FIRST-LAST`): every task is run with the variables of Slurm, and the
+  first once more, as for an array that is submitted again;
+- after `<!-- printed -->`, every number of the paragraph with a decimal point, or with two digits or more before a unit,
+  occurs, up to rounding, in the commands above or in their output (except times). `<!-- printed by`, hidden commands, `-->` runs
+  these commands for the paragraph: gaitcam, `column FILE.csv NAME FACTOR`, which prints a column, and `value EXPRESSION`, which
+  is computed from a JSON object d;
+- `csv` is written to the file `NAME.csv` that the preceding line states in backquotes;
+- `toml` that begins with the comment `# NAME.toml` is written to this file. The keys of any other block are set in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
-- `rust`: stands in a file of examples/ or in docs/guide/rust.md, which the tests run;
-- `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
+- `rust` occurs in a file of examples/ or in docs/guide/rust.md, which the tests run;
+- `python`: the blocks of a page are one program. It is run by INTERPRETER, in which the package of python/ is installed;
   without --python it is only compiled. Pages below docs/guia/ are run in Spanish.
 """
 
@@ -37,7 +37,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$|^<!-- printed(?: by\n(.*?)\n)? ?-->\n(?=(.*?)(?:\n\n|\Z))")
 NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
-# In prose: with decimals, or of two digits and more before a unit.
+# Numbers in prose: with decimals, or with two digits or more before a unit.
 FIGURE = re.compile(r"\d+[.,]\d+|(?<![\w.,·^/…-])\d{2,}(?= (?:mm|N|W|kg|MPa|%|N·m)\b)|(?<![\w.,])\d{2,}(?=°)")
 SHELL = """
 column() { python3 -c 'import csv, sys
@@ -50,7 +50,7 @@ PAGES = ("README.md", "docs/start.md", "docs/comparison.md", "docs/verdict.md", 
 
 
 class Page:
-    """One page and the folder in which its blocks take effect."""
+    """A page and the folder in which its blocks are run."""
 
     def __init__(self, path, binary, folder, python=None):
         self.path, self.binary, self.folder = path, binary, Path(folder)
@@ -121,7 +121,7 @@ class Page:
         return done.returncode, done.stdout
 
     def first_line(self, line):
-        """What the studio prints when it serves; it is stopped then."""
+        """Output of the studio after its start. It is then stopped."""
         words = [self.binary, "--lang", self.language, *shlex.split(line, comments=True)[1:], "--no-open"]
         served = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, text=True)
         first = served.stdout.readline()
@@ -165,7 +165,7 @@ class Page:
 
 
 def leaves(value, key=""):
-    """Key and value of every entry, as they are typed after --set; entries of a list count from 1."""
+    """Key and value of every entry in the form of --set. Entries of a list are counted from 1."""
     if isinstance(value, list):
         value = {str(number): entry for number, entry in enumerate(value, 1)}
     if not isinstance(value, dict):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes docs/reference/commands.md from the help of every command.
 
-    python3 docs/help.py target/release/gaitcam            # --check: compares instead, and fails where it is old
+    python3 docs/help.py target/release/gaitcam            # --check: only compares, and fails if the page is outdated
 """
 
 import os

@@ -3,8 +3,8 @@
 
     python3 docs/laws.py target/release/gaitcam [--check]
 
-Every formula is evaluated: its peak velocity and acceleration must be those of the catalogue. With --check nothing is
-written, and page and picture in the repository must be what would be written.
+Every formula is evaluated. Its peak velocity and acceleration must be those of the catalogue. With --check nothing is
+written, and page and picture in the repository must equal the output.
 """
 
 import json
@@ -19,7 +19,7 @@ STEPS = 600
 
 
 def scca(b, c, d):
-    """Sine, constant, cosine acceleration, integrated twice; peak and duration 1."""
+    """Law of sine, constant and cosine acceleration, integrated twice; peak and duration 1."""
 
     def shape(x):
         if x > 0.5:
@@ -48,7 +48,7 @@ def sines(*terms):
 
 
 ALPHA = 1125 / 1192
-# Name in the catalogue: the formula, the function.
+# Name in the catalogue, with the formula and the function.
 LAWS = {
     "constant-velocity": ("x", lambda x: x),
     "parabolic": ("2x², then 1 − 2(1 − x)²", lambda x: 2 * x * x if x < 0.5 else 1 - 2 * (1 - x) ** 2),
@@ -115,7 +115,7 @@ vibration and sources. `docs/laws.py` evaluates every formula and writes this pa
 
 
 def curves(function):
-    """Lift and its first three derivatives at the middles of the steps, by differences."""
+    """Lift and its first three derivatives at the centres of the steps, by differences."""
     rows = [[function(i / STEPS) for i in range(STEPS + 1)]]
     for _ in range(3):
         rows.append([(b - a) * STEPS for a, b in zip(rows[-1], rows[-1][1:])])
@@ -129,10 +129,10 @@ def verify(law, rows):
 
 
 def cell(name, rows, left, top):
-    """One law: four curves, each scaled to its own peak, and an arrow where the acceleration jumps."""
+    """Diagram of one law: four curves, each scaled to its peak, and an arrow where the acceleration jumps."""
     out = [f'<text x="{left + 2}" y="{top + 14}" font-weight="bold">{name}</text>']
     for row, colour in zip(rows, ("#0072b2", "#009e73", "#d55e00", "#be5f9b")):
-        # Differences over a jump are no jerk: what is far beyond the rest is left out.
+        # Differences over a jump do not approximate the jerk. Values far beyond the others are left out.
         size = max(sorted(map(abs, row))[: max(1, len(row) - 12)])
         size = size if size > 1e-3 else 1  # zero but for rounding
         points = ((i / len(row), y / size) for i, y in enumerate(row) if i % 6 == 0 and abs(y) <= 1.15 * size)

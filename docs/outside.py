@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Preprocessor of the book: a link to a file of the repository that is no page of the book becomes the file's name.
+"""Preprocessor of the book: replaces a link to a file that is not a page of the book by the name of the file.
 
-A picture from outside docs/ is taken into the page.
+A picture from outside docs/ is embedded in the page.
 
-mdBook calls it (docs/book.toml). On the repository's own pages such links work; in the book they would lead nowhere.
+mdBook calls this preprocessor (docs/book.toml). Such links work on the pages of the repository, but not in the book.
 """
 
 import base64

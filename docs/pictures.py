@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes docs/pictures/: the pictures that the program makes when the commands of the guide's pages are run.
+"""Writes docs/pictures/: the pictures that the commands of the guide's pages produce.
 
-    python3 docs/pictures.py target/release/gaitcam            # --check: compares instead, and fails where one is old
+    python3 docs/pictures.py target/release/gaitcam            # --check: only compares, and fails if one is outdated
 
-Every SVG is a file that gaitcam wrote, a diagram of its report, or the moving drawing of its report with the force beside
-it. The picture of the studio is a screenshot; it is taken where Playwright and Chromium are installed (CHROMIUM names the
+Every SVG is a file of gaitcam, a diagram of its report, or the animated drawing of its report with the force beside it.
+The picture of the studio is a screenshot. It is made if Playwright and Chromium are installed (CHROMIUM names the
 browser).
 """
 
@@ -20,8 +20,8 @@ from pathlib import Path
 from commands import ROOT, Page
 
 TARGET = ROOT / "docs" / "pictures"
-# Page and, where there is one, its Spanish translation; picture and the file it is, `FILE.html#ID` for a diagram in it,
-# `FILE.html#motion` for the cam in motion.
+# Page and, if there is one, its Spanish translation; picture and its file, `FILE.html#ID` for a diagram in the file,
+# or `FILE.html#motion` for the animated cam.
 PICTURES = {
     ("first-cam", "primera-leva"): {
         "cam": "out/footbridge/cam.svg",
@@ -50,31 +50,31 @@ LARGEST = 150_000
 
 
 def coloured(svg, report):
-    """The picture with the report's light colours in place of CSS variables, which drawing programs do not know."""
+    """Picture with the light colours of the report instead of CSS variables, which drawing programs do not support."""
     colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
     return re.sub(r"var\(--(\w+)\)", lambda name: re.search(rf"--{name.group(1)}: (#\w+)", colours).group(1), svg)
 
 
 def diagram(report, name):
-    """A diagram of a report as a file of its own: with the report's light colours and a white ground."""
+    """Diagram of a report as a separate file, with the light colours of the report and a white background."""
     svg = coloured(re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group(), report)
     width, height = re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups()
     start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '
     return re.sub(r"^<svg ([^>]*>)", rf'{start}\1<rect width="{width}" height="{height}" fill="#fff"/>', svg)
 
 
-# Seconds of a turn in the moving picture, and moments of it that are given.
+# Duration of a turn in the animation, s, and number of its key frames.
 TURN, MOMENTS = 4, 72
 
 
 def moving(kind, values):
-    """A change of place or size over a turn, without end."""
+    """Repeated change of position or size over a turn."""
     return (f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(values)}" '
             f'dur="{TURN}s" repeatCount="indefinite"/>')
 
 
 def motion(report):
-    """The moving drawing of a report beside the force over the turn, as a picture that moves by itself."""
+    """Animated drawing of a report beside the force over the turn, as a picture."""
     data = json.loads(re.search(r'<script type="application/json" id="motion">(.*?)</script>', report, re.S).group(1))
     drawing = re.search(r'<svg (viewBox="\S+ \S+ \S+ \S+")[^>]*>(?=<g transform="scale\(1 -1\)">\n<g id="cam-turning">)(.*?)</svg>',
                         report, re.S)
@@ -89,7 +89,7 @@ def motion(report):
         first, moves = f' transform="translate({path[0]})">', moving("translate", path)
         parts = re.sub(rf'(<g id="{part}"[^>]*)>', lambda tag: tag.group(1) + first + moves, parts, count=1)
         parts = re.sub(rf'(<circle id="{part}"[^>]*)/>', lambda tag: tag.group(1) + first + moves + "</circle>", parts, count=1)
-    # Lines of the report are in pixels whatever its scale; here their width is in millimetres of the drawing.
+    # Line widths of the report are in pixels at any scale. Here they are in millimetres of the drawing.
     pixel = float(view.split()[2]) / 280
     parts = re.sub(r'stroke-width="([\d.]+)"', lambda width: f'stroke-width="{float(width.group(1)) * pixel:.3f}"', parts)
     reach = float(re.search(r'data-reach="([\d.]+)"', parts).group(1))
@@ -98,7 +98,7 @@ def motion(report):
     push = (f'<path d="{arrows[0]}" style="stroke:var(--red)" stroke-width="{2.4 * pixel:.3f}">'
             f'<animate attributeName="d" values="{";".join(arrows)}" dur="{TURN}s" repeatCount="indefinite"/></path>')
     parts = re.sub(r'<path d="M0 0H1M[^>]*/>', push, parts)
-    # The force over the turn: 400 points wide, from 0 to its maximum.
+    # Force over the turn: 400 points wide, from 0 to its maximum.
     across, up = lambda i: 340 + 440 * i / steps, lambda f: 300 - 250 * f / most
     curve = "M" + "L".join(f"{across(i):.1f} {up(f):.1f}" for i, f in enumerate(data["f"]))
     along = [f"{across(i):.1f} {up(data['f'][i]):.1f}" for i in moments]
@@ -124,7 +124,7 @@ def content(folder, source):
 
 
 def studio(binary):
-    """The studio with the heel tester open, as a browser shows it."""
+    """Screenshot of the studio with the heel tester."""
     try:
         from playwright.sync_api import sync_playwright
     except ImportError:

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Checks docs/reference/summary.schema.json against the summaries that the program writes.
+"""Checks docs/reference/summary.schema.json against the summaries of the program.
 
     python3 docs/summary_schema.py target/release/gaitcam
 
-The summaries of all built-in scenes, and of scenes that fail, must be valid; and every key in them must be described,
-so that a new key cannot appear without its meaning. Knows the part of JSON Schema that the file uses; where the package
-`jsonschema` is installed it judges as well.
+The summaries of all built-in scenes, and of scenes that fail, must be valid, and the schema must describe every key in them.
+The script implements the part of JSON Schema that the file uses. If the package `jsonschema` is installed, it is used too.
 """
 
 import json
@@ -16,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = json.loads((ROOT / "docs/reference/summary.schema.json").read_text(encoding="utf-8"))
 RECORDING = ["--set", "gait.file=data/recordings/made_walk.csv"]
-# What the built-in scenes do not show: a recording, a force error, a conflict, a solver in doubt, the end of the time, no cam.
+# Scenes for keys that the built-in scenes do not have: a recording, a force error, a conflict, an uncertified result, the time limit, no cam.
 OTHERS = [
     ["scenes/measured_walk.toml", *RECORDING],
     ["footbridge", "--set", "limits.stroke=40 mm", "--set", "law.spans=16"],
@@ -27,7 +26,7 @@ OTHERS = [
     ["footbridge", "--set", "machine.floor.mass=10000 kg", "--set", "machine.floor.frequency=1.85 Hz", "--set", "machine.floor.damping=0.01"],
     ["thesis_barrel", "--set", "cam.depth=200 mm"],
 ]
-# A new cut for what a log shows.
+# A corrected cam from a log.
 RECUT = ["recut", "footbridge", "data/logs/made_log.csv"]
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int}
 
@@ -39,7 +38,7 @@ def is_type(value, name):
 
 
 def faults(value, schema, path="summary"):
-    """Where a value is not what the schema says; a key without description is a fault."""
+    """Positions at which a value violates the schema. A key without a description is a fault."""
     if "$ref" in schema:
         yield from faults(value, SCHEMA["$defs"][schema["$ref"].rsplit("/", 1)[1]], path)
     if "enum" in schema and value not in schema["enum"]:
