@@ -1,13 +1,13 @@
 """Design cams that reproduce a given force: law of motion, profile, checks, sweeps.
 
-A scene states target and limits, a force may come from arrays or a recording, and :func:`synth` gives the cam::
+A scene states target and limits. A force may be read from arrays or a recording. :func:`synth` designs the cam::
 
     scene = gaitcam.Scene.builtin("footbridge").set({"limits.stroke": "60 mm"})
     design = gaitcam.synth(scene)
     design.verdict, design.law["s_m"], design.save("out/footbridge")
 
-Everything is SI; units stand in the names of columns and keys. Long calls release the interpreter's lock and end on
-Ctrl-C. Invalid input raises :class:`InputError`, which has ``.key`` and ``.help``.
+All values are in SI units, which are part of the names of columns and keys. Long calls release the interpreter's lock and
+end on Ctrl-C. Invalid input raises :class:`InputError` with ``.key`` and ``.help``.
 """
 
 from typing import Any as _Any
@@ -42,7 +42,7 @@ from gaitcam._native import (
 
 
 class Svaj(_NamedTuple):
-    """Lift and its derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating follower: rad)."""
+    """Lift and its derivatives by the cam angle in m, m/rad, m/rad², m/rad³ (for an oscillating follower in rad)."""
 
     s: _Any
     v: _Any
@@ -51,7 +51,7 @@ class Svaj(_NamedTuple):
 
 
 class Cover(_NamedTuple):
-    """Cams for a population; see :func:`cover`. Errors in percent of a walker's mean force, or N with ``law.error``."""
+    """Cams for a population; see :func:`cover`. Errors are in percent of a walker's mean force, or in N with ``law.error``."""
 
     cams: Table
     assignment: Table
@@ -69,7 +69,7 @@ class Inspection(_NamedTuple):
 #: ``gaitcam.sweep(scene, vary=...).run()`` is the table of a whole sweep; see :class:`Sweep`.
 sweep = Sweep
 
-# Last, since they need what stands above; the engines themselves are imported when they are used.
+# These imports are last, since they need the names above. The engines themselves are imported when they are used.
 from gaitcam import blocks, dask, ray  # noqa: E402
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""Tables for pandas, and as record batches of pyarrow, which exports the Arrow PyCapsule interface."""
+"""Conversion of tables for pandas, and to record batches of pyarrow, which exports the Arrow PyCapsule interface."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from gaitcam._missing import needed
 
 
 def batch(table: Any) -> Any:
-    """The ``pyarrow.RecordBatch`` of a table: numbers without copies, NaN as null, words as a dictionary array."""
+    """Converts a table to a ``pyarrow.RecordBatch``: numbers without copies, NaN as null, words as a dictionary array."""
     pyarrow = needed("pyarrow", "gaitcam[arrow]")
     arrays, fields = [], []
     for name in table.column_names:
@@ -26,7 +26,7 @@ def batch(table: Any) -> Any:
 
 
 def frame(table: Any) -> Any:
-    """The ``pandas.DataFrame`` of a table; words are categories, a missing one NaN."""
+    """Converts a table to a ``pandas.DataFrame``. Words are categories; a missing word is NaN."""
     pandas = needed("pandas", "pandas")
 
     def column(name: str) -> Any:

@@ -1,11 +1,11 @@
-"""Packages that a part of gaitcam needs and ``pip install gaitcam`` does not bring."""
+"""Optional packages that ``pip install gaitcam`` does not install."""
 
 from importlib import import_module
 from typing import Any
 
 
 def needed(module: str, install: str) -> Any:
-    """Imports a module; where its package is missing, the error has the command that installs it."""
+    """Imports a module. If its package is missing, the error contains the command that installs it."""
     package = module.split(".")[0]
     try:
         import_module(package)

@@ -1,4 +1,4 @@
-"""Types of the compiled part; its docstrings say what each call does."""
+"""Types of the compiled part, whose docstrings describe the calls."""
 
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike

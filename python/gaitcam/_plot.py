@@ -1,4 +1,4 @@
-"""Diagrams of a design on axes of matplotlib, which is imported here alone."""
+"""Diagrams of a design on axes of matplotlib, which is imported only here."""
 
 from typing import Any, Literal
 
@@ -8,7 +8,7 @@ from gaitcam._missing import needed
 
 
 def plot(design: Any, ax: Any = None, what: Literal["force", "law", "profile"] = "force") -> Any:
-    """Draws force, law or profile of a design on ``ax``, by default on new axes; returns the axes."""
+    """Draws force, law or profile of a design on ``ax``, by default on new axes. Returns the axes."""
     if ax is None:
         ax = needed("matplotlib.pyplot", "matplotlib").subplots()[1]
     if not hasattr(ax, "set_xlabel"):

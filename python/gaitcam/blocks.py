@@ -1,4 +1,4 @@
-"""A sweep in blocks: one Parquet file per range of rows, each complete or absent."""
+"""Sweep in blocks: one Parquet file per range of rows, each complete or absent."""
 
 import os
 import uuid
@@ -8,12 +8,12 @@ from os import PathLike
 from gaitcam import Sweep
 from gaitcam._missing import needed
 
-#: Rows of a block by default: one row group.
+#: Default number of rows of a block: one row group.
 BLOCK_ROWS = 131_072
 
 
 def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
-    """Computes a block of ``plan`` on one core and puts it at ``file`` whole; returns its number of rows."""
+    """Computes a block of ``plan`` on one core and writes the complete ``file``. Returns the number of rows."""
     pyarrow = needed("pyarrow", "gaitcam[arrow]")
     parquet = needed("pyarrow.parquet", "gaitcam[arrow]")
     table = pyarrow.table(plan.run(start, stop, jobs=1))
@@ -37,7 +37,7 @@ def counted(
     missing: Sequence[tuple[int, int, str | PathLike[str]]],
     progress: Callable[[int, int], object] | None,
 ) -> int:
-    """Sum of the numbers of rows of blocks as they end; ``progress(done, rows)`` is called after each."""
+    """Sum of the numbers of rows of completed blocks. ``progress(done, rows)`` is called after each block."""
     rows = sum(stop - start for start, stop, _ in missing)
     done = 0
     for result in results:
@@ -54,7 +54,7 @@ def sweep(
     block_rows: int = BLOCK_ROWS,
     progress: Callable[[int, int], object] | None = None,
 ) -> int:
-    """Computes the blocks that ``path`` lacks in this process; returns the number of rows computed.
+    """Computes the missing blocks of ``path`` in this process. Returns the number of computed rows.
 
     ``progress(done, rows)`` is called after each block.
     """

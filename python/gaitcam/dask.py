@@ -17,10 +17,10 @@ def sweep(
     retries: int = 5,
     progress: Callable[[int, int], object] | None = None,
 ) -> int:
-    """Computes the blocks that the folder ``path`` lacks, one task each, and returns the number of rows computed.
+    """Computes the missing blocks of the folder ``path``, one task each. Returns the number of computed rows.
 
-    ``path`` is a folder that every worker sees; ``client`` a ``distributed.Client``, by default the current one. A task
-    whose worker dies is computed again elsewhere; a driver that is started again does only what is missing.
+    ``path`` is a folder that every worker can access; ``client`` is a ``distributed.Client``, by default the current one. If
+    a worker fails, its task is computed again elsewhere. A driver that is started again computes only the missing blocks.
     ``progress(done, rows)`` is called after each block.
     """
     distributed = needed("distributed", "gaitcam[dask]")

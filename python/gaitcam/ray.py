@@ -17,11 +17,11 @@ def sweep(
     progress: Callable[[int, int], object] | None = None,
     **options: Any,
 ) -> int:
-    """Computes the blocks that the folder ``path`` lacks, one core each, and returns the number of rows computed.
+    """Computes the missing blocks of the folder ``path``, one core each. Returns the number of computed rows.
 
-    ``path`` is a folder that every node sees. A task that dies with its node is computed again elsewhere; a driver that
-    is started again does only what is missing. ``progress(done, rows)`` is called after each block; ``options`` go to
-    ``map_batches``.
+    ``path`` is a folder that every node can access. If a node fails, its task is computed again elsewhere. A driver that is
+    started again computes only the missing blocks. ``progress(done, rows)`` is called after each block; ``options`` are
+    passed to ``map_batches``.
     """
     ray = needed("ray", "gaitcam[ray]")
     missing = plan.begin(path, block_rows)
@@ -35,7 +35,7 @@ def sweep(
     data = needed("ray.data", "gaitcam[ray]")
     context = data.DataContext.get_current()
     shown = context.enable_progress_bars
-    # In a log Ray's bars are a page of lines every ten seconds.
+    # In a log, the progress bars of Ray would fill a page every ten seconds.
     context.enable_progress_bars = shown and sys.stdout.isatty()
     try:
         numbers = data.range(len(missing), override_num_blocks=len(missing))

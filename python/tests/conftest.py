@@ -1,4 +1,4 @@
-"""What the tests share."""
+"""Common fixtures and functions of the tests."""
 
 from pathlib import Path
 
@@ -23,5 +23,5 @@ def design(footbridge: gaitcam.Scene) -> gaitcam.Design:
 
 @pytest.fixture(scope="session")
 def spectral() -> gaitcam.Scene:
-    """A scene that the closed form answers: the fastest rows there are."""
+    """Scene with a law in closed form, which has the fastest rows."""
     return gaitcam.Scene.builtin("footbridge").set({"law.family": "harmonic"})

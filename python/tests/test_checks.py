@@ -1,4 +1,4 @@
-"""What is checked from outside: measured cams, scenes and recordings."""
+"""Checks from outside: measured cams, scenes and recordings."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ def heel():
 
 
 def turned(design, angle_deg=40.0, centre=(0.012, -0.007), every=4):
-    """Points of a profile as a measuring machine has them: turned about another centre, backwards."""
+    """Points of a profile in the coordinates of a measuring machine: rotated about another centre, in reverse order."""
     a = np.radians(angle_deg)
     xy = np.stack([design.profile["x_m"], design.profile["y_m"]])[:, ::-every]
     return (np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) @ xy).T + centre

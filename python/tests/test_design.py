@@ -1,4 +1,4 @@
-"""Designs: what synth gives is what the command gives."""
+"""Designs: the results of synth equal those of the command."""
 
 import json
 import os
@@ -62,12 +62,12 @@ def test_tables_are_the_law_and_the_profile(design):
     s, v, a, j = design.motion(law["theta_rad"])
     for name, values in zip(law.column_names[1:5], (s, v, a, j)):
         assert np.array_equal(law[name], values)
-    # A flat face: contact at (v, Rb + s), turned into the cam by −θ.
+    # Flat face: contact at (v, Rb + s), rotated by −θ into the frame of the cam.
     theta, rb = law["theta_rad"], design.summary["cam"]["base_radius_m"]
     x = np.cos(theta) * law["v_m_per_rad"] + np.sin(theta) * (rb + law["s_m"])
     y = -np.sin(theta) * law["v_m_per_rad"] + np.cos(theta) * (rb + law["s_m"])
     assert profile["x_m"] == pytest.approx(x, abs=1e-12) and profile["y_m"] == pytest.approx(y, abs=1e-12)
-    # The force of a moving axis: M (g + ω² a).
+    # Force of a moving axis: M (g + ω² a).
     drive = design.summary["drive"]
     force = drive["mass_kg"] * (9.81 + drive["speed_rad_per_s"] ** 2 * law["a_m_per_rad2"])
     assert law["force_n"] == pytest.approx(force, rel=1e-3)
@@ -107,10 +107,10 @@ def test_a_force_from_arrays_takes_the_place_of_the_scene_s_own(footbridge, tmp_
     law = design.law
     assert law["target_n"] == pytest.approx(force(law["theta_rad"]), abs=1e-9)
     assert design.summary["drive"]["speed_rad_per_s"] == pytest.approx(2 * np.pi / 0.54, rel=1e-9)
-    # One sine: s = −A sin θ/(M ω²) + constant.
+    # Law of a single sine: s = −A sin θ/(M ω²) + constant.
     amplitude = 250 / (700 / 9.81 * (2 * np.pi / 0.54) ** 2)
     assert design.summary["law"]["stroke_m"] == pytest.approx(2 * amplitude, rel=2e-3)
-    # What is saved is whole: its scene names the force beside it.
+    # The saved folder is complete: its scene refers to the force file beside it.
     folder = design.save(tmp_path / "sine", png=False)
     again = gaitcam.synth(gaitcam.Scene.load(folder / "scene.toml"))
     assert again.summary["law"]["stroke_m"] == pytest.approx(design.summary["law"]["stroke_m"], rel=1e-9)
@@ -160,7 +160,7 @@ def test_tables_of_an_arm_have_its_units():
 
 
 def test_a_scene_that_no_cam_answers_says_which_limits_conflict(footbridge):
-    # A double integrator needs 49 mm for this walk.
+    # A double integrator needs 49 mm for this force.
     design = gaitcam.synth(footbridge.set({"limits.stroke": "5 mm", "gait.band": "20 N", "law.spans": 8}))
     assert design.verdict == "unacceptable"
     assert design.summary["outcome"] == "infeasible"

@@ -1,4 +1,4 @@
-"""Sweeps on real engines: a Ray cluster and Dask processes on this machine, workers and drivers killed in the middle."""
+"""Sweeps on real engines: a Ray cluster and Dask processes on this machine, with workers and drivers killed during the sweep."""
 
 import os
 import signal
@@ -33,7 +33,7 @@ def plan() -> gaitcam.Sweep:
 
 @pytest.fixture(scope="module")
 def whole():
-    """The sweep by one process."""
+    """Sweep in one process."""
     begun = time.monotonic()
     table = plan().run(jobs=1)
     print(f"\none process, one core: {ROWS / (time.monotonic() - begun):.0f} designs/s")
@@ -41,7 +41,7 @@ def whole():
 
 
 def agree(folder: Path, whole: gaitcam.Table) -> None:
-    """The union of the blocks is the table of one process, bit by bit, and each block is there once."""
+    """The blocks together equal the table of one process bit by bit, and each block exists once."""
     import pyarrow.parquet as pq
 
     union = pq.read_table(folder)

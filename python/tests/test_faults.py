@@ -1,4 +1,4 @@
-"""Whatever is given to whatever is exported: an answer, or an exception that programs expect."""
+"""Any arguments for any exported function: a result, or an exception of an expected type."""
 
 import inspect
 
@@ -8,7 +8,7 @@ import pytest
 import gaitcam
 from gaitcam import _native
 
-#: Wrong wherever they stand, or unusual.
+#: Values that are invalid for every argument, or unusual.
 ODD = [
     None,
     True,
@@ -39,12 +39,12 @@ ODD = [
     float,
 ]
 
-#: What programs expect: KeyError where there is no such column, and Python's own refusal of text that is no Unicode.
+#: Expected exceptions: KeyError if there is no such column, and Python's error for text that is not Unicode.
 EXPECTED = (gaitcam.InputError, gaitcam.NoSuchCam, TypeError, KeyError, UnicodeEncodeError)
 
 
 class Trap:
-    """An object at whose touch the package panics: pyo3 resumes a panic that Python hands back to it."""
+    """Object whose use makes the package panic: pyo3 resumes a panic that Python returns."""
 
     def __getattribute__(self, name):
         raise gaitcam.InternalError(name)
@@ -57,7 +57,7 @@ class Trap:
 
 @pytest.fixture(scope="module")
 def known(tmp_path_factory):
-    """Right values by the names of parameters, and an object of each class."""
+    """Valid values by the names of parameters, and an object of each class."""
     folder = tmp_path_factory.mktemp("faults")
     scene = gaitcam.Scene.builtin("footbridge").set({"law.family": "harmonic"})
     force = gaitcam.Force(np.arange(8) / 16, 700 + 100 * np.sin(np.arange(8) * np.pi / 4), period_s=0.5)
@@ -107,7 +107,7 @@ def exported(known):
 
 
 def calls(known, odd):
-    """Calls in which one argument is `odd` and the others are right."""
+    """Calls with one argument `odd` and otherwise valid arguments."""
     for name, function in exported(known):
         try:
             parameters = list(inspect.signature(function).parameters.values())

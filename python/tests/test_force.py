@@ -33,7 +33,7 @@ def test_equal_steps_are_taken_as_they_stand():
 def test_a_force_is_a_function_of_the_cam_angle():
     force = gaitcam.Force(T, walk(T))
     theta = np.linspace(-9, 9, 40).reshape(5, 8)
-    # Cubic interpolation of 500 samples: third order at the crests.
+    # Cubic interpolation of 500 samples: the error is of third order at the maxima.
     assert force(theta) == pytest.approx(walk(PERIOD * theta / (2 * np.pi)), abs=0.02)
     assert force(theta).shape == (5, 8) and isinstance(force(0.3), float)
 
@@ -161,7 +161,7 @@ def test_kind_and_open_questions_are_words():
 
 
 def test_stances_and_strides_are_those_of_the_recording():
-    """The feet of the made walk strike every 1/1.9 s; strides carry the weight of 700 N."""
+    """In the generated recording, a foot strikes every 1/1.9 s, and the mean force of a stride is the weight of 700 N."""
     force = gaitcam.read_gait(WALK)
     stances, strides = force.stances, force.strides
     assert stances.column_names == ["column", "foot", "start_s", "end_s", "p1_n", "valley_n", "p2_n", "impulse", "used", "why"]
@@ -181,7 +181,7 @@ def test_scenes_that_come_with_the_package_find_their_recordings_anywhere(tmp_pa
 
 
 def plates():
-    # Six steps of half a second on two plates that overlap for a tenth of one.
+    # Six steps of half a second on two plates with an overlap of a tenth of a second.
     rate, step, stance = 1000, 0.55, 0.65
     t = np.arange(int(8 * step * rate)) / rate
     plates = np.zeros((len(t), 2))
@@ -204,7 +204,7 @@ def test_a_whole_recording_may_come_from_arrays():
 
 
 def plate_file(path, plate, mass_kg=70.0, stride_s=1.1):
-    """One step of a walker on one of two plates of a trial, as Qualisys writes it."""
+    """One step on one of two plates of a trial, in the format of Qualisys."""
     rate, stance = 1000.0, 0.62 * stride_s
     t = np.arange(int(rate * (0.8 + 1.5 * stride_s))) / rate
     x = (t - 0.4 - 0.5 * stride_s * plate) / stance

@@ -15,7 +15,7 @@ def arrays(path):
 
 
 def nameless(found):
-    """What was identified, without the names of the logs."""
+    """Identified parameters, without the names of the logs."""
     logs = [{k: v for k, v in log.items() if k != "name"} for log in found["logs"]]
     return {**found, "logs": logs}
 
@@ -39,7 +39,7 @@ def test_columns_of_pandas_are_a_log(design):
 
 
 def test_a_known_mass_is_found_and_runs_at_two_speeds_tell_more(design):
-    """m (g + ω² s″) with 1.05 of the mass at two speeds: the interval of the mass from both is narrower than from one."""
+    """m (g + ω² s″) with 1.05 of the mass at two speeds. The interval of the mass from both logs is narrower than from one."""
     rng = np.random.default_rng(3)
     own = design.summary["drive"]
 

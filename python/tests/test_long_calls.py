@@ -34,7 +34,7 @@ def test_a_hundred_thousand_designs_leave_memory_flat(spectral):
     before = resident()
     for start in range(0, 100_000, 5000):
         round_(start)
-    # A leak of one table of 5000 rows a round would be 27 MB.
+    # A leak of one table of 5000 rows per round would be 27 MB.
     assert resident() - before < 12e6
 
 

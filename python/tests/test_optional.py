@@ -1,4 +1,4 @@
-"""What needs further packages, and what says so without them."""
+"""Functions that need further packages, and their errors without these packages."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""What the package costs over the library, in processor time."""
+"""Overhead of the package over the library in processor time."""
 
 import json
 import os
@@ -22,7 +22,7 @@ def bare():
 
 
 def mean(call, rounds):
-    """Mean processor time of a call, s: a busy machine does not lengthen it."""
+    """Mean processor time of a call, s. The load of the machine has no influence on it."""
     call()
     begun = time.process_time()
     for _ in range(rounds):

@@ -1,4 +1,4 @@
-"""Scenes: what is written comes back, and what is wrong is named."""
+"""Scenes: written scenes can be read again, and faults are named."""
 
 import pickle
 from pathlib import Path
@@ -163,7 +163,7 @@ def test_a_motion_is_read_from_a_file_and_goes_with_the_scene(tmp_path: Path, mo
     exact = scene.set({"law.segment.1.motion": "3-4-5", "law.segment.1.lift": "10 mm", "law.segment.1.angle": "120 deg"})
     stroke = [gaitcam.synth(s).summary["cam"]["rho_min_m"] for s in (scene, exact)]
     assert stroke[0] == pytest.approx(stroke[1], abs=1e-9)
-    # Neither the pickle nor the text needs the file.
+    # Neither the pickle nor the text depends on the file.
     (tmp_path / "lift.csv").unlink()
     assert pickle.loads(pickled) == scene
     assert gaitcam.Scene.from_toml(scene.to_toml()) == scene

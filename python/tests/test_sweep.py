@@ -1,4 +1,4 @@
-"""Sweeps: row i follows from the plan and from i alone."""
+"""Sweeps: row i depends only on the plan and on i."""
 
 import os
 import pickle
@@ -15,7 +15,7 @@ import gaitcam.blocks
 
 
 def same(a, b):
-    """Tables that agree bit by bit."""
+    """Asserts that tables agree bit by bit."""
     assert a.column_names == b.column_names
     for name in a.column_names:
         x, y = a[name], b[name]

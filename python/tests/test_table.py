@@ -1,4 +1,4 @@
-"""Tables: numpy, pandas, polars and pyarrow read them where they lie."""
+"""Tables: numpy, pandas, polars and pyarrow read them without copies."""
 
 import gc
 import pickle

@@ -1,4 +1,4 @@
-"""The stubs say what is there, and hold under mypy --strict."""
+"""The stubs contain all names of the package and are valid under mypy --strict."""
 
 import inspect
 import subprocess

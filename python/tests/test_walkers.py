@@ -34,7 +34,7 @@ def test_one_walker_has_the_cam_of_his_force(scene):
 
 
 def test_the_worst_error_is_the_least_that_two_harmonics_allow(scene):
-    """Each walker's error is ‖γ ψ − y‖ over amplitudes: a grid about the optimum finds nothing better."""
+    """Each walker's error is ‖γ ψ − y‖ over amplitudes. No point of a grid around the optimum is better."""
     design = gaitcam.synth(scene, forces=FORCES)
     population = design.summary["population"]
     assert population["walkers"] == 3
@@ -66,7 +66,7 @@ def test_forces_without_a_name_are_different_walkers_and_those_of_one_name_are_o
 
 
 def test_a_walker_has_one_name_everywhere(scene, tmp_path):
-    """A name with a comma and quotation marks leaves itself out by every table that has it."""
+    """A name with a comma and quotation marks, taken from any table, excludes its walker."""
     worst = walk(2.0, 0.45, 'S06, "left"')
     forces = [FORCES[0], worst, FORCES[2]]
     design = gaitcam.synth(scene, forces=forces)
@@ -88,7 +88,7 @@ def test_a_walker_has_one_name_everywhere(scene, tmp_path):
 
 
 def test_a_cam_under_another_walker_errs_as_its_law_does():
-    """m (g + ω² s″) of the law with the mass and the speed of the new walker, against his force."""
+    """Compares m (g + ω² s″) of the law, with the mass and the speed of the new walker, with his force."""
     scene = gaitcam.Scene({"drive": {"kind": "moving-axis"}, "law": {"family": "harmonic", "harmonics": 3}})
     design = gaitcam.synth(scene, force=FORCES[0])
     other = FORCES[2]
@@ -135,7 +135,7 @@ def people(tmp_path):
 
 
 def test_walkers_of_folders_lists_and_files_are_an_axis_that_travels(scene, people):
-    """What Ray and Dask send to their workers is the pickled plan: it is computed here after the folder is gone."""
+    """Ray and Dask send the pickled plan to their workers. It is computed here after the folder is removed."""
     groups = [str(people), [people / "A.csv", people / "C.csv"], people / "B.csv"]
     scene = scene.set({"gait.file": str(people / "A.csv")})
     plan = gaitcam.Sweep(scene, vary={"gait.file": groups, "limits.stroke": ["30 mm", "40 mm", 2]})
@@ -151,7 +151,7 @@ def test_walkers_of_folders_lists_and_files_are_an_axis_that_travels(scene, peop
 
 
 def test_errors_in_newtons_are_those_of_a_grid_about_the_optimum(scene):
-    """A heavy walker counts more: the worst of weight times ‖γ ψ − y‖."""
+    """A heavy walker has a larger weight: the objective is the worst of weight times ‖γ ψ − y‖."""
     design = gaitcam.synth(scene.set({"law.error": "absolute"}), forces=FORCES)
     population = design.summary["population"]
     weights = np.array([700.0, 700.0, 900.0])
