@@ -1,4 +1,4 @@
-"""A running studio and a page on it, for tests."""
+"""Studio server and browser page for tests."""
 
 import os
 import re
@@ -18,11 +18,11 @@ BINARY = os.environ["GAITCAM"]
 CHROMIUM = os.environ["CHROMIUM"]
 ROOT = Path(os.environ["GAITCAM_ROOT"])
 PATIENCE = 30.0
-# A folder with the page's files: they are shown in place of those in the binary, so that a change needs no compiler.
+# A folder with files of the page. They replace those in the binary, so that a change needs no compilation.
 FRESH = os.environ.get("GAITCAM_PAGE")
 
 
-# The static files of the page with its engine inside: the tests run on these where they are named.
+# Folder with the static files of the page and its engine. If set, the tests use these files.
 DIST = os.environ.get("GAITCAM_DIST")
 
 
@@ -32,7 +32,7 @@ class Quiet(SimpleHTTPRequestHandler):
 
 
 class Static:
-    """Any web server with the static files. What needs a folder or a server of its own is skipped."""
+    """Web server for the static files. Tests that need a folder or a separate server are skipped."""
 
     def __init__(self, port=0):
         self.server = ThreadingHTTPServer(("127.0.0.1", port), partial(Quiet, directory=DIST))
@@ -48,7 +48,7 @@ class Static:
 
 
 class Native:
-    """`gaitcam studio` on a folder of its own."""
+    """`gaitcam studio` on a separate folder."""
 
     def __init__(self, port=0):
         self.folder = Path(tempfile.mkdtemp(prefix="gaitcam-studio-"))
@@ -67,7 +67,7 @@ class Native:
         self.process.stdout.close()
 
     def interrupt(self):
-        """Ends it as Ctrl-C does; returns the exit code."""
+        """Ends the server like Ctrl-C; returns the exit code."""
         self.process.send_signal(signal.SIGINT)
         code = self.process.wait(timeout=10)
         self.process.stdout.close()
@@ -79,7 +79,7 @@ of_server = unittest.skipIf(DIST, "static files have no server")
 
 
 class Browser:
-    """One Chromium for all tests."""
+    """One Chromium instance for all tests."""
 
     def __init__(self):
         self.driver = sync_playwright().start()
@@ -99,7 +99,7 @@ class Browser:
 
 
 def fresh(route):
-    """Answers with the files of FRESH, and with the words of the source tree. Every request takes about ten milliseconds longer."""
+    """Serves the files of FRESH and the texts of the source tree. Every request takes about ten milliseconds longer."""
     path = route.request.url.split("?")[0]
     name = re.sub(r"^http://[^/]+/([0-9a-f]{16,}/)?", "", path)
     file = Path(FRESH) / (name or "index.html")
@@ -124,7 +124,7 @@ def fresh(route):
 
 
 class Page:
-    """A page of the studio with what its console said."""
+    """A page of the studio with its console messages."""
 
     def __init__(self, page, url=None):
         self.page = page
@@ -153,12 +153,12 @@ class Page:
             self.page.wait_for_timeout(15)
 
     def shown(self, before):
-        """Waits for a design after revision `before` and for the last one that is asked."""
+        """Waits for a design after revision `before` and for the last requested one."""
         self.until("a design is shown", lambda: self.revision() > before)
         self.until("it is at rest", lambda: self.page.get_attribute("#design", "aria-busy") == "false")
 
     def does(self, action):
-        """An action that leads to a new design."""
+        """Runs an action that leads to a new design."""
         before = self.revision()
         action()
         self.shown(before)
@@ -168,14 +168,14 @@ class Page:
 
     def opens(self, scene):
         self.page.click("#open-scenes")
-        # Some scenes are found by the search only.
+        # Some scenes are only found by the search.
         self.page.fill("#find-scene", scene.replace("_", " "))
         self.page.wait_for_selector(f'[data-scene="{scene}"]')
         self.does(lambda: self.page.click(f'[data-scene="{scene}"]'))
 
     def downloads(self, name, path):
-        """Clicks a link and keeps its file. A browser under load has now and then lost a click on a link: what the
-        server answers to the same address is then looked at, and one more click allowed."""
+        """Clicks a link and stores its file. A browser under load sometimes loses a click. The response of the server to the same
+        address is then checked, and one more click is allowed."""
         link = self.page.locator(f'a[download="{name}"]')
         try:
             with self.page.expect_download(timeout=10_000) as waiting:
@@ -193,7 +193,7 @@ class Page:
 
 
 class Pages(unittest.TestCase):
-    """Tests that share one browser and one server; each opens pages of its own."""
+    """Tests that share one browser and one server. Each opens separate pages."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,4 @@
-"""What axe-core finds in every tab, dialog and state of the page, in both themes and languages."""
+"""Results of axe-core in every tab, dialog and state of the page, in both themes and languages."""
 
 import itertools
 import unittest
@@ -16,7 +16,7 @@ WALK = ROOT / "data" / "recordings" / "made_walk.csv"
 
 class Access(Pages):
     def each(self):
-        """Pages in both themes and languages, with what they are called."""
+        """Pages in both themes and languages, with their names."""
         for theme, tag in itertools.product(["light", "dark"], ["en", "es"]):
             page = self.page(theme=theme)
             page.page.click("#play")

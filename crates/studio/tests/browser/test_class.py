@@ -1,4 +1,4 @@
-"""What a class and a laboratory do with the page: variants, differences, exercises, films, two recordings."""
+"""Use of the page in class and laboratory: variants, differences, exercises, films, two recordings."""
 
 import math
 import re
@@ -9,7 +9,7 @@ from pathlib import Path
 from studio import ROOT, Pages
 
 WALK = ROOT / "data" / "recordings" / "made_walk.csv"
-# What a diagram draws at the whole of its degrees.
+# Values of a diagram at whole degrees.
 MAIN = "id => document.querySelector(`.chart.${id} .line.main`).getAttribute('d')"
 
 
@@ -20,7 +20,7 @@ class Class(Pages):
         return page
 
     def table(self, page, diagram):
-        """The large diagram's table: value by degree."""
+        """Table of the large diagram: value by degree."""
         if not page.page.locator(f".chart.{diagram}.large").count():
             page.page.click(f".chart.{diagram} .enlarge")
         page.page.evaluate("document.querySelector('#show-table').click()")
@@ -45,7 +45,7 @@ class Class(Pages):
         worst = max(abs(difference[k] - (after[k] - before[k])) for k in difference)
         self.assertLess(worst, 1.1)
         self.assertGreater(max(map(abs, difference.values())), 100)
-        # Nothing is dragged on a difference, and the name stays over a reload.
+        # A difference cannot be dragged, and its name remains after a reload.
         self.assertEqual(page.page.locator(".chart .grip").count(), 0)
         page.page.click(".slate [aria-label^='Diagrams show']")
         self.assertNotIn("Δ", page.page.inner_text(".chart.force h2"))
@@ -73,7 +73,7 @@ class Class(Pages):
         self.assertRegex(page.page.inner_text(".chart.speed h2"), "rpm")
         shown = float(re.search(r"Speed\s+([\d.]+)\srpm", page.page.inner_text("#figures")).group(1))
         self.assertAlmostEqual(shown, mean * 30 / math.pi, delta=0.1)
-        # Once in the figures, and lengths are switched apart from it.
+        # The speed is shown once in the figures, and its unit is changed separately from that of lengths.
         self.assertEqual(page.page.inner_text("#figures").count("rpm"), 1)
         page.does(lambda: page.page.select_option("#units", "in"))
         self.assertRegex(page.page.inner_text(".chart.speed h2"), "rpm")
@@ -82,7 +82,7 @@ class Class(Pages):
         self.assertRegex(page.page.inner_text(".chart.s h2"), "in$")
 
     def test_an_exercise_hides_its_answers_until_they_are_asked_for(self):
-        # The first scene gives its stroke and its base circle.
+        # The first scene states its stroke and its base circle.
         for scene, answers in (("camdas_09_eight_motions", 2), ("footbridge", 4)):
             with self.subTest(scene):
                 page = self.page()
@@ -103,7 +103,7 @@ class Class(Pages):
                 for figure in hidden:
                     self.assertIn(figure, page.page.inner_text(".answers"))
                 self.assertGreaterEqual(page.page.locator(".answers .line.main:visible").count(), 4)
-                # On paper the answers begin a page of their own.
+                # In print, the answers begin on a new page.
                 page.page.click("#show-answers")
                 page.page.emulate_media(media="print")
                 self.assertEqual(page.page.eval_on_selector(".answers", "e => getComputedStyle(e).breakBefore"), "page")
@@ -169,7 +169,7 @@ class Class(Pages):
     def test_a_column_of_force_and_a_doubt_are_chosen_by_buttons(self):
         page = self.page()
         page.sets("limits.stroke", "")
-        # Stances of 0.65 s every 1.1 s with two peaks; the names say nothing.
+        # Stances of 0.65 s every 1.1 s with two peaks. The column names have no meaning.
         at = [k / 500 for k in range(2000)]
         share = [t % 1.1 / 0.65 for t in at]
         force = [700 * (math.sin(math.pi * u) + 0.35 * math.sin(3 * math.pi * u)) if u < 1 else 0 for u in share]
@@ -181,7 +181,7 @@ class Class(Pages):
         page.does(choice.click)
         self.assertEqual(page.value("gait.force"), "alpha")
         self.assertFalse(page.page.is_visible("#fault"))
-        # A recording without its stride time: the reader's doubt has its answer beside it.
+        # A recording without its stride time: the answer is beside the warning.
         single = "".join(f"{t:.4f},{f:.2f}\n" for t, f in zip(at, force) if t < 0.66)
         page.does(lambda: page.page.set_input_files("#pick-file", {"name": "one.csv", "mimeType": "text/csv", "buffer": f"t,alpha\n{single}".encode()}))
         doubt = page.page.locator("#conflict .choice", has_text="clock")
@@ -198,7 +198,7 @@ class Class(Pages):
         page.page.keyboard.press("Home")
         for _ in range(9):
             page.page.keyboard.press("Shift+ArrowRight")
-        # In one step: a selection that is read later may hold labels that have moved on.
+        # Read in one step, because a later selection may contain labels that have moved.
         across = ("() => [...document.querySelectorAll('.chart.force .tick[text-anchor=middle]')]"
                   ".map((e) => parseFloat(e.textContent)).filter(Number.isFinite)")
         whole, line = page.page.evaluate(across), page.page.evaluate(MAIN, "v")
@@ -209,7 +209,7 @@ class Class(Pages):
         near = page.page.evaluate(across)
         self.assertLess(min(near), 90)
         self.assertGreater(max(near), 90)
-        # The cursor stays under the hand's place, and the table is of the whole turn.
+        # The cursor stays at the position of the pointer, and the table contains the whole turn.
         self.assertAlmostEqual(float(page.page.get_attribute("#stage", "aria-valuenow")), 90, delta=1e-6)
         self.assertEqual(len(self.table(page, "s")), 361)
         page.page.focus(".chart.s svg")

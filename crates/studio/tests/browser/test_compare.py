@@ -1,4 +1,4 @@
-"""Pinned designs, trade-off, map of designs and runs, as a person compares with them."""
+"""Comparison of designs: pinned designs, trade-off, map of designs, and runs."""
 
 import unittest
 
@@ -33,7 +33,7 @@ class Compare(Pages):
         page.page.fill(".slate .variant >> nth=1", "short")
         page.page.keyboard.press("Tab")
         page.until("the legend follows", lambda: "short" in page.page.inner_text("#parts"))
-        # Four columns in the panel, and no word in two parts.
+        # Four columns in the panel, without a line break within a word.
         table = page.page.locator(".slate .scroll")
         self.assertLessEqual(table.evaluate("e => e.scrollWidth - e.clientWidth"), 0)
         self.assertEqual(page.page.locator(".slate thead th").count(), 4)
@@ -70,7 +70,7 @@ class Compare(Pages):
                 missing = page.page.eval_on_selector_all("#grid button", "all => all.filter((e) => e.textContent === '–').map((e) => e.title)")
                 self.assertGreater(len(missing), 0)
                 self.assertTrue(all(missing), missing)
-                # Text and colour of every cell differ enough to be read, in both themes.
+                # The contrast of text and background of every cell is sufficient in both themes.
                 contrast = page.page.evaluate("""() => {
                     const light = (text) => { const [r, g, b] = text.match(/[\\d.]+/g).map((x) => { const c = x / 255; return c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; });
                         return 0.2126 * r + 0.7152 * g + 0.0722 * b; };

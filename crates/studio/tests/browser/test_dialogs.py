@@ -1,4 +1,4 @@
-"""The dialogs: scenes by group and search, files by what they are wanted for, notices above the veil, saving."""
+"""Dialogs: scenes by group and search, files by purpose, notices above the overlay, saving."""
 
 import io
 import unittest

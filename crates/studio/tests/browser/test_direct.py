@@ -1,4 +1,4 @@
-"""What is done on the diagrams themselves, on small screens, on paper and by keyboard."""
+"""Actions on the diagrams, small screens, print, and keyboard."""
 
 import tempfile
 import unittest
@@ -36,7 +36,7 @@ class Direct(Pages):
         before = page.revision()
         mouse = self.drags(page, '.chart.pressure-angle .grip[data-limit="limits.pressure_angle"]', 0, 12)
         page.until("it is set", lambda: page.value("limits.pressure_angle") != "")
-        # The design before lies behind the new one.
+        # The previous design is drawn behind the new one.
         self.assertGreater(page.page.locator(".line.ghost").count(), 0)
         mouse.up()
         page.shown(before)
@@ -123,7 +123,7 @@ class Direct(Pages):
                 self.assertTrue(page.page.locator("#stage").evaluate(inside))
                 box = slider.bounding_box()
                 self.assertTrue(0 <= box["y"] <= height)
-                # Nothing covers the slider, and a swipe over the cam scrolls.
+                # Nothing covers the slider, and a swipe over the cam scrolls the page.
                 top = page.page.evaluate("([x, y]) => document.elementFromPoint(x, y).dataset.key", [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
                 self.assertEqual(top, "limits.stroke")
                 self.assertEqual(page.page.locator("#stage").evaluate("e => getComputedStyle(e).touchAction"), "pan-y")

@@ -1,4 +1,4 @@
-"""The page with each of its engines: the server's, and the one that it carries itself. Run by run.sh."""
+"""The page with each of its engines: that of the server, and the one inside the page. Run by run.sh."""
 
 import time
 import unittest

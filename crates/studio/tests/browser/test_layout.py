@@ -1,4 +1,4 @@
-"""Cause and effect in one view at every size, texts in full, paper, frames of other pages."""
+"""Layout: cause and effect in one view at every size, complete texts, print, page in a frame."""
 
 import itertools
 import re
@@ -14,7 +14,7 @@ CUT_OFF = """() => {
     return [...document.querySelectorAll(texts)].filter((e) => seen(e) && e.clientWidth > 0 && e.scrollWidth > e.clientWidth + 1)
         .map((e) => `${e.tagName} ${e.id} ${e.className} ${e.textContent.trim().slice(0, 40)}`);
 }"""
-# Numbers of an axis that begin left of their picture.
+# Numbers of an axis that extend beyond the left edge of their picture.
 LABELS_OUT = """() => [...document.querySelectorAll(".chart .tick")]
     .filter((e) => e.getBoundingClientRect().left < e.closest(".chart").getBoundingClientRect().left - 0.5).map((e) => e.textContent)"""
 SIDEWAYS = "document.documentElement.scrollWidth - innerWidth"
@@ -29,7 +29,7 @@ class Layout(Pages):
         return page
 
     def share(self, page, selector):
-        """The part of an element that is inside the window."""
+        """Part of an element that is inside the window."""
         inside = """e => {
             const b = e.getBoundingClientRect();
             const part = (low, high, size) => Math.max(0, Math.min(high, size) - Math.max(low, 0)) / (high - low);
@@ -46,7 +46,7 @@ class Layout(Pages):
                 page.page.wait_for_timeout(100)
                 self.assertGreater(self.share(page, '[data-key="limits.stroke"]'), 0.99)
                 self.assertGreater(self.share(page, "#stage"), 0.95)
-                # On a phone a part of the force is seen beside the cam, the rest by a swipe.
+                # On a phone, a part of the force is visible beside the cam, and the rest after a swipe.
                 self.assertGreater(self.share(page, ".chart.large"), 0.4 if width < 700 else 0.95)
                 covered = "e => { const b = e.getBoundingClientRect(); return e.contains(document.elementFromPoint(b.left + b.width / 2, b.top + b.height / 2)); }"
                 self.assertTrue(page.page.locator("#stage").evaluate(covered))
@@ -117,7 +117,7 @@ class Layout(Pages):
             self.assertNotIn(value, page.page.inner_text("#verdict-reasons"))
         digits = re.findall(r"\d[\d.,]*", page.page.inner_text("#verdict") + page.page.inner_text("#conflict"))
         self.assertLessEqual(max(len(re.sub(r"\D", "", d).lstrip("0")) for d in digits), 4)
-        # A worse goal is the last offer, and a grey one.
+        # A change that worsens the objective is offered last, and in grey.
         kinds = page.page.eval_on_selector_all("#conflict .relax", "all => all.map((e) => e.classList.contains('goal'))")
         self.assertEqual(kinds, sorted(kinds))
 

@@ -1,4 +1,4 @@
-"""What is seen at four sizes, in both themes and languages: nothing cut off, nothing hidden that is needed."""
+"""Appearance at four sizes, in both themes and languages: nothing is cut off, and nothing needed is hidden."""
 
 import itertools
 import unittest

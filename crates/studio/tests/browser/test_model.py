@@ -1,4 +1,4 @@
-"""The page's state against a reference model: random edits, refusals, undo, redo, drops, pins, reloads in two tabs.
+"""State of the page compared with a reference model: random edits, rejections, undo, redo, drops, pins, reloads in two tabs.
 
 GAITCAM_STEPS=10000 for the long run; GAITCAM_SEED for another one."""
 
@@ -21,11 +21,11 @@ GOOD = {
     "drive.speed": ["auto", "11.6 rad/s"],
     "gait.body_weight": ["650 N", "700 N", "720 N"],
 }
-# A value of the wrong dimension, and one that only the load model refuses.
+# A value with a wrong dimension, and one that only the load model rejects.
 REFUSED = {**{key: ["5 kg", "3 parsec"] for key in GOOD}, "gait.step_frequency": ["4.2 Hz"]}
 START = {"limits.stroke": "60 mm", "limits.curvature": "5 mm", "cam.bore": "12 mm", "drive.speed": "auto", "gait.body_weight": "700 N", "gait.step_frequency": "1.85 Hz"}
 OF_MODEL = ["gait.body_weight", "gait.step_frequency"]
-# Different forces under one name.
+# Different forces with the same name.
 FILES = [
     "# critical points, period_s = 0.54\ntime_s,force_n\n" + "".join(f"{0.0135 * k:.4f},{700 + 40 * (i + 2) * math.sin(math.tau * k / 40):.3f}\n" for k in range(40))
     for i in range(3)
@@ -54,7 +54,7 @@ SETTLED = """async () => {
 
 
 class Reference:
-    """What a page has to show."""
+    """Expected state of a page."""
 
     def __init__(self):
         self.versions = [{"values": dict(START), "refused": {}, "force": ""}]
@@ -78,7 +78,7 @@ class Reference:
         self.push(lambda v: v["refused"].update({key: value}))
 
     def drop(self, text):
-        # A recording takes the place of the load model and of what only that has.
+        # A recording replaces the load model and its keys.
         left = dict.fromkeys(OF_MODEL, "")
         self.push(lambda v: (v["values"].update(left), v.update(force=hashlib.sha256(text.encode()).hexdigest())))
 
@@ -94,7 +94,7 @@ class Reference:
 
 
 class Tab:
-    """A page with its reference."""
+    """A page with its reference model."""
 
     def __init__(self, page):
         self.page = page
@@ -191,7 +191,7 @@ class Model(unittest.TestCase):
             log.append((number, kind))
             if len(log) % 1000 == 0:
                 print(f"\n  {len(log)} steps in {time.monotonic() - start:.0f} s", flush=True)
-            # The other tab must not have moved either.
+            # The other tab must not have changed either.
             for tab in tabs if sum(done.values()) % 10 == 0 else [tabs[number]]:
                 self.assertEqual(tab.differs(), {}, f"after {sum(done.values())} steps, seed {SEED}: {log[-8:]}")
         print(f"\n  {sum(done.values())} steps in {time.monotonic() - start:.0f} s, no difference: {done}")

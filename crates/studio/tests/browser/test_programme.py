@@ -1,4 +1,4 @@
-"""Programmes from nothing: templates, rows, locks, the rest, and a model of random changes.
+"""Programmes from an empty page: templates, rows, locks, the remaining angle, and a model of random changes.
 
 GAITCAM_STEPS and GAITCAM_SEED as in test_model."""
 
@@ -12,7 +12,7 @@ from studio import ROOT, Pages
 
 STEPS = int(os.environ.get("GAITCAM_STEPS", "120"))
 SEED = int(os.environ.get("GAITCAM_SEED", "1"))
-# Rows as the page shows them, the segments of the scene that was designed last, and the state of the page.
+# Rows shown in the page, segments of the last designed scene, and state of the page.
 SEEN = """() => {
     const value = (row, column) => row.querySelector(`[name$=".${column}"]`)?.value ?? "";
     const rows = [...document.querySelectorAll("[data-segment-row]")].map((row) => ({
@@ -24,7 +24,7 @@ SEEN = """() => {
 
 
 def texts(value):
-    """A table with all its numbers as texts: a scene may say "0" or 0."""
+    """Table with all its numbers as texts: a scene may contain "0" or 0."""
     if isinstance(value, dict):
         return {key: texts(inner) for key, inner in value.items()}
     return [texts(inner) for inner in value] if isinstance(value, list) else str(value)
@@ -44,7 +44,7 @@ class Programme(Pages):
         return page.page.evaluate(SEEN)
 
     def scene(self, page):
-        """The scene of the page as a table, from the tab File."""
+        """Scene of the page as a table, from the tab File."""
         page.page.click("#tab-text")
         text = page.page.input_value("#scene-text")
         page.page.click("#tab-programme")
@@ -206,7 +206,7 @@ class Programme(Pages):
         self.assertRegex(page.page.get_attribute("#turn-cursor", "x1"), r"%$")
 
     def test_random_changes_agree_with_a_model(self):
-        """The model: an angle changes its own row and the one that takes the rest; nothing else changes an angle."""
+        """Model: a changed angle affects its row and the row with the remaining angle, and no other angle."""
         page = self.programme()
         page.page.set_viewport_size({"width": 1000, "height": 500})
         page.page.click("#play")
@@ -256,7 +256,7 @@ class Programme(Pages):
             at += 1
             angles = [[number(r["angle"]) for r in s["rows"]] for s in (before, after)]
             changed = [k for k in range(min(map(len, angles))) if angles[0][k] != angles[1][k]]
-            # Four digits are shown.
+            # The page shows four digits.
             self.assertAlmostEqual(after["gap"], 360 - sum(angles[1]), delta=0.1 * n, msg=why)
             if kind == "angle":
                 self.assertEqual(angles[1][i], typed, why)

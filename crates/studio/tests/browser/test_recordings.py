@@ -1,4 +1,4 @@
-"""A recording's answers belong to the recording; faults are data in plain words; a scene without a design shows its own values."""
+"""The answers belong to their recording; faults of data have clear messages; a scene without a design shows its values."""
 
 import re
 import unittest
@@ -42,7 +42,7 @@ class Recordings(Pages):
         self.assertEqual(page.verdict(), "unacceptable")
         self.assertEqual(page.value("gait.accept"), "")
         self.assertFalse(page.page.is_visible("#accepted"))
-        # The same file has its own answers again, and says so.
+        # The same file gets its answers again, with a message.
         self.take(page, ASKS_MASS)
         page.until("it is accepted as before", lambda: page.verdict() == "acceptable")
         self.assertTrue(page.page.is_visible("#accepted"))

@@ -1,4 +1,4 @@
-"""Links, reloads and exported pages carry the whole scene with its recording; a damaged link says so."""
+"""Links, reloads and exported pages contain the whole scene with its recording. A damaged link is reported."""
 
 import os
 import random
@@ -15,7 +15,7 @@ DIGITS = 1e-9
 
 class Sharing(Pages):
     def fresh(self, address=""):
-        """A page of another browser."""
+        """Page in another browser."""
         context = self.browser.chromium.new_context(viewport={"width": 1400, "height": 900}, accept_downloads=True)
         self.addCleanup(context.close)
         page = self.browser.page(None, context=context)
@@ -38,7 +38,7 @@ class Sharing(Pages):
         page.until("it is at rest", lambda: page.page.get_attribute("#design", "aria-busy") == "false")
 
     def link(self, page):
-        """The packed scene, and what the dialog says is inside."""
+        """Packed scene, and its contents according to the dialog."""
         page.page.click("#link")
         page.page.wait_for_selector("#share-link")
         text = page.page.input_value("#share-link")
@@ -47,7 +47,7 @@ class Sharing(Pages):
         return re.search(r"#s=[\w-]+$", text).group(0), inside
 
     def shown(self, page):
-        """Verdict, accepted questions and figures; by the native engine the numbers too."""
+        """Verdict, accepted questions and figures; with the native engine also the numbers."""
         figures = page.page.eval_on_selector_all("#figures dd", "all => all.map((e) => e.textContent)")
         accepted = page.page.eval_on_selector_all("[data-accepted]", "all => all.map((e) => e.dataset.accepted)")
         numbers = {}
@@ -83,7 +83,7 @@ class Sharing(Pages):
                 link, inside = self.link(page)
                 self.assertEqual(inside, [how])
                 self.assert_same(before, self.shown(self.fresh(link)), file[0])
-                # After a reload the link is as good.
+                # The link is valid after a reload too.
                 page.until("the address holds it", lambda: "#s=" in page.page.url)
                 page.page.wait_for_timeout(600)
                 page.page.reload()
@@ -117,7 +117,7 @@ class Sharing(Pages):
         page.page.wait_for_selector("#contact-2")
         self.assertFalse(page.page.is_checked("#contact-2"))
         self.assertTrue(page.page.is_checked("#contact-1"))
-        # A new tab of the same browser has the file too.
+        # A new tab of the same browser contains the file too.
         tab = self.browser.page(self.server.url + link, context=page.page.context)
         tab.page.click("#tab-force")
         tab.page.wait_for_selector("#contact-2")
@@ -185,7 +185,7 @@ class Sharing(Pages):
 
 
 class Driver:
-    """Random steps on a page; what it shows is compared with what its link shows elsewhere."""
+    """Random steps on a page. Its contents are compared with those of its link in another browser."""
 
     FILES = [SMALL, LONG, BINARY, ASKS_CLOCK, ASKS_MASS]
 

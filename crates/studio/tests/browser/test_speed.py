@@ -1,9 +1,9 @@
-"""How soon a picture follows the hand, with each engine.
+"""Delay between an input event and its picture, with each engine.
 
-The time of a picture runs from the input event whose value it shows to the frame in which the page has painted it. Events that are
-overtaken before they are asked for have no picture of their own: their time to the next picture is measured too. The numbers are asked
-for on a machine with nothing else to do: how much longer a fixed sum and a fixed sort take in the page than there is measured beside
-it, and the bounds grow by the larger factor. A sum has no branches and no memory; pictures and designs have both.
+The time of a picture is measured from the input event with its value to the frame in which the page has painted it. Events that are
+superseded before their request have no separate picture; their time to the next picture is measured too. The required times hold for an
+idle reference machine. A fixed sum and a fixed sort are measured in the page, and the limits are multiplied by the larger ratio to
+their reference times. A sum uses neither branches nor memory; pictures and designs use both.
 """
 
 import statistics
@@ -11,7 +11,7 @@ import unittest
 
 from studio import DIST, Pages
 
-# Asked for: 95 % of the pictures of the built-in scenes, of all events, and the median of the scene that takes longest, ms.
+# Required times, ms: of 95 % of the pictures of the built-in scenes, of all events, and the median of the slowest scene.
 PICTURE, EVENT, LONGEST = 50, 100, 150
 LONG = "heel_tester_fitted"
 DRAG = """async () => {
@@ -51,15 +51,15 @@ def p95(times):
     return statistics.quantiles(times, n=20)[-1]
 
 
-# A sum that takes 17.3 ms on the machine that the numbers are asked for; its mean over five, ms.
+# A sum that takes 17.3 ms on the reference machine; mean over five, ms.
 SUM, REFERENCE = """() => {
     const from = performance.now();
     let sum = 0;
     for (let k = 0; k < 5; k += 1) for (let i = 0; i < 2e6; i += 1) sum += Math.sin(i) * i;
     return sum && (performance.now() - from) / 5;
 }""", 17.3
-# The same of a sort, ms. Its reference is derived: on a machine where the sort takes 21.7 ms and the sum 17.6 ms, pictures and designs take
-# 1.45 times as long as they did on the machine of the numbers.
+# A sort, ms. Its reference time is derived: on a machine where the sort takes 21.7 ms and the sum 17.6 ms, pictures and designs take
+# 1.45 times as long as on the reference machine.
 SORT, SORT_REFERENCE = """() => {
     const from = performance.now();
     let seed = 1;
@@ -72,7 +72,7 @@ SORT, SORT_REFERENCE = """() => {
 
 
 def slowness(page):
-    """By how much this machine, with what else it has to do, is slower; 1 where it is not."""
+    """Factor by which this machine is slower at its present load; at least 1."""
     return max(1.0, page.page.evaluate(SUM) / REFERENCE, page.page.evaluate(SORT) / SORT_REFERENCE)
 
 
@@ -81,7 +81,7 @@ class Speed(Pages):
         page.until("it is at rest", lambda: page.page.get_attribute("#design", "aria-busy") == "false")
 
     def test_hand_to_picture_over_the_scenes(self):
-        """A slider is dragged for a second in each scene, with an event in every frame."""
+        """Drags a slider for a second in each scene, with an event in every frame."""
         page = self.page()
         page.page.click("#play")
         page.page.click("#open-scenes")

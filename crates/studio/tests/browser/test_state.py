@@ -1,4 +1,4 @@
-"""What a version of the scene is, and that nothing shown belongs to another one."""
+"""Versions of the scene: nothing shown belongs to another version."""
 
 import json
 import re
@@ -20,7 +20,7 @@ def cycle(peak):
 
 
 def after(seconds):
-    """A handler that lets a request pass after a while."""
+    """Handler that delays a request."""
     return lambda route: (time.sleep(seconds), route.fallback())
 
 
@@ -127,7 +127,7 @@ class State(Pages):
             self.assertEqual(page.page.inner_text("#verdict-name"), "–")
             for selector in ("#stage", "#charts", "#figures"):
                 style = lambda: page.page.eval_on_selector(selector, "e => [Number(getComputedStyle(e).opacity), getComputedStyle(e).filter]")
-                # Grey, and no paler than can be read.
+                # The text is grey, but readable.
                 page.until("it is dimmed", lambda: style()[0] < 0.7 and style()[1] == "grayscale(1)")
         page.sets("limits.stroke", "61 mm")
         page.page.click("#open-save")
@@ -246,7 +246,7 @@ class State(Pages):
             page.page.locator("#verdict").click()
             self.assertNotEqual(page.verdict(), "pending", text)
             page.does(lambda: page.page.click("#language"))
-            # The language has changed, and with it the decimal sign.
+            # The language and the decimal sign have changed.
             is_spanish = page.page.get_attribute("html", "lang") == "es"
             self.assertEqual(page.value("limits.stroke"), shown.replace(".", ",") if is_spanish else shown, text)
 
@@ -279,7 +279,7 @@ class State(Pages):
         self.assertEqual(page.page.evaluate("window.said"), 0)
         page.until("it is said", lambda: page.page.is_visible("#fault"))
         page.page.wait_for_timeout(600)
-        # Its contents and its appearance are one announcement.
+        # Contents and appearance are announced together.
         self.assertLessEqual(page.page.evaluate("window.said"), 2)
 
     @of_server

@@ -1,4 +1,4 @@
-"""The studio as a person meets it, in Chromium. Run by run.sh."""
+"""Use of the studio in Chromium. Run by run.sh."""
 
 import csv
 import subprocess
@@ -9,7 +9,7 @@ from pathlib import Path
 
 from studio import BINARY, DIST, ROOT, Pages, Server, of_server
 
-# A sequence of convex programs, each with as many spans as are asked (see the test of long searches).
+# A sequence of convex programs with the requested number of spans (see the test of long searches).
 LONG = "heel_tester_fitted"
 
 
@@ -87,7 +87,7 @@ class Studio(Pages):
             page.does(lambda: page.page.select_option("#colour", colour))
             self.assertGreater(page.page.locator("#stage .coloured").count(), 100, colour)
             ends[colour] = page.page.inner_text("#legend")
-        # The ends of the legend are those of the diagrams and of the tables: 506.4 … 1059 N; a flat face has no angle.
+        # The ends of the legend equal those of the diagrams and of the tables: 506.4 … 1059 N. A flat face has no angle.
         self.assertRegex(ends["force"], r"^506\s+N\s+1059\s+N$")
         self.assertRegex(ends["pressure_angle"], r"^0\s*°\s*0\s*°$")
         page.does(lambda: page.page.select_option("#colour", "none"))
@@ -167,7 +167,7 @@ class Studio(Pages):
             self.assertEqual((len(rows), rows[0]), (len(same), same[0]), name)
             for one, other in zip(rows[1:], same[1:]):
                 for x, y in zip(map(float, one), map(float, other)):
-                    # One arithmetic with the server; the page's own engine has other sines.
+                    # The results of the server are identical; the engine of the page has another sine function.
                     self.assertLessEqual(abs(x - y), 1e-9 * max(abs(x), 1) if DIST else 0, name)
         self.assertEqual(len(list(csv.reader((out / "law.csv").read_text().splitlines()))), 1441)
         self.quiet(page)
@@ -222,7 +222,7 @@ class Studio(Pages):
         page.page.goto(server.url + "#" + address.split("#")[1])
         page.page.reload()
         page.shown(0)
-        # What was typed while nobody answered is not lost.
+        # Text typed while the server did not respond is kept.
         self.assertEqual(page.value("limits.stroke"), "64 mm")
         self.assertEqual(server.interrupt(), 0)
 

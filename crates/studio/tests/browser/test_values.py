@@ -1,4 +1,4 @@
-"""The form of values: names, sliders, what is possible, ends, languages, fingers."""
+"""Form of values: names, sliders, feasible ranges, ends, languages, touch."""
 
 import re
 import unittest
@@ -83,7 +83,7 @@ class Values(Pages):
         name.click()
         self.assertEqual(name.get_attribute("aria-expanded"), "true")
         self.assertEqual(page.page.inner_text("#f-limits-stroke-help code"), "limits.stroke")
-        # By keyboard: F1 in the field, or the name before it.
+        # With the keyboard: F1 in the field, or the name before it.
         page.page.focus('[name="limits.stroke"]')
         page.page.keyboard.press("F1")
         self.assertFalse(page.page.is_visible("#f-limits-stroke-help"))
@@ -97,7 +97,7 @@ class Values(Pages):
             self.addCleanup(context.close)
             page = self.browser.page(self.server.url, context=context)
             self.assertEqual(page.page.get_attribute("html", "lang"), tag, locale)
-        # What was chosen goes first.
+        # The chosen value is first.
         page.does(lambda: page.page.click("#language"))
         page.page.reload()
         page.shown(0)
@@ -109,7 +109,7 @@ class Values(Pages):
         self.assertEqual(page.value("gait.step_frequency"), "1,85 Hz")
         for typed in ("1,9", "1.9", "1,9 Hz"):
             page.sets("gait.step_frequency", typed)
-            # While it is typed it stays as it is.
+            # The text is not changed while it is typed.
             self.assertEqual(page.value("gait.step_frequency"), typed)
             page.page.locator("#verdict").click()
             self.assertEqual(page.value("gait.step_frequency"), "1,9 Hz")
@@ -152,7 +152,7 @@ class Values(Pages):
         to.press("Enter")
         self.assertEqual(ends(), ["2", "150.5"])
         self.assertLess(place(), 0.65)
-        # The end stays beyond the value; a value outside brings other ends.
+        # The end of the slider is beyond the value; a value outside changes the ends.
         to.fill("5")
         to.press("Enter")
         self.assertAlmostEqual(float(ends()[1]), self.number(page.value("limits.stroke")), places=3)
@@ -173,11 +173,11 @@ class Values(Pages):
         border, end = map(float, re.fullmatch(r"acceptable from ([\d.]+) to ([\d.]+) mm", text).groups())
         self.assertEqual(end, 100)
         self.assertIn("linear-gradient", page.page.eval_on_selector('[data-row="limits.stroke"] .possible', "e => getComputedStyle(e).backgroundImage"))
-        # The designs on both sides of the border agree.
+        # The designs on both sides of the limit agree.
         for value, verdict in ((border - 1, "unacceptable"), (border + 0.5, "acceptable")):
             page.sets("limits.stroke", f"{value} mm")
             self.assertEqual(page.verdict(), verdict, value)
-        # The slider's own value does not matter, so that nothing is asked again; another value does.
+        # The value of the slider itself has no influence, so that there is no new request; another value has.
         self.assertEqual(page.page.get_attribute(STROKE, "aria-description"), text)
         page.sets("gait.step_frequency", "1.5 Hz")
         self.assertIsNone(page.page.get_attribute(STROKE, "aria-description"))
@@ -209,7 +209,7 @@ class Values(Pages):
         page.page.evaluate(RELEASE, STROKE)
         page.page.focus(STROKE)
         page.until("it is asked", lambda: asked)
-        # A key while it runs ends it.
+        # A key press during the run ends it.
         page.page.keyboard.press("Shift")
         self.shaded(page)
         self.assertEqual(page.said, [])
@@ -256,7 +256,7 @@ class Values(Pages):
         self.assertEqual(page.value("limits.stroke"), "61")
         page.does(lambda: page.page.keyboard.press("Control+z"))
         self.assertEqual(page.value("limits.stroke"), "60 mm")
-        # The form does not go away in between.
+        # The form stays visible in between.
         self.assertEqual(page.page.evaluate("document.activeElement.name"), "limits.stroke")
 
     def test_folded_sections_stay_folded_and_no_heading_stands_over_nothing(self):

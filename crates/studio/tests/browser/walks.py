@@ -1,4 +1,4 @@
-"""Recordings of walking that the tests make: small, long, binary, doubtful."""
+"""Generated recordings of walking: small, long, binary, doubtful."""
 
 import importlib.util
 import math
@@ -13,7 +13,7 @@ HEAD = "# forces in N\ntime (s),Left Fz,Right Fz\n"
 
 
 def walk(rate=100.0, seconds=8.5, seed=1, times=1.0, head=HEAD, digits=1):
-    """Two plates under a walker of 700 N."""
+    """Recording of two plates with a walker of 700 N."""
     chance = random.Random(seed)
     feet = [[chance.gauss(1, 0.03) for _ in range(24)] for _ in range(2)]
     rows = []
@@ -26,7 +26,7 @@ def walk(rate=100.0, seconds=8.5, seed=1, times=1.0, head=HEAD, digits=1):
 
 
 def one_stance(rate=500, weight=700, more=""):
-    """One stance without its stride: the reader asks for the clock."""
+    """Recording of one stance without its stride, so that the reader asks for the clock."""
     rows = []
     for k in range(int(0.66 * rate)):
         u = k / rate / 0.65
@@ -37,9 +37,9 @@ def one_stance(rate=500, weight=700, more=""):
 
 SMALL = ("small walk.csv", walk())
 LONG = ("long_walk.csv", walk(rate=1000.0))
-# A sign that is not UTF-8: a link takes the file for a binary one.
+# A character that is not UTF-8, so that a link treats the file as binary.
 BINARY = ("binary.csv", b"# force plate \xb5\n" + walk(seed=3))
 ASKS_CLOCK = ("one_stance.csv", one_stance())
 LONG_ASKS_CLOCK = ("long_stance.csv", one_stance(rate=8000))
-# The unit is not given, and taken as newtons the walker has 14 kg.
+# The unit is missing. In newtons, the walker would have a mass of 14 kg.
 ASKS_MASS = ("light.csv", walk(seed=5, times=0.2, head="time (s),Left Fz,Right Fz\n", digits=3))
