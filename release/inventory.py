@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is inside the program: a CycloneDX list of its crates, and the texts of their licences.
+"""Contents of the program: a CycloneDX list of its crates, and the texts of their licences.
 
     python3 release/inventory.py SBOM.json LICENCES.txt
 """
@@ -9,13 +9,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What is handed out: the command, the Python package, the engine of the page.
+# Delivered parts: the command, the Python package, the engine of the page.
 ROOTS = {"gaitcam-cli", "gaitcam-python", "gaitcam-app"}
 TEXTS = ("LICEN", "COPYING", "NOTICE")
 
 
 def crates():
-    """The crates that are compiled into what is handed out, by name and version."""
+    """Crates that are compiled into the delivered parts, by name and version."""
     command = ["cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", "x86_64-unknown-linux-gnu"]
     data = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     packages = {package["id"]: package for package in data["packages"]}
@@ -27,7 +27,7 @@ def crates():
         if key in found:
             continue
         found.add(key)
-        # What our own build scripts read, such as the typeface, ends inside too.
+        # Files that the build scripts read, such as the font, are included too.
         kinds = (None,) if packages[key]["source"] else (None, "build")
         open_ += [dep["pkg"] for dep in nodes[key]["deps"] if any(kind["kind"] in kinds for kind in dep["dep_kinds"])]
     return sorted((packages[key] for key in found), key=lambda package: (package["name"], package["version"]))
@@ -43,7 +43,7 @@ def component(package):
 
 
 def texts(package):
-    """The licence files that a crate carries, those of what it carries included."""
+    """Licence files of a crate, including those of its bundled code."""
     folder = Path(package["manifest_path"]).parent
     named = sorted(path for path in folder.rglob("*") if path.is_file() and path.name.upper().startswith(TEXTS))
     return [path.read_text(errors="replace").strip() for path in named]
@@ -58,7 +58,7 @@ def main():
         sys.exit(f"release/inventory.py: no licence is stated by {', '.join(missing)}")
     bom = {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1, "components": [component(p) for p in all_]}
     sbom.write_text(json.dumps(bom, indent=1) + "\n")
-    # A text is printed once, under all the crates that carry it.
+    # A text is printed once, below all the crates that have it.
     holders = {}
     for package in foreign:
         for text in texts(package) or [f"{package['license']} (the crate carries no text)"]:

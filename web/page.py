@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The page as static files and as one file.
+"""Writes the page as static files and as one file.
 
     python3 web/page.py MODULES ESBUILD OUT [--url https://example.org/gaitcam/]
 
-`--url` is the address that the files will have. Previews of posted links need it: most sites read no relative address of a picture.
+`--url` is the address of the files. Previews of links need it, because most sites ignore relative addresses of pictures.
 """
 
 import argparse
@@ -19,13 +19,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "crates" / "studio" / "page"
-# The report's script of a moving cam, which the page has too.
+# Script of the report for the moving cam, which the page uses too.
 MOTION = ROOT / "crates" / "output" / "src" / "report" / "motion.js"
-# Picture of the page for previews of posted links.
+# Picture of the page for previews of links.
 PREVIEW = ROOT / "docs" / "pictures" / "studio-page.png"
-# Most bytes, packed, before the first design.
+# Maximum number of compressed bytes before the first design.
 FIRST_LOAD = 1_500_000
-# A page in one file reaches nothing but itself.
+# A page in one file loads no other files.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; connect-src data: blob:"
@@ -33,7 +33,7 @@ POLICY = (
 
 
 def bundle(esbuild, out):
-    """All modules of the page as one."""
+    """All modules of the page in one."""
     with tempfile.TemporaryDirectory() as folder:
         page = Path(folder) / "page"
         shutil.copytree(PAGE, page)
@@ -64,7 +64,7 @@ def index(url=""):
 
 
 def preview(url):
-    """The picture and the address of the page for previews of posted links."""
+    """Picture and address of the page for previews of links."""
     picture = html.escape(url + "preview.png")
     tags = [
         f'<meta property="og:image" content="{picture}">',
@@ -104,7 +104,7 @@ def one_file(out, engine):
 
 
 def service_worker(out, files, later):
-    """Keeps the files of this build, so that the page opens without a network after the first visit."""
+    """Stores the files of this build, so that the page opens without a network after the first visit."""
     version = hashlib.sha256(b"".join((out / file).read_bytes() for file in [*files, later])).hexdigest()[:16]
     text = (ROOT / "web" / "service_worker.js").read_text()
     list_ = ", ".join(f'"{file}"' for file in ["./", *files])

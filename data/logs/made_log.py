@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Writes logs of a footbridge shaker that is not quite the one of its scene, made by a computer, so that their truth is known.
+"""Writes generated logs of a footbridge shaker whose parameters differ from its scene, so that the true values are known.
 
     gaitcam synth footbridge --out out/bridge && python3 data/logs/made_log.py out/bridge
 
-The moved mass is 73 kg (the scene: 71.4 kg), the guide rubs with 20 N s/m and 3 N, a bearing that runs out adds 6 N twice and
-3 N five times per turn; the load cell is 1 ms late, reads 4 N too much and scatters by 2 N. 20 cycles, 250 samples a second.
+The moved mass is 73 kg (scene: 71.4 kg), the guide friction is 20 N s/m and 3 N, and the runout of a bearing adds 6 N twice and
+3 N five times per turn. The load cell has a delay of 1 ms, an offset of 4 N and noise of 2 N. There are 20 cycles with 250 samples
+per second.
 
 - made_log.csv: time, angle and force at constant speed;
-- made_time.csv: the same without the angle;
-- made_torque.csv: with speed and torque at the camshaft. The speed varies by 2 % once per turn, the shaft has 0.05 kg m² and
-  a friction of 0.5 N m.
+- made_time.csv: time and force only;
+- made_torque.csv: with speed and torque at the camshaft. The speed varies by 2 % once per turn. The shaft has an inertia of
+  0.05 kg m² and a friction torque of 0.5 N m.
 """
 
 import csv

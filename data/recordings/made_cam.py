@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Writes made_cam.csv: 240 points of a cam as a measuring machine gives them, made by a computer, so that their truth is
-known.
+"""Writes made_cam.csv: 240 generated points of a cam in the format of a measuring machine, so that the true values are known.
 
     gaitcam synth footbridge --out out/bridge && python3 data/recordings/made_cam.py out/bridge
 
@@ -21,7 +20,7 @@ with open(Path(__file__).parent / "made_cam.csv", "w") as file:
     for i, (x, y) in enumerate(place):
         (u, v), (p, q) = place[(i + 1) % count], place[i - 1]
         length = math.hypot(u - p, v - q)
-        # The profile runs clockwise: outwards is to the left.
+        # The profile runs clockwise, so that its left side is outside.
         wave = 0.02 * math.cos(10 * math.pi * i / count) / length
         x, y = x - wave * (v - q), y + wave * (u - p)
         file.write(f"{cos * x - sin * y + 5:.4f},{sin * x + cos * y - 2:.4f}\n")

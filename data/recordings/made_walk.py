@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes made_walk.csv: a recording of two force plates that a computer made, so that its truth is known.
+"""Writes made_walk.csv: a generated recording of two force plates, so that the true values are known.
 
     python3 data/recordings/made_walk.py
 
 A walker of 700 N (71.36 kg) makes 1.9 steps per second on a treadmill with one plate under each foot. Every stance
-has the shape of Li et al. (2010), see data/gait_curves/SOURCES.md, with 3 % of scatter from step to step. The plates
+has the shape of Li et al. (2010), see data/gait_curves/SOURCES.md, with a variation of 3 % from step to step. The plates
 add noise of 2 N and offsets of +4 N and -6 N.
 """
 
@@ -16,12 +16,12 @@ WEIGHT_N, STEPS_PER_S, RATE_HZ, DURATION_S = 700.0, 1.9, 100.0, 10.5
 STANCE_S = 1 / (0.76 * STEPS_PER_S)
 A = [-0.0698 * STEPS_PER_S + 1.211, 0.1052 * STEPS_PER_S - 0.1284, 0.3002 * STEPS_PER_S - 0.1534,
      0.0416 * STEPS_PER_S - 0.0288, -0.0275 * STEPS_PER_S + 0.0608]
-# Mean of both feet together over a stride, as a share of the weight (only odd terms have a mean).
+# Mean of both feet over a stride, relative to the weight (only odd terms have a mean).
 MEAN = 2 * sum(a * 2 / (n * math.pi) for n, a in enumerate(A, 1) if n % 2) * STANCE_S * STEPS_PER_S / 2
 
 
 def stance(time_s):
-    """Share of the weight, `time_s` after heel strike."""
+    """Force relative to the weight, `time_s` after heel strike."""
     return sum(a * math.sin(n * math.pi * time_s / STANCE_S) for n, a in enumerate(A, 1)) / MEAN
 
 
