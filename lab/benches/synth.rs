@@ -91,7 +91,7 @@ fn certified_qp_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: f6
     bencher.bench(|| divan::black_box(&task).exchange().expect("feasible"));
 }
 
-/// The same limits as Bernstein rows, all in one program.
+/// Program with these limits as Bernstein rows, all given at once.
 #[divan::bench(args = [95.0, 60.0, 30.0])]
 fn bernstein_rows_quintic_32_spans_at_percent(bencher: divan::Bencher, percent: f64) {
     let (target, drive) = footbridge();

@@ -173,7 +173,7 @@ impl People<'_> {
         now.iter().enumerate().map(of).collect()
     }
 
-    /// For each walker, the cam with the minimum error.
+    /// Index of the cam with the minimum error for each walker.
     fn nearest(&self, of_cams: &[Column]) -> Vec<usize> {
         let error = |walker: usize, cam: usize| {
             let each = self.cycles[walker]

@@ -104,7 +104,7 @@ pub enum CamInputError {
     ArmsByDistance,
     /// A pair of translating followers is given by an angle instead of a distance.
     SlidesByAngle,
-    /// This kind of follower has no conjugate cam.
+    /// There is no conjugate cam for this kind of follower.
     NoConjugateOf { follower: &'static str },
     /// The base height of a translating cam has no minimum.
     TranslatingHeight,

@@ -71,9 +71,9 @@ pub enum DynamicsError {
     Motor,
     /// A motor supports only one cam with a law of one turn.
     MotorTurns,
-    /// The shaft does not keep turning.
+    /// The shaft stops within a turn.
     Stalls { inertia: Quantity, needed: Quantity },
-    /// The shaft does not keep turning with any inertia.
+    /// The shaft stops within a turn for any inertia.
     StallsAnyway,
     /// The no-load speed of the motor is too low.
     NoLoadSpeed {

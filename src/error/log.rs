@@ -80,7 +80,7 @@ pub enum LogError {
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,
-    /// The same log is given twice.
+    /// A log is given twice.
     Copy { other: String },
     /// A parameter differs from that of another log.
     OtherMachine {

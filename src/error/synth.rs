@@ -59,7 +59,7 @@ pub enum SynthError {
     AdjustsGiven { key: String },
     /// The mass of this drive does not depend on the weight of a walker.
     MassNotAdjustable,
-    /// At another speed, the force is not a multiple of the force at the reference speed.
+    /// The force at another speed is not a multiple of the force at the reference speed.
     SpeedNotAdjustable,
     /// The setting is not supported for several walkers.
     NotOfPopulation,

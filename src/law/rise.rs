@@ -89,7 +89,7 @@ pub enum Rise {
         /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
         ratio: f64,
     },
-    /// A law given by the user, see [`Rise::table`].
+    /// A law defined by the user, see [`Rise::table`].
     User {
         /// Name of the table in messages.
         name: String,

@@ -93,7 +93,7 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
 enum Bound {
     /// The limit of the figure in the scene.
     Limit(LimitKind),
-    /// For the lift-off speed: a minimum force at the speed of the machine.
+    /// Lift-off speed: a minimum force at the speed of the machine.
     LiftoffSpeed,
 }
 

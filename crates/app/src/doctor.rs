@@ -31,7 +31,7 @@ pub enum Finding {
     NoCycle(Error),
     /// An assumption, an exclusion or an implausible value.
     Note(Note),
-    /// A question that only the user can answer.
+    /// Question that only the user can answer.
     Open(OpenQuestion),
     /// The design of the scene.
     Design(Box<Design>),

@@ -32,7 +32,7 @@ enum Kind {
 /// A column of the table: its index, and its factor to SI.
 type Column = (usize, f64);
 
-/// Columns that give the coordinates of a point.
+/// Columns that contain the coordinates of a point.
 enum Coordinates {
     Cartesian([Column; 2]),
     Polar([Column; 2]),

@@ -31,7 +31,7 @@ impl Halt {
         Halt::default()
     }
 
-    /// A condition that stops computations when `asked` returns true. It is called often, from any thread.
+    /// A condition that stops computations when `asked` returns true. `asked` is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Halt {
             asked: Some(Arc::new(asked)),

@@ -1,4 +1,4 @@
-//! Start of threads on systems that may refuse them.
+//! Start of threads on systems that may reject them.
 
 use std::thread::{Builder, Scope};
 

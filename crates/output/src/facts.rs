@@ -6,7 +6,7 @@ use gaitcam::drive::DriveKind;
 use gaitcam::synth::{Design, Figure, Figures};
 use gaitcam::wording::{Language, rounded};
 
-/// How the console shows a fact. The report shows every fact.
+/// Visibility of a fact on the console. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
     /// The console does not show the fact.

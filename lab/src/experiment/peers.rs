@@ -1,4 +1,4 @@
-//! The same scene in a physics engine with time steps, measured by `lab/peers/rapier`.
+//! Results for the scene in a physics engine with time steps, measured by `lab/peers/rapier`.
 
 use super::Page;
 

@@ -33,7 +33,7 @@ pub enum Class {
     NotReproducible,
     /// A measured value, compared with the fitted curve.
     Measured,
-    /// The source does not give this number.
+    /// The source does not state this number.
     NotStated,
 }
 

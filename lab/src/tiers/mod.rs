@@ -198,7 +198,7 @@ mod tests {
         (sum / f64::from(n)).sqrt()
     }
 
-    /// By theory §9 the cone is exact, Bernstein rows are slightly too strict, and samples are insufficient. The exchange equals the cone.
+    /// Theory §9: the cone is exact, Bernstein rows are slightly too strict, and samples are insufficient. The exchange equals the cone.
     #[test]
     fn cone_and_exchange_agree_and_rows_stand_on_the_safe_side() {
         let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

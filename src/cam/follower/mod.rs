@@ -162,7 +162,7 @@ impl Follower {
         }
     }
 
-    /// The same follower with another base radius; for a barrel, another radius of the cylinder.
+    /// Follower with another base radius; for a barrel, with another radius of the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -228,7 +228,7 @@ impl Follower {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
 
-    /// The follower with the base radius for which its position at s = 0 is `start`; `None` if no base radius gives this position.
+    /// Follower with the base radius for which its position at s = 0 is `start`; `None` if there is no such base radius.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let radius = self.roller_radius();
         let flat_arm = self.pivot().is_some() && self.arm().is_none();

@@ -32,7 +32,7 @@ use std::f64::consts::TAU;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
-    /// In contact with a profile.
+    /// The mass is in contact with a profile.
     Contact {
         /// Index of the profile.
         surface: usize,

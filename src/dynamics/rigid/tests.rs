@@ -78,7 +78,7 @@ fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
     assert_eq!(liftoff_speed(&law, &pulled), Some(0.0));
 }
 
-/// For s = A (1 + cos θ) without preload, the minimum force is A ω² (m − c²/(2k)) to first order.
+/// Check of the minimum force for s = A (1 + cos θ) without preload: A ω² (m − c²/(2k)) to first order.
 #[test]
 fn damping_without_a_preload_lifts_off_at_any_speed() {
     let law = Law::harmonic(0.01, &[(0.01, 0.0)]);

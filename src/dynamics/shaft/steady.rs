@@ -24,7 +24,7 @@ const UNRESOLVED: f64 = 5.0;
 /// Minimum energy relative to the energy of the mean speed. Below it, at a hundredth of the mean speed, motor and load are in an unstable
 /// equilibrium.
 const LEAST_ENERGY: f64 = 1e-4;
-/// Speed ripple below which a flywheel gives a nearly constant speed.
+/// Speed ripple below which the speed with a flywheel is nearly constant.
 const EVEN: f64 = 0.1;
 
 /// Periodic motion of a motor-driven shaft over one turn.
@@ -48,7 +48,7 @@ pub struct Steady {
     pub range: [f64; 2],
 }
 
-/// Reasons for which a shaft does not keep turning.
+/// Reasons for which a shaft stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
     /// The inertia is below this value, kg·m².
@@ -91,7 +91,7 @@ impl Steady {
         newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
     }
 
-    /// Minimum inertia, kg·m², to 1 %, for which this shaft keeps turning; 0 if any inertia is sufficient.
+    /// Minimum inertia, kg·m², to 1 %, for which this shaft does not stop; 0 if any inertia is sufficient.
     pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
         let goal = motor.inertia / RANGE;
         let coarse = load.every(COARSE);

@@ -330,7 +330,7 @@ mod tests {
     use super::*;
     use crate::drive::TorqueLine;
 
-    /// With a constant torque T against a spring, J ω²/2 = T x − k s²/2 from the minimum lift on.
+    /// A constant torque T acts against a spring: J ω²/2 = T x − k s²/2 from the minimum lift on.
     #[test]
     fn a_start_from_rest_stops_where_the_work_of_the_motor_is_used_up() {
         let (torque, rate, height) = (6.0, 2e5, 0.02);

@@ -28,7 +28,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// The same dimension for every follower.
+    /// Measure with one dimension for every follower.
     pub const fn same(dimension: Dimension) -> Measure {
         Measure::by_arm(dimension, dimension)
     }

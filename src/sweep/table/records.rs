@@ -21,7 +21,7 @@ pub enum Values {
     Rows(Vec<u64>),
     /// Numbers in SI units; NaN if missing.
     Numbers(Vec<f64>),
-    /// Words, each stored once.
+    /// Words, without repetitions.
     Words(Words),
 }
 

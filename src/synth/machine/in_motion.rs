@@ -39,7 +39,7 @@ const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies the accuracy over the angle but not over time.
 const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
-/// Number of equal angles at which a report gives speed and time.
+/// Number of equal angles at which a report states speed and time.
 const TOLD_ROWS: usize = 1440;
 /// Ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;

@@ -117,12 +117,12 @@ pub enum Ended {
 #[non_exhaustive]
 #[allow(missing_docs)]
 pub enum PassedOver {
-    /// They do not reach the accuracy of the force.
+    /// The harmonics do not reach the accuracy of the force.
     Accuracy {
         family: &'static str,
         excess: Quantity,
     },
-    /// Their cam violates a limit.
+    /// The cam of the harmonics violates a limit.
     Check {
         family: &'static str,
         check: Criterion,

@@ -140,7 +140,7 @@ pub enum Reason {
     },
     /// The force error exceeds the required accuracy.
     ForceError { error: Quantity, allowed: Quantity },
-    /// In the simulation of the emitted cam, the force error exceeds the required accuracy.
+    /// The force error in the simulation of the emitted cam exceeds the required accuracy.
     ForceErrorInRun { error: Quantity, allowed: Quantity },
     /// The lift is below the base circle.
     BelowBaseCircle { at: Quantity, depth: Quantity },

@@ -554,7 +554,7 @@ fn inertia_and_motor_line_follow_from_the_energy_of_a_cycle_whose_speed_was_logg
     }
 }
 
-/// On machines with a spring and guide friction, the force error of the next cam is the predicted one, although friction jumps where the new law
+/// On machines with a spring and guide friction, the force error of the next cam equals the prediction, although friction jumps where the new law
 /// reverses.
 #[test]
 fn the_error_of_the_next_cam_of_a_machine_with_friction_is_the_predicted_one() {

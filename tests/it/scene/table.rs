@@ -284,7 +284,7 @@ fn every_key_has_its_sentence_in_both_languages() {
     }
 }
 
-/// The program chooses no limit: every limit is a number or none.
+/// Every limit is a number or none. The program never selects a limit.
 #[test]
 fn a_limit_is_a_number_or_none_and_never_auto() {
     let mut tried = 0;

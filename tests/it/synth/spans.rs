@@ -90,7 +90,7 @@ fn many_spans_name_as_few_contacts_as_the_limits_have() {
     );
 }
 
-/// For any objective, with few and many spans, there is a numerical proof, also for objectives without a force.
+/// Every objective has a numerical proof, with few and many spans, and also without a force.
 #[test]
 fn every_objective_has_a_proof_in_numbers_on_few_spans_and_on_many() {
     for (name, _) in Minimise::NAMES {

@@ -46,7 +46,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Content of the file. The same drawing gives the same bytes.
+    /// Content of the file. Equal drawings result in equal bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -256,7 +256,7 @@ impl Groups {
         self
     }
 
-    /// Opens an object and gives it a handle.
+    /// Opens an object and assigns a handle to it.
     fn object(&mut self, kind: &str, owner: u32, classes: &[&str]) -> u32 {
         self.put(0, kind);
         let own = self.handle;

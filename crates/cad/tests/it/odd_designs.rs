@@ -1,4 +1,4 @@
-//! Equal designs give equal bytes, and unusual designs give complete files.
+//! Equal designs result in equal bytes, and unusual designs in complete files.
 
 use gaitcam::cam::Bore;
 use gaitcam_cad::Units;

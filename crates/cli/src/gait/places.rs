@@ -84,8 +84,8 @@ pub fn check_table(table: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Path `NAME_cycle.csv` for each recording. The first of several files of a recording gives the name; recordings of the same name from two folders
-/// are numbered.
+/// Path `NAME_cycle.csv` for each recording. The name is that of the first file of a recording; recordings of the same name from two folders are
+/// numbered.
 fn named(folder: &Path, recordings: &[Vec<PathBuf>]) -> Vec<PathBuf> {
     let mut places: Vec<PathBuf> = Vec::new();
     for recording in recordings.iter().filter_map(|files| files.first()) {

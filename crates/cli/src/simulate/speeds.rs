@@ -112,7 +112,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     Ok((0..count).map(at).collect())
 }
 
-/// Simulates the emitted cam at a speed. It is compared with the target of that speed if a load model gives one.
+/// Simulates the emitted cam at a speed. It is compared with the target of that speed if a load model provides one.
 fn at(
     made: &Made,
     design: &Design,

@@ -57,7 +57,7 @@ pub enum ForceError {
     FrequencyMissing { model: String },
     /// The load model describes only both feet together.
     BothFeetOnly { model: String },
-    /// The time column was interpreted as milliseconds, which gives an implausible stride time.
+    /// The time column was interpreted as milliseconds, but the resulting stride time is implausible.
     ClockImplausible { period: Quantity },
     /// The recording shows running, which was not requested.
     Running { duration: Quantity },

@@ -64,7 +64,7 @@ pub enum ReadError {
     NoColumnNumber { column: String, count: usize },
     /// The unit of a force column is not a unit of force.
     NoForceUnit { column: String, unit: String },
-    /// The same column is force and time.
+    /// One column is used both as force and as time.
     ForceIsTime,
     /// The times decrease from one row to the next.
     TimeBackwards { time: f64, after: f64 },

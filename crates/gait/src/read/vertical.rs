@@ -150,7 +150,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
     }
 }
 
-/// Keeps one component: the one named vertical, otherwise the one that carries the load.
+/// Keeps one component: the one named vertical, otherwise the one with the largest load.
 pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
     if raw.iter().any(|r| r.axis != Axis::Vertical) {

@@ -185,7 +185,7 @@ pub enum Note {
     },
     /// The mass is outside the range of people.
     MassImplausible { mean: Quantity, mass: Quantity },
-    /// The unit of force was not given, and the assumed unit gives a mass that is implausible for an adult.
+    /// The unit of force was not stated, and with the assumed unit the mass is implausible for an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
     /// The time column counts in steps of one without a unit: milliseconds or samples.
     CountOrMilliseconds { stride: Quantity },
@@ -235,7 +235,7 @@ pub enum Note {
 pub enum WeightShare {
     /// Both feet carry the whole weight.
     Whole,
-    /// One foot carries half of the weight.
+    /// Foot with half of the weight.
     Half,
 }
 

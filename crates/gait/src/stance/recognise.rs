@@ -183,7 +183,7 @@ fn flies(main: &[(&Contact, &Shape)]) -> bool {
     flights > 0 && 2 * flights > pairs.len()
 }
 
-/// Whether a person stands, leaves the plates and lands on them.
+/// Whether the person stands, leaves the plates and lands on them again.
 fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     let spans = loaded_spans(contacts);
     spans.windows(2).any(|w| {

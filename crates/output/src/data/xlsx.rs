@@ -53,7 +53,7 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
     WriteError::NotPutTogether { fault }.into()
 }
 
-/// Empty workbook with a fixed date, so that equal results give equal bytes.
+/// Empty workbook with a fixed date, so that equal results lead to equal bytes.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
     // The library assembles each sheet on a thread of its own and panics where the system admits none.
     #[cfg(not(target_family = "wasm"))]

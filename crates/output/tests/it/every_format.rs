@@ -1,4 +1,4 @@
-//! Properties of every format: equal designs give equal bytes, and unusual designs give complete files.
+//! Properties of every format: equal designs lead to equal bytes, and unusual designs to complete files.
 
 use gaitcam_output::Language;
 use gaitcam_test_support::designs::{heel_tester, odd_ones};

@@ -7,7 +7,7 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 thread_local! {
-    /// Planner of transforms. It is kept, because planning costs more than one transform of usual length.
+    /// Planner of transforms. It is reused, because planning takes longer than one transform of usual length.
     static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
 }
 

@@ -66,8 +66,8 @@ fn a_certified_peak_is_the_peak_of_the_law() {
     }
 }
 
-/// With all multipliers 1 ‰ too large, 1 ‰ of the cost of the peak remains. It is compared with the terms, which are the cost and 1.001 times the
-/// cost, or with an objective that is large relative to the peak.
+/// All multipliers are 1 ‰ too large, so that 1 ‰ of the cost of the peak remains. It is compared with the terms, which are the cost and 1.001 times
+/// the cost, or with an objective that is large relative to the peak.
 #[test]
 fn what_is_left_of_a_price_counts_by_its_terms_or_by_the_objective() {
     for (n, peak) in [(2, 4.0), (3, 32.0)] {

@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    /// For any bytes there is a response or a rejection, and the head does not depend on the bytes after it.
+    /// Any bytes lead to a response or a rejection, and the head does not depend on the bytes after it.
     #[test]
     fn damaged_heads_end_where_they_end_and_nothing_panics() {
         const HEADS: [&str; 2] = [

@@ -44,7 +44,7 @@ fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
     }
 }
 
-/// While a radius is dragged, the response is a law that satisfies the limits, or immediately that there is none. The final response agrees.
+/// While a radius is dragged, the response is a law that satisfies the limits, or at once that there is none. The final response agrees.
 #[test]
 fn a_radius_under_the_hand_is_answered_soon_and_alike() {
     let studio = Running::new();

@@ -124,7 +124,7 @@ fn worst_force(law: &Law, drive: &Drive, target: &ForceCurve) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// With noise of 1 % BW, the second difference of the force is only noise, but the acceleration of the fit is not.
+/// The second difference of a force with noise of 1 % BW is only noise, but the acceleration of the fit is not.
 #[test]
 fn differences_of_a_noisy_force_drown_and_the_fit_does_not() {
     let clean = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

@@ -43,7 +43,7 @@ fn a_nanometre_of_roller_decides_about_undercut() {
     }
 }
 
-/// At the cusp itself all values are finite.
+/// All values are finite at the cusp itself.
 #[test]
 fn a_cusp_has_finite_points_and_a_plain_verdict() {
     let pitch = rise_cam(0.03, 0.0).curvature().convex.value;
@@ -66,7 +66,7 @@ fn a_cusp_has_finite_points_and_a_plain_verdict() {
     assert!(radius > 1e-8, "{radius:e}");
 }
 
-/// tan φ = v/(s + D) with D → 0: the angle tends to 90°, and the circle in closed form keeps its digits.
+/// tan φ = v/(s + D) with D → 0: the angle tends to 90°, and the circle in closed form stays accurate.
 #[test]
 fn pressure_angles_near_a_right_angle_keep_their_digits() {
     let law = rise_cam(0.03, 0.0).law;

@@ -65,7 +65,7 @@ fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
     }
 }
 
-/// With one jerk sample per span the limit is violated. Rows, cones and the exchange satisfy it (theory §9).
+/// One jerk sample per span does not enforce the limit. Rows, cones and the exchange do (theory §9).
 #[test]
 fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
     let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

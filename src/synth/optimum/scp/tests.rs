@@ -147,7 +147,7 @@ fn clearances_of_one_wave_are_those_of_its_sharpest_place() {
     }
 }
 
-/// By rotation of the cam, the limit depends only on A. Its rows at a law that touches it are therefore tangents of a circle.
+/// The limit depends only on A, by rotation of the cam. Its rows at a law that touches it are therefore tangents of a circle.
 #[test]
 fn rows_at_a_contact_are_tangents_of_the_circle_of_laws() {
     let program = program(DRAWN);
@@ -205,7 +205,7 @@ fn a_limit_that_is_missed_gets_twice_the_room_and_others_none() {
     }
 }
 
-/// For X ≥ 4ρ/3 the rows of the restriction are sufficient: for D = 0.1, a law that satisfies them has A² ≤ D² − ρ².
+/// The rows of the restriction with X ≥ 4ρ/3 are sufficient: for D = 0.1, a law that satisfies them has A² ≤ D² − ρ².
 #[test]
 fn the_restriction_leaves_only_laws_that_keep_the_curvature() {
     let rise = 0.1;
@@ -393,7 +393,7 @@ fn a_cam_smaller_than_its_sharpest_radius_has_no_start() {
     assert!(feasible(&program, &starts[0], limits(RISE_HEIGHT)).is_some());
 }
 
-/// A cam of permitted size is found on the way to the smallest one, A = 0 with D = ρ.
+/// In the iterations to the smallest cam, A = 0 with D = ρ, a cam of permitted size is found.
 #[test]
 fn a_cam_that_is_too_large_is_shrunk_to_its_limit() {
     let mut program = priced(DRAWN, 1e-6);

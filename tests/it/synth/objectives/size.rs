@@ -90,7 +90,7 @@ fn the_size_that_a_sharp_cam_needs_lets_the_pivot_lie_within_the_profile_where_i
     assert!(keeps(needed * (1.0 + 1e-6)) && !keeps(needed * (1.0 - 1e-6)));
 }
 
-/// With a bore larger than the limit on the size, no cam is possible. The reported size is that of the limit.
+/// A cam is impossible if its bore is larger than the limit on the size. The reported size is that of the limit.
 #[test]
 fn a_bore_beyond_the_limit_on_the_size_leaves_the_law_and_is_reported() {
     let of = |bore: &str| {

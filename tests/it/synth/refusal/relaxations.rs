@@ -415,7 +415,8 @@ fn two_impossible_limits_are_relaxed_together() {
     assert!(good(&synthesise(&scene_of(HUMP, &all), None).unwrap()));
 }
 
-/// With non-convex limits, the search for feasible designs ends at other laws than the optimum. The suggested changes are sufficient for the optimum.
+/// The limits are not convex, and the search for feasible designs ends at other laws than the optimum. The suggested changes are sufficient for the
+/// optimum.
 #[test]
 fn suggestions_for_arms_are_sufficient_for_the_optimum() {
     const ARM: &str = r#"

@@ -270,7 +270,7 @@ fn rows_of_a_table_without_a_cycle_are_listed_by_line_and_left_out_when_said() {
     assert_eq!(rows(&at.join("out/assignment.csv")).len(), 9);
 }
 
-/// With errors in newtons, the tables state newtons, the sums agree, and a new walker is assessed in newtons.
+/// A cover with errors in newtons: the tables state newtons, the sums agree, and a new walker is assessed in newtons.
 #[test]
 fn a_cover_of_errors_in_newtons_has_its_tables_in_newtons() {
     let folder = tempfile::tempdir().unwrap();

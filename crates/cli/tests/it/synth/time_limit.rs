@@ -1,4 +1,4 @@
-//! `--time-limit` is kept when designs take long.
+//! Designs that take long end at the time limit of `--time-limit`.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Tables of numbers for other readers. Every row is kept with its line; only blank lines and comments are skipped.
+//! Tables of numbers for other readers. Every row is stored with its line; only blank lines and comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;

@@ -72,7 +72,7 @@ impl Table {
     }
 }
 
-/// Rejects a force column with a unit of another quantity, unless the user gives the unit.
+/// Rejects a force column with a unit of another quantity, unless the user states the unit.
 pub(in crate::read) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()> {
     match table.foreign_unit(i) {
         Some(unit) if file.options.unit.is_none() => {

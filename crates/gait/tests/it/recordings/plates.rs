@@ -10,8 +10,8 @@ use super::{both, highest, open, slivers};
 /// Channel, number of whole stances, and their maximum force as recorded, N.
 type Row<'a> = (&'a str, usize, f64);
 
-/// For each file: mass in the file, samples per second, plates in the order of the file with stances and maximum force, and number of stances that
-/// the recording cuts.
+/// Row for each file: mass in the file, samples per second, plates in the order of the file with stances and maximum force, and number of stances
+/// that the recording cuts.
 #[allow(clippy::type_complexity)]
 const TABLE: &[(&str, Option<f64>, f64, &[Row], usize)] = &[
     // Peaks in BW of the README times the mass it names.

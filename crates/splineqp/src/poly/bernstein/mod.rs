@@ -76,7 +76,7 @@ pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The same polynomial with the degree `to`, which is not below its own degree. A constant remains exactly constant.
+/// Polynomial with the higher degree `to`, which is at least the present degree. A constant remains exactly constant.
 pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(to.max(b.len()) + 1);
     out.extend_from_slice(b);

@@ -332,7 +332,7 @@ mod tests {
         assert!(near(&x, &[2.0, 1.0]) && multipliers == [0.0]);
     }
 
-    /// For x + y ≤ 2 with the multiplier λ: x = 2 − λ and y = 1 − λ/4, so λ = 0.8.
+    /// The problem with x + y ≤ 2 and the multiplier λ: x = 2 − λ and y = 1 − λ/4, so λ = 0.8.
     #[test]
     fn one_plane_takes_its_share_of_the_gradient() {
         let (x, multipliers) = solved(&[([1.0, 1.0], 2.0)]).ok().unwrap();
