@@ -1,8 +1,8 @@
-//! The functions that a browser calls: room for a question, its answer, bytes to be kept.
+//! Functions that a browser calls: memory for a request, its response, bytes to store.
 //!
-//! Only numbers pass: addresses and lengths. The first four bytes of an answer are its length; a file's answer is one
-//! JSON object with its media type, a line break, and the bytes. Whatever the page may read or write stays owned here,
-//! so that a wrong address gives an empty question and never a wrong access.
+//! Only numbers are passed: addresses and lengths. The first four bytes of a response are its length. The response for a file is a JSON object with
+//! the media type, a line break, and the bytes. The memory that the page may read or write is owned here, so that a wrong address leads to an empty
+//! request and never to invalid access.
 #![allow(unsafe_code)] // Exported names and the imported clock; there is no unsafe block.
 
 use std::collections::BTreeMap;
@@ -26,7 +26,7 @@ unsafe extern "C" {
     safe fn seconds() -> f64;
 }
 
-/// Host in a browser: it has no folder, and a search ends with its worker or after the time limit.
+/// Host in a browser. It has no folder, and a search ends with its worker or after the time limit.
 struct Page;
 
 impl Host for Page {
@@ -52,7 +52,7 @@ impl Host for Page {
 }
 
 static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
-/// Questions written and answers read by the page, by their addresses.
+/// Requests written and responses read by the page, by their addresses.
 static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 fn share(mut bytes: Vec<u8>) -> *mut u8 {
@@ -65,26 +65,26 @@ fn taken(at: *mut u8) -> Vec<u8> {
     lock(&SHARED).remove(&(at as usize)).unwrap_or_default()
 }
 
-/// Bytes for the page, preceded by their length.
+/// Address of bytes for the page, preceded by their length.
 fn given(bytes: &[u8]) -> *mut u8 {
     let mut all = (bytes.len() as u32).to_le_bytes().to_vec();
     all.extend_from_slice(bytes);
     share(all)
 }
 
-/// The address of `length` bytes, which the page fills and hands to [`ask`] or [`keep`].
+/// Address of `length` bytes, which the page fills and passes to [`ask`] or [`keep`].
 #[unsafe(no_mangle)]
 extern "C" fn room(length: usize) -> *mut u8 {
     share(vec![0; length])
 }
 
-/// Frees the memory of an answer that the page has copied.
+/// Frees the memory of a response that the page has copied.
 #[unsafe(no_mangle)]
 extern "C" fn free(at: *mut u8) {
     taken(at);
 }
 
-/// Answers a question: a route, a line break, and the question.
+/// Processes a request: a route, a line break, and the request body. Returns the address of the response.
 #[unsafe(no_mangle)]
 extern "C" fn ask(at: *mut u8) -> *mut u8 {
     let all = taken(at);
@@ -102,7 +102,7 @@ extern "C" fn ask(at: *mut u8) -> *mut u8 {
     }
 }
 
-/// Keeps the bytes of a file; the answer is their hash.
+/// Stores the bytes of a file. The response is their hash.
 #[unsafe(no_mangle)]
 extern "C" fn keep(at: *mut u8) -> *mut u8 {
     given(ENGINE.keep(taken(at)).as_str().as_bytes())

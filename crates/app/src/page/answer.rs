@@ -1,4 +1,4 @@
-//! Answers and their errors as data.
+//! Responses and their errors as data.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -7,7 +7,7 @@ use crate::page::fault::StudioError;
 use crate::page::{plain, remedies, words};
 use gaitcam::error::{Error, Place, ReadError, Result};
 
-/// Pairs of columns that hold a contour, by the first words of their names.
+/// Pairs of columns that contain the coordinates of a contour, by the first words of their names.
 const CONTOURS: [[&str; 2]; 4] = [
     ["x", "y"],
     ["angle", "radius"],
@@ -15,7 +15,7 @@ const CONTOURS: [[&str; 2]; 4] = [
     ["theta", "r"],
 ];
 
-/// Content of an answer.
+/// Content of a response.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// Data as JSON text, in UTF-8.
@@ -31,17 +31,17 @@ pub enum Body {
     },
 }
 
-/// An answer to the page.
+/// A response to the page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Whether the question was understood; a fault of the scene is an answer too.
+    /// Whether the request was valid; a fault of the scene is a valid response too.
     pub understood: bool,
-    /// Content of the answer.
+    /// Content of the response.
     pub body: Body,
 }
 
 impl Answer {
-    /// Data as an answer.
+    /// Response with data.
     pub fn json(value: &impl Serialize) -> Answer {
         // Structs with string keys: this cannot fail.
         let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
@@ -49,7 +49,7 @@ impl Answer {
         Answer { understood, body }
     }
 
-    /// Data, or the error as data.
+    /// Response with data, or with the error as data.
     pub fn of<T: Serialize>(result: Result<T>) -> Answer {
         match result {
             Ok(value) => Answer::json(&value),
@@ -57,7 +57,7 @@ impl Answer {
         }
     }
 
-    /// Error of a question that is not understood.
+    /// Response for an invalid request.
     pub(crate) fn bad(fault: String) -> Answer {
         let error = Error::from(StudioError::BadRequest { fault });
         Answer {
@@ -97,7 +97,7 @@ pub fn fault_json(error: &Error) -> Value {
     }})
 }
 
-/// The fault of a table whose columns are the coordinates of a contour, not a force.
+/// Error for a table whose columns are the coordinates of a contour instead of a force.
 fn contour(error: &Error) -> Option<Error> {
     let Some(ReadError::NoForceColumn { columns }) = error.fault() else {
         return None;

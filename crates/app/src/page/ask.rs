@@ -1,4 +1,4 @@
-//! Questions by their routes.
+//! Requests by their routes.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -14,7 +14,7 @@ use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
 impl Engine {
-    /// Answers a question. `of` in every answer is the hash of the question. If a named file is not kept, the answer consists of its hash in
+    /// Processes a request. `of` in every response is the hash of the request. If a named file is not stored, the response consists of its hash in
     /// `missing`.
     pub fn answer(&self, host: &dyn Host, route: &str, question: &[u8]) -> Answer {
         let mut answer = match serde_json::from_slice::<Map<String, Value>>(question) {
@@ -64,7 +64,7 @@ impl Engine {
         }
     }
 
-    /// Questions that the first module of the page leaves to the second.
+    /// Processes requests that the first module of the page passes to the second.
     fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
         match route {
             "simulate" => asked(object, |q| runs::simulate(files, q)),
@@ -80,7 +80,7 @@ impl Engine {
     }
 }
 
-/// Reads a question and answers it.
+/// Parses a request and computes its response.
 fn asked<Q: DeserializeOwned, A: Serialize>(
     object: Map<String, Value>,
     reply: impl Fn(&Q) -> Result<A>,

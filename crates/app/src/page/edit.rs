@@ -1,4 +1,4 @@
-//! Changes of a scene's table: values by their keys, entries of its lists.
+//! Changes of a scene's table: values by their keys, and entries of lists.
 
 use std::collections::BTreeMap;
 
@@ -11,51 +11,51 @@ use gaitcam::error::{Error, Place, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene, unset};
 
-/// One change of a scene.
+/// A change of a scene.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Edit {
-    /// Sets a value as written in a scene file; an empty value removes the key.
+    /// Sets a value as written in a scene file. An empty value removes the key.
     Set {
         /// Dotted key of the value.
         key: String,
         /// New value of the key.
         value: String,
     },
-    /// Adds an entry to a list, as a copy of the one before or as the first entry.
+    /// Adds an entry to a list, as a copy of the preceding one or as the first entry.
     Insert {
         /// Dotted name of the list.
         list: String,
-        /// Number of the entry inserted, counted from 1.
+        /// Number of the inserted entry, counted from 1.
         number: usize,
     },
     /// Removes an entry from a list.
     Remove {
         /// Dotted name of the list.
         list: String,
-        /// Number of the entry removed, counted from 1.
+        /// Number of the removed entry, counted from 1.
         number: usize,
     },
     /// Moves an entry of a list.
     Move {
         /// Dotted name of the list.
         list: String,
-        /// Number of the entry moved, counted from 1.
+        /// Number of the moved entry, counted from 1.
         from: usize,
         /// Number of the entry after the move.
         to: usize,
     },
-    /// Replaces the segments of the programme as a whole. The family becomes the programme, and what contradicts it
-    /// is removed; without segments the family is removed.
+    /// Replaces all segments of the programme. The family becomes the programme, and contradicting keys are removed. Without segments the family is
+    /// removed.
     Programme {
-        /// Texts of each segment by column; empty texts are left out.
+        /// Texts of each segment by column. Empty texts are left out.
         segments: Vec<BTreeMap<String, String>>,
     },
 }
 
-/// Attempts to complete a scene after a choice.
+/// Maximum number of attempts to complete a scene after a choice.
 const MENDINGS: usize = 12;
-/// Keys that do not apply to a programme: the wanted force with all that follows from it, and keys of other families.
+/// Keys that do not apply to a programme: the target force with all derived keys, and keys of other families.
 const SET_ASIDE: [&str; 15] = [
     "gait",
     "accuracy",
@@ -73,16 +73,17 @@ const SET_ASIDE: [&str; 15] = [
     "law.point",
     "law.dwell",
 ];
-/// Shaft speed of a programme in a scene whose speed followed from its force.
+/// Shaft speed of a programme in a scene whose speed was derived from its force.
 const SPEED: &str = "60 rpm";
 
-/// Reads a scene with the files of its motions.
+/// Function that reads a scene with the files of its motions.
 pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
 
 /// Applies a change.
 ///
 /// # Errors
-/// Paths through values, entries that are not there.
+///
+/// Paths through values; missing entries.
 pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
     match edit {
         Edit::Set { key, value } if value.trim().is_empty() => {
@@ -139,7 +140,7 @@ fn no_entry(list: &str, number: usize) -> Error {
     StudioError::NoEntry { list, number }.into()
 }
 
-/// The entries of a list.
+/// Entries of a list.
 fn entries<'t>(table: &'t mut Table, list: &str) -> Result<&'t mut Vec<Value>> {
     let (section, name) = list.split_once('.').unwrap_or(("", list));
     let inside = match section {
@@ -175,7 +176,7 @@ fn insert(table: &mut Table, list: &str, number: usize) -> Result<()> {
     Ok(())
 }
 
-/// The first entry of a list.
+/// First entry of a list.
 fn first(list: &str) -> Value {
     let pairs: &[(&str, &str)] = match list {
         "law.point" => &[("angle", "0"), ("lift", "0")],
@@ -188,7 +189,7 @@ fn first(list: &str) -> Value {
     Value::Table(entry.collect())
 }
 
-/// Adds the keys that a choice needs and removes those that it does not have.
+/// Adds the keys that a choice requires and removes those that do not exist for it.
 fn mend(table: &mut Table, read: &Read) {
     for _ in 0..MENDINGS {
         let Err(fault) = read(table) else {
@@ -217,13 +218,13 @@ fn mend(table: &mut Table, read: &Read) {
     }
 }
 
-/// A valid value for a key.
+/// Valid value of a key.
 fn example(key: &Key) -> String {
     let example = key.example(&Scene::default());
     example.split('"').nth(1).unwrap_or("0").to_string()
 }
 
-/// The segments of a programme in place of the law.
+/// Replaces the law by the segments of a programme.
 fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Read) -> Result<()> {
     if segments.is_empty() {
         unset(table, "law.segment");
@@ -260,7 +261,7 @@ fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Re
     Ok(())
 }
 
-/// Removes what contradicts a programme. A mass or a speed that followed from the force has no source any more.
+/// Removes keys that contradict a programme. A mass or a speed that was derived from the force has no source then.
 fn set_aside(table: &mut Table) -> Result<()> {
     for key in SET_ASIDE {
         unset(table, key);

@@ -13,31 +13,31 @@ use gaitcam::wording::Catalogue;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum StudioError {
-    /// A path leads out of the opened folder.
+    /// The path is outside the opened folder.
     Outside,
     /// The system cannot read a file.
     CannotRead { fault: String },
     /// The system cannot write a file.
     CannotWrite { fault: String },
-    /// An invalid file name.
+    /// The file name is invalid.
     FileName { name: String },
-    /// Not text, or not TOML.
+    /// The content is not text, or not TOML.
     NotToml { line: usize, fault: String },
-    /// A request that the server does not know.
+    /// The server does not support the request.
     BadRequest { fault: String },
-    /// A file that was not given to a page without a folder.
+    /// The file was not provided to a page without a folder.
     NotDropped,
-    /// A design has no file of this name.
+    /// The design has no file of this name.
     NoFile { name: String },
-    /// A missing list entry.
+    /// The list entry does not exist.
     NoEntry { list: String, number: usize },
     /// The port is in use.
     Port { port: u16, fault: String },
-    /// A force without one mean cycle.
+    /// The force has no single mean cycle.
     NoCycle,
-    /// A contour of a cam in place of a recording.
+    /// The file contains the contour of a cam instead of a recording.
     Contour { columns: String },
-    /// The times of the points of a force are not increasing.
+    /// The points of a force are too few, too many or not finite.
     FewPoints,
 }
 

@@ -16,14 +16,14 @@ use gaitcam::units::{Dimension, parse};
 pub struct Field {
     /// Text in the scene file; empty if the key is absent.
     pub text: String,
-    /// Value that applies without text: that of the design, or the default.
+    /// Value that is used without text: that of the design, or the default.
     pub placeholder: String,
-    /// Value that the design has for a key left open.
+    /// Value in the design for a key that the scene omits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
     pub acts: bool,
-    /// The slider, for keys with a meaningful range.
+    /// Slider, for keys with a meaningful range.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slider: Option<Slider>,
 }
@@ -31,9 +31,9 @@ pub struct Field {
 /// A slider in the unit of its field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slider {
-    /// One end of the slider.
+    /// Lower end of the slider.
     pub from: f64,
-    /// One end of the slider.
+    /// Upper end of the slider.
     pub to: f64,
     /// Step of the slider.
     pub step: f64,
@@ -43,7 +43,7 @@ pub struct Slider {
     pub unit: String,
 }
 
-/// The fields of a scene by their keys; the keys of list entries contain their numbers.
+/// Fields of a scene by their keys. The keys of list entries contain their numbers.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
     let figures = design.map(Figures::of);
     let several = design
@@ -115,7 +115,7 @@ fn length(table: &Table, list: &str) -> usize {
         .map_or(0, Vec::len)
 }
 
-/// A value as a field shows it: texts without their quotes; empty where the scene has none.
+/// Text of a value in its field: texts without their quotes; empty if the scene has no value.
 pub fn typed(table: &Table, path: &str) -> String {
     match at(table, path) {
         None => String::new(),
@@ -148,7 +148,7 @@ fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Opti
     value.is_finite().then_some(value)
 }
 
-/// A number in the customary unit of scenes.
+/// Number in the customary unit of scenes.
 fn shown(value: f64, dimension: Dimension) -> String {
     let unit = Unit::of(dimension);
     let (number, name) = (short(value * unit.factor), unit.name);
@@ -159,7 +159,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
     }
 }
 
-/// Four significant digits without trailing zeros.
+/// Number with four significant digits, without trailing zeros.
 fn short(value: f64) -> String {
     let text = format!("{value:.3e}");
     text.parse::<f64>().map_or(text, |x| format!("{}", x + 0.0))
@@ -208,7 +208,7 @@ fn slider(
     })
 }
 
-/// Usual range of a key whose physical range is narrow, SI.
+/// Usual range of a key, narrower than its permitted range, SI; `None` for other keys.
 fn usual(path: &str) -> Option<(f64, f64)> {
     match path {
         "gait.step_frequency" => Some((1.0, 3.0)),
@@ -217,7 +217,7 @@ fn usual(path: &str) -> Option<(f64, f64)> {
     }
 }
 
-/// Ends of a slider as round numbers with the value well inside; positive values start close to zero.
+/// Ends of a slider as round numbers with the value well inside. Positive values start close to zero.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
         Range::Acute => (
@@ -255,7 +255,7 @@ fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64
     Some(ends)
 }
 
-/// The smallest of the numbers 1, 2 and 5 times a power of ten that is not below `x`.
+/// Smallest of the numbers 1, 2 and 5 times a power of ten that is at least `x`.
 fn round_above(x: f64) -> f64 {
     let power = 10_f64.powf(x.log10().floor());
     let times = [1.0, 2.0, 5.0, 10.0].into_iter();
@@ -263,12 +263,12 @@ fn round_above(x: f64) -> f64 {
     tidy(round.unwrap_or(10.0 * power))
 }
 
-/// Four significant digits, so that products of units are shown as people write them.
+/// Number with four significant digits, so that products of units have no rounding digits.
 fn tidy(x: f64) -> f64 {
     short(x).parse().unwrap_or(x)
 }
 
-/// The unit as typed, or the customary unit, with the blank before it.
+/// Unit as typed, or the customary unit, with the blank before it.
 fn unit_of(text: &str, dimension: Dimension) -> String {
     let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
     let typed = text.trim().trim_start_matches(number).trim();
@@ -290,7 +290,7 @@ mod tests {
     use super::*;
     use gaitcam::scene::{built_in, read, set};
 
-    /// Of several walkers it is what is minimised over them, not the error of their mean curve.
+    /// With several walkers, the shown error is the minimised objective over them, not the error of their mean curve.
     #[test]
     fn an_accuracy_that_is_left_open_shows_the_error_that_would_be_judged() {
         for robust in ["mean", "worst", "cvar 0.5"] {

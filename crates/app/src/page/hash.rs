@@ -8,12 +8,12 @@ use std::fmt;
 pub struct Hash(String);
 
 impl Hash {
-    /// The hash of bytes.
+    /// Hash of bytes.
     pub fn of(bytes: &[u8]) -> Hash {
         Hash::of_parts(&[bytes])
     }
 
-    /// The hash of several parts, in order.
+    /// Hash of several parts, in order.
     pub fn of_parts(parts: &[&[u8]]) -> Hash {
         let mut sum = hmac_sha256::Hash::new();
         for part in parts {

@@ -1,4 +1,4 @@
-//! Cache between questions, and services of the host for an answer.
+//! Cache between requests, and services of the host for a response.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -15,7 +15,7 @@ use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam_output::Timing;
 
-/// Maximum number of kept files, and of their bytes.
+/// Maximum number of stored files, and of their bytes.
 const FILES: usize = 32;
 const BYTES: usize = 256 << 20;
 /// Maximum number of cached force curves and designs.
@@ -27,22 +27,23 @@ const DESIGNS: usize = 12;
 pub struct Start {
     /// TOML text of the scene.
     pub scene: String,
-    /// File of the folder that the scene was read from.
+    /// Path of the scene file in the folder, if any.
     pub file: Option<String>,
-    /// The opened folder, where there is one.
+    /// Opened folder, if any.
     pub folder: Option<String>,
 }
 
-/// Services of the host for the answer of one question.
+/// Services of the host for the response to one request.
 pub trait Host {
-    /// A file that is neither kept nor built in, with its hash.
+    /// Content and hash of a file that is neither stored nor built in.
     ///
     /// # Errors
+    ///
     /// Files that cannot be read.
     fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)>;
     /// Clock of the host, s.
     fn seconds(&self) -> f64;
-    /// Time at which the search of this question ends.
+    /// Stop condition for the search of this request.
     fn halt(&self) -> Halt;
     /// State that the page shows first.
     fn start(&self) -> Start;
@@ -52,21 +53,21 @@ pub trait Host {
 pub struct Made {
     /// Table of the scene.
     pub table: Table,
-    /// Table of the scene with the rows of every motion in place of its file.
+    /// Table of the scene with the rows of every motion instead of its file.
     pub whole: Table,
-    /// The scene as parsed from the question.
+    /// Scene as parsed from the request.
     pub scene: Scene,
-    /// The design of the scene, with its checks.
+    /// Design of the scene, with its checks.
     pub design: Design,
     /// Computing time of the design.
     pub time: Timing,
-    /// The hash of all that it depends on.
+    /// Hash of all inputs of the design.
     pub hash: Hash,
-    /// The hash of its force.
+    /// Hash of the force.
     pub force: Option<Hash>,
 }
 
-/// Answers questions. Cached data are found by hash alone, so that pages cannot see each other's data.
+/// Processes requests. Cached data are found by hash only, so that pages cannot see each other's data.
 pub struct Engine {
     files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
     pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,
@@ -84,7 +85,7 @@ impl Default for Engine {
 }
 
 impl Engine {
-    /// Keeps the bytes of a file and returns their hash.
+    /// Stores the bytes of a file and returns their hash.
     pub fn keep(&self, bytes: Vec<u8>) -> Hash {
         let hash = Hash::of(&bytes);
         let mut files = lock(&self.files);
@@ -93,7 +94,7 @@ impl Engine {
         hash
     }
 
-    /// The kept bytes with a hash.
+    /// Stored bytes with a hash.
     pub fn kept(&self, hash: &Hash) -> Option<Arc<Vec<u8>>> {
         lock(&self.files).get(hash)
     }

@@ -1,15 +1,15 @@
-//! Questions of the page and their answers: the same in the server of `gaitcam studio` and, compiled to WebAssembly, inside the page.
+//! Requests of the page and their responses. The server of `gaitcam studio` uses this module, and the page contains it compiled to WebAssembly.
 //!
-//! A question is a JSON object with the whole scene and the hashes of the files that it names; an answer depends on nothing else. Cached data are
-//! found by their contents alone: bytes by their hash, force curves and designs by the hash of all that they are made from.
+//! A request is a JSON object with the whole scene and the hashes of its files. A response depends on nothing else. Cached data are found by their
+//! contents only: bytes by their hash, force curves and designs by the hash of all their inputs.
 //!
 //! ```text
-//! ask.rs      questions by their routes              sources.rs  files and force curves of a question
-//! questions/  one file per kind of question          form.rs     fields and sliders of a scene
-//! answer.rs   answers and errors as data             kept.rs     files, curves and designs kept between questions
-//! edit.rs     changes of a scene's table             curves/     what the diagrams show
-//! abi.rs      the functions that a browser calls    remedies.rs  what can be done about a fault
-//! plain.rs    sentences with labels in place of keys
+//! ask.rs      requests by their routes               sources.rs  files and force curves of a request
+//! questions/  one file per kind of request           form.rs     fields and sliders of a scene
+//! answer.rs   responses and errors as data           kept.rs     files, curves and designs cached between requests
+//! edit.rs     changes of a scene's table             curves/     data of the diagrams
+//! abi.rs      functions that a browser calls         remedies.rs corrections of a fault
+//! plain.rs    messages with labels instead of keys
 //! ```
 
 #[cfg(target_family = "wasm")]
@@ -46,9 +46,10 @@ pub use words::{current as language, settle as set_language};
 /// Longest time of a search, s.
 pub const LONGEST: f64 = 60.0;
 
-/// A scene's text as a table.
+/// Parses the text of a scene as a table.
 ///
 /// # Errors
+///
 /// Text that is not TOML, with its line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
@@ -59,7 +60,7 @@ pub fn table(text: &str) -> Result<Table> {
     })
 }
 
-/// Locks the mutex; a panic of another thread leaves no inconsistent state.
+/// Locks the mutex. A panic of another thread leaves no inconsistent state.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,7 +1,7 @@
-//! Sentences of the program for people who do not see a scene file: keys by the labels of their fields.
+//! Messages for users without a scene file: keys are replaced by the labels of their fields.
 //!
-//! The messages of the program name keys as a scene file writes them: `gait.accept = "mass"`, `[machine]`, `(option rate)`. The page shows the
-//! labels of its form instead: “Accepted interpretations: mass”, “Machine”, (“Sampling rate”).
+//! The messages of the program contain keys as in a scene file: `gait.accept = "mass"`, `[machine]`, `(option rate)`. The page shows the labels of
+//! its form instead: “Accepted interpretations: mass”, “Machine”, (“Sampling rate”).
 
 use gaitcam::scene::keys::{self, KEYS};
 use gaitcam::wording::{Language, limit_label};
@@ -12,10 +12,10 @@ use crate::page::words::WORDS;
 const OPTION: [&str; 4] = ["option", "options", "opción", "opciones"];
 /// Words between such names.
 const BETWEEN: [&str; 7] = [", ", " and ", " or ", " y ", " e ", " o ", " u "];
-/// Sections in which a name without its section is looked for, in this order.
+/// Sections in which a name without its section is searched, in this order.
 const SECTIONS: [&str; 6] = ["gait", "law", "machine", "drive", "cam", "limits"];
 
-/// A sentence with labels in place of keys. A name without its section belongs to `section` first.
+/// Message with labels instead of keys. A name without its section is first searched in `section`.
 pub fn plain(text: &str, section: &str, language: Language) -> String {
     let mut writer = Writer {
         out: String::with_capacity(text.len()),
@@ -27,7 +27,7 @@ pub fn plain(text: &str, section: &str, language: Language) -> String {
     writer.out
 }
 
-/// The label of a key, as the form shows it.
+/// Label of a key in the form.
 pub fn label(path: &str, language: Language) -> String {
     let Some(key) = keys::find(path) else {
         return path.to_string();
@@ -52,7 +52,7 @@ fn text_of(key: &str, language: Language) -> Option<String> {
     (text != key).then_some(text)
 }
 
-/// The label of a section or of a list of entries.
+/// Label of a section or of a list of entries.
 fn section_label(path: &str, language: Language) -> Option<String> {
     let below = format!("{path}.");
     if !KEYS.iter().any(|key| key.path.starts_with(&below)) {
@@ -69,7 +69,7 @@ fn section_label(path: &str, language: Language) -> Option<String> {
     Some(own.unwrap_or_else(last))
 }
 
-/// The path of a key by its last word.
+/// Path of a key by its last word.
 fn path_of(name: &str, section: &str) -> Option<&'static str> {
     let in_section = |section: &str| {
         let mut all = KEYS.iter().filter(|key| key.section() == section);
@@ -107,7 +107,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// The name of a section in brackets.
+    /// Writes the label of a section in brackets; false if there is none.
     fn table(&mut self) -> bool {
         let Some(end) = self.rest.find(']') else {
             return false;
@@ -158,7 +158,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// The value after an equals sign, without its quotation marks.
+    /// Reads the value after an equals sign, without its quotation marks.
     fn value(&mut self, path: &str) -> Option<String> {
         let written = self.rest.strip_prefix(" = ")?;
         let (value, rest) = match written.strip_prefix('"') {
@@ -172,7 +172,7 @@ impl<'a> Writer<'a> {
         Some(choice.flatten().unwrap_or(value))
     }
 
-    /// Options of `gait` by their labels: `options unit and mass`.
+    /// Writes the labels of options of `gait`, such as `options unit and mass`; false if there are none.
     fn options(&mut self, after: &'a str) -> bool {
         let mut rest = after;
         let mut between = " ";
@@ -215,7 +215,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// A sentence whose numbers have at most four significant digits.
+/// Message whose numbers have at most four significant digits.
 pub fn short(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -237,7 +237,7 @@ pub fn short(text: &str) -> String {
     out
 }
 
-/// A decimal number with at most four significant digits; any other text as it is.
+/// Decimal number with at most four significant digits; any other text unchanged.
 fn rounded(number: &str) -> String {
     let Some(mark) = number.find(['.', ',']) else {
         return number.to_string();

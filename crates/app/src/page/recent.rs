@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-/// The last `most` values used.
+/// Cache of the last `most` used values.
 pub struct Recent<K, V> {
     most: usize,
     list: VecDeque<(K, V)>,
@@ -15,7 +15,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         Recent { most, list }
     }
 
-    /// The value of a key, which becomes the most recently used.
+    /// Value of a key. It becomes the most recently used one.
     pub fn get(&mut self, key: &K) -> Option<V> {
         let at = self.list.iter().position(|(k, _)| k == key)?;
         let entry = self.list.remove(at)?;
@@ -24,7 +24,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         Some(value)
     }
 
-    /// Stores a value and drops the least recently used beyond `most`.
+    /// Stores a value and drops the least recently used ones beyond `most`.
     pub fn put(&mut self, key: K, value: V) {
         self.list.retain(|(k, _)| *k != key);
         self.list.push_back((key, value));
@@ -33,7 +33,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         }
     }
 
-    /// Drops the least recently used values, but not the last one, until all are no larger than `most` together.
+    /// Drops the least recently used values, but not the last one, until their total size is at most `most`.
     pub fn shrink(&mut self, most: usize, size: impl Fn(&V) -> usize) {
         let mut all: usize = self.list.iter().map(|(_, value)| size(value)).sum();
         while all > most && self.list.len() > 1 {

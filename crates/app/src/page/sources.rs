@@ -1,4 +1,4 @@
-//! The files that a question names, and the force curve of its scene.
+//! Files of a request, and the force curve of its scene.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -25,17 +25,17 @@ pub struct Named {
     pub hash: Hash,
 }
 
-/// Files of one question. The search order is the kept files, those of the program, those of the host.
+/// Files of one request. The search order is the stored files, those of the program, those of the host.
 pub struct Files<'a> {
     pub engine: &'a Engine,
     pub host: &'a dyn Host,
     named: Vec<Named>,
-    /// Files read for the answer.
+    /// Files used for the response.
     used: RefCell<BTreeMap<String, Hash>>,
 }
 
 impl<'a> Files<'a> {
-    /// The files of a question.
+    /// Files of a request.
     pub fn new(engine: &'a Engine, host: &'a dyn Host, named: Vec<Named>) -> Files<'a> {
         let used = RefCell::default();
         Files {
@@ -46,10 +46,11 @@ impl<'a> Files<'a> {
         }
     }
 
-    /// A file by its name in the scene.
+    /// Content and hash of a file by its name in the scene.
     ///
     /// # Errors
-    /// As [`Host::read`].
+    ///
+    /// As for [`Host::read`].
     pub fn bytes(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
         let name = path.to_string_lossy();
         let named = self.named.iter().find(|n| n.name == name);
@@ -64,9 +65,10 @@ impl<'a> Files<'a> {
         Ok((hash, bytes))
     }
 
-    /// The scene of a table with the rows of every motion in place of the file that it names, and that table.
+    /// Scene of a table in which every motion has its rows instead of a file, and this table.
     ///
     /// # Errors
+    ///
     /// Files that cannot be read or that contain no motion; faults of the scene.
     pub fn scene(&self, table: &Table) -> Result<(Scene, Table)> {
         let mut read = |file: &Path| Ok((file.to_path_buf(), self.bytes(file)?.1.to_vec()));
@@ -74,9 +76,10 @@ impl<'a> Files<'a> {
         Ok((scene::read(&whole)?, whole))
     }
 
-    /// The force curve of a scene, if it has one, with the hash of its file or load model.
+    /// Force curve of a scene, if it has one, with the hash of its file or load model.
     ///
     /// # Errors
+    ///
     /// Faults of the load model, the file or the recording.
     pub fn target(&self, scene: &Scene) -> Result<Option<(ForceCurve, Hash)>> {
         let Some(gait) = &scene.gait else {
@@ -107,7 +110,7 @@ impl<'a> Files<'a> {
         Ok(Some((curve, hash)))
     }
 
-    /// The hash of all inputs of a scene's design; its files are read already.
+    /// Hash of all inputs of a scene's design. Its files must have been read.
     pub fn of_scene(&self, text: &str) -> Hash {
         let files = format!("{:?}\n", self.used.borrow());
         Hash::of_parts(&[files.as_bytes(), text.as_bytes()])
@@ -128,7 +131,7 @@ impl scene::Files for Files<'_> {
     }
 }
 
-/// The hash of a curve without a file.
+/// Hash of a curve without a file.
 fn of_curve(curve: &ForceCurve) -> Hash {
     let force = curve.force_n.iter().flat_map(|x| x.to_le_bytes());
     let numbers: Vec<u8> = curve
@@ -176,7 +179,7 @@ mod tests {
         }
     }
 
-    /// A stance at a part of its time, as a multiple of the weight.
+    /// Force of a stance at a fraction of its duration, relative to the weight.
     fn stance(x: f64) -> f64 {
         match (0.0..1.0).contains(&x) {
             true => 1.2 * ((PI * x).sin() + 0.25 * (3.0 * PI * x).sin()),
@@ -184,7 +187,7 @@ mod tests {
         }
     }
 
-    /// The force of plate `k` of a walk over a row of plates, sampled at 200 Hz, N.
+    /// Force of plate `k` for a walk over a row of plates, sampled at 200 Hz, N.
     fn steps(plate: usize) -> impl Iterator<Item = f64> {
         let at =
             move |i: i32| 700.0 * stance((0.005 * f64::from(i) - 0.4 - 0.55 * plate as f64) / 0.68);
@@ -231,7 +234,7 @@ mod tests {
         population_csv(&walkers).into_bytes()
     }
 
-    /// Every kind of force that a scene can name: changes of a scene without a force.
+    /// Every kind of force in a scene, as changes of a scene without a force.
     const KINDS: [&[&str]; 13] = [
         &["gait.model=young", "gait.step_frequency=1.85 Hz"],
         &["gait.model=young", "gait.step_frequency=1.6 Hz:2.2 Hz:4"],

@@ -1,4 +1,4 @@
-//! The contour of a cam with its colours, and the places where limits act.
+//! Contour of a cam with its colours, and the positions where limits are active.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::synth::Design;
 
-/// The contour in the cam's frame, mm.
+/// Contour in the frame of the cam, mm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Contour {
     x: Vec<Shown>,
@@ -18,7 +18,7 @@ pub struct Contour {
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Meaning of the colour, and its values; empty without colours.
+    /// Meaning and values of the colour; empty without colours.
     colour: Colour,
     values: Vec<Shown>,
 }
@@ -42,7 +42,7 @@ pub enum Colour {
     Hertz,
 }
 
-/// A point of the contour where a limit is active.
+/// Point of the contour where a limit is active.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Place {
     /// Name of the limit in data.
@@ -53,11 +53,11 @@ pub struct Place {
     pub x: f64,
     /// Position on the contour, mm.
     pub y: f64,
-    /// Whether the limit is broken there.
+    /// Whether the limit is violated there.
     pub broken: bool,
 }
 
-/// The contour of a design at the sampled angles.
+/// Contour of a design at the sampled angles.
 pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
     let cam = &design.cam;
     let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
@@ -94,7 +94,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// Minimum radius allowed where the contour is convex, and where it is concave, m; NaN without a limit.
+/// Minimum radii of curvature for the convex and the concave parts of the contour, m; NaN without a limit.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;
@@ -137,7 +137,7 @@ fn hertz(design: &Design, s: &Sample) -> f64 {
     .pressure
 }
 
-/// Points where limits are active or violated, each once.
+/// Points where limits are active or violated, without repetitions.
 pub(super) fn places(design: &Design) -> Vec<Place> {
     let cam = &design.cam;
     let factor = cam.follower.measures().angle().factor;

@@ -27,7 +27,7 @@ const STRAIGHT: f64 = 3.0;
 /// Values below this fraction of a curve's maximum are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// A number for the page with six digits; a value that does not exist is null.
+/// Number for the page with six digits; a missing value is null.
 type Shown = Option<f64>;
 
 fn short(x: f64) -> Shown {
@@ -42,23 +42,23 @@ fn short(x: f64) -> Shown {
 /// All curves of a design at the same angles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Curves {
-    /// The angles (or travel); breaks appear twice, once per side.
+    /// Angles or travel. A break appears twice, once per side.
     pub theta: Vec<Shown>,
-    /// First angle, one turn, unit.
+    /// First angle or travel.
     pub start: f64,
-    /// One turn, or the travel.
+    /// Length of a turn, or of the travel.
     pub length: f64,
-    /// Unit of the curve.
+    /// Unit of the angle or travel.
     pub unit: &'static str,
-    /// The diagrams, force first.
+    /// Diagrams; the force is the first.
     pub panels: Vec<Panel>,
-    /// The contour of the cam with its colours.
+    /// Contour of the cam with its colours.
     pub contour: Contour,
     /// Points where a limit is active or violated.
     pub places: Vec<Place>,
 }
 
-/// One diagram of the page.
+/// Diagram of the page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Panel {
     /// Name of the quantity: `force`, `s`, `v` …
@@ -74,11 +74,11 @@ pub struct Panel {
 /// A line that shows a limit in a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Level {
-    /// Value at which the line is drawn.
+    /// Value of the line.
     pub y: Shown,
     /// Key of the scene that sets the limit; empty if no key does.
     pub key: &'static str,
-    /// Value from which the limit is measured; null where the line itself is the limit.
+    /// Value from which the limit is measured; null if the line itself is the limit.
     pub from: Shown,
 }
 
@@ -102,7 +102,7 @@ struct Sample {
     point: ProfilePoint,
 }
 
-/// The curves of a design, its contour with the values of one colour.
+/// Curves of a design. The contour contains the values of `colour`.
 pub fn curves(design: &Design, colour: Colour) -> Curves {
     let cam = &design.cam;
     let measures = cam.follower.measures();
@@ -259,7 +259,7 @@ fn radius(design: &Design, samples: &[Sample]) -> Panel {
     )
 }
 
-/// Pressure angle, or the contact's travel on a flat face.
+/// Diagram of the pressure angle, or of the contact displacement on a flat face.
 fn contact(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
     if cam.contact_travel().is_some() {
@@ -278,7 +278,7 @@ fn contact(design: &Design, samples: &[Sample]) -> Panel {
     panel(design, Diagram::PressureAngle, unit, vec![line])
 }
 
-/// Lines of the limits that a diagram shows.
+/// Lines of the limits in a diagram.
 fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Level> {
     let mut out = Vec::new();
     for check in &design.checks {
@@ -301,7 +301,7 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit. Both sides of the pressure angle share one key unless the scene limits one side alone.
+/// Key that sets a limit. Both sides of the pressure angle have one key unless the scene limits one side only.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

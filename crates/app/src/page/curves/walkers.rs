@@ -1,12 +1,12 @@
-//! The walkers of a population in the force diagram.
+//! Walkers of a population in the force diagram.
 
 use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
 use super::{Line, Sample, line_of};
 
-/// Forces that the cam would need to serve each walker without error: the envelope over all walkers, and the worst. Each walker's force is linear in
-/// the displayed one.
+/// Forces for which the cam would have no error for a walker: the envelope over all walkers, and the worst one. Each walker's force is linear in the
+/// displayed one.
 pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
     let Some((all, report)) = design
         .problem
@@ -41,7 +41,7 @@ mod tests {
     use crate::page::curves::{Colour, Curves, curves};
     use gaitcam::scene;
 
-    /// Trapezoidal mean square of the distance of two lines, at the angles of the page.
+    /// Mean square of the difference of two lines by the trapezoidal rule, at the angles of the page.
     fn mean_square(curves: &Curves, a: &str, b: &str) -> f64 {
         let line = |role: &str| {
             &curves.panels[0]

@@ -18,7 +18,7 @@ use gaitcam_output::{laws_report, palette};
 /// Number of points of a law's thumbnail curve.
 const POINTS: usize = 60;
 
-/// Data that the page needs once.
+/// Data that the page loads once.
 pub fn start(start: &Start) -> Value {
     let scenes = SCENES.iter().map(|s| {
         json!({
@@ -40,7 +40,7 @@ pub fn start(start: &Start) -> Value {
     })
 }
 
-/// The text of a built-in scene; the one that names no recording gets the one that comes with the program.
+/// Text of a built-in scene. If it needs a recording of the user, the built-in recording is set.
 fn with_recording(name: &str, toml: &str) -> String {
     let file = format!("[gait]\nfile = \"{EXAMPLE_RECORDING}\"\n");
     match name {
@@ -49,17 +49,18 @@ fn with_recording(name: &str, toml: &str) -> String {
     }
 }
 
-/// Name of a built-in scene.
+/// Request for the picture of a built-in scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Picture {
-    /// Name of the picture.
+    /// Name of the scene.
     pub name: String,
 }
 
-/// The picture of a built-in scene's cam.
+/// Picture of a built-in scene's cam.
 ///
 /// # Errors
+///
 /// Unknown names of scenes.
 pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     let scene = built_in(&asked.name)?;
@@ -70,7 +71,7 @@ pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     Ok(json!({"svg": at_rest(&design)}))
 }
 
-/// A still picture of the animation: every part at its start position, in plain colours.
+/// Static picture of the animation, with all parts at their start positions and in plain colours.
 fn at_rest(design: &Design) -> String {
     let motion = serde_json::to_value(parts::motion(design)).unwrap_or_default();
     let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);
@@ -109,10 +110,11 @@ fn at_rest(design: &Design) -> String {
     svg.replacen('>', &format!(">{style}"), 1)
 }
 
-/// The catalogue of laws with their curves.
+/// Catalogue of laws with their curves.
 ///
 /// # Errors
-/// None that a law of the catalogue has.
+///
+/// None for the laws of the catalogue.
 pub fn laws() -> Result<Value> {
     let all: Result<Vec<Value>> = Rise::catalogue().iter().map(law).collect();
     let dwell = Rise::Dwell.name();
@@ -120,7 +122,7 @@ pub fn laws() -> Result<Value> {
     Ok(json!({"laws": all?, "dwell": {"en": title(Language::En), "es": title(Language::Es)}}))
 }
 
-/// The letter of VDI 2143 for an end: rest, reversal, constant velocity, motion.
+/// Letter of VDI 2143 for an end: rest, reversal, constant velocity, motion.
 fn vdi(end: &End) -> Option<&'static str> {
     let letters = ["R", "U", "G", "B"];
     let at = End::JOINS.iter().position(|join| *join == end.joins())?;

@@ -1,4 +1,4 @@
-//! A design of one state of the scene, with all data that the page shows.
+//! Design of one state of the scene, with all data that the page shows.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -38,17 +38,17 @@ pub struct Ask {
     /// Quantity that colours the contour.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset (m) of the last design, while a value is dragged. A feasible law of about that size is then a sufficient answer.
+    /// Prime radius and offset (m) of the last design, while a value is dragged. A feasible law of about that size is then a sufficient result.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
-/// Sizes tried for a quick answer, as multiples of the last minimum; at the minimum itself few laws are feasible.
+/// Sizes tried for a quick design, as multiples of the last minimum. At the minimum itself few laws are feasible.
 const NEAR: [f64; 2] = [1.08, 1.3];
-/// Polls of the halt flag in a quick search: most feasible laws are found within 400.
+/// Number of polls of the halt flag in a quick search. Most feasible laws are found within 400.
 const LOOKS: usize = 500;
 
-/// Data that the page shows of a design.
+/// Design data for the page.
 #[derive(Serialize)]
 pub struct Answer {
     /// Hash of the scene and its files, and of the force alone.
@@ -82,21 +82,21 @@ pub struct Answer {
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
-    /// The size was held; the design of the whole scene follows.
+    /// Whether the size was fixed; the design of the whole scene then follows.
     quick: bool,
     server_ms: f64,
 }
 
-/// A change that would make a scene pass.
+/// A change that is sufficient for a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Change {
     key: &'static str,
-    /// `goal` where the change gives up a part of what the cam is for, else `limit`.
+    /// `goal` if the change allows a larger force error, else `limit`.
     kind: &'static str,
-    /// Cost of a changed goal: the force error that it allows, in per cent; null for a limit.
+    /// Cost of a changed goal: the allowed force error in per cent; null for a limit.
     cost: Option<f64>,
     from: String,
-    /// Value for display; null if no value of this key alone helps.
+    /// Value for display; null if no value of this key alone is sufficient.
     to: Option<String>,
     /// Value as written in a scene file.
     value: Option<String>,
@@ -118,6 +118,7 @@ struct Eased {
 /// Designs the scene.
 ///
 /// # Errors
+///
 /// Faults of the changes, of the scene and of its force.
 pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     let start = files.host.seconds();
@@ -137,9 +138,10 @@ pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     Ok(answer)
 }
 
-/// The scene with its changes.
+/// Table of the scene with its changes.
 ///
 /// # Errors
+///
 /// Faults of the scene and of the changes.
 pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
     let mut table = table(scene)?;
@@ -149,9 +151,10 @@ pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
     Ok(table)
 }
 
-/// The scene and its form without a design: for one whose force is still missing.
+/// Scene and form without a design, for a scene whose force is still missing.
 ///
 /// # Errors
+///
 /// Faults of the changes, and of the scene with them.
 pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let table = changed(files, &ask.scene, &ask.changes)?;
@@ -169,9 +172,10 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     }))
 }
 
-/// The design of a table, from the cache if its inputs are the same.
+/// Design of a table, from the cache if its inputs are the same.
 ///
 /// # Errors
+///
 /// Faults of the scene and of its force.
 pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     let input = Input::read(files, table)?;
@@ -188,7 +192,7 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// A scene with its force, before its design.
+/// Scene with its force, before its design.
 pub struct Input {
     start: f64,
     table: Table,
@@ -220,9 +224,10 @@ impl Input {
         })
     }
 
-    /// The design, searched until the halt.
+    /// Design of the scene; the search ends at `halt`.
     ///
     /// # Errors
+    ///
     /// Scenes that cannot be designed.
     pub fn design(self, files: &Files, halt: &Halt) -> Result<Made> {
         let solving = files.host.seconds();
@@ -245,8 +250,8 @@ impl Input {
     }
 }
 
-/// A quick design while a value is dragged: a feasible law, not the optimum, or the law without limits if none is found soon. `None` if neither
-/// exists; the full design then gives the reason.
+/// Quick design while a value is dragged: a feasible law instead of the optimum, or the law without limits if none is found soon. `None` if neither
+/// exists; the full design then states the reason.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -287,7 +292,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     }))
 }
 
-/// The scene with its size held near a prime radius and offset, m.
+/// Scene with its size fixed near a prime radius and offset, m.
 fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     let mut sized = scene.clone();
     sized.cam.prime_radius = Some(factor * prime);
@@ -339,7 +344,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     }
 }
 
-/// The reasons of the verdict without the suggested changes: the page offers those as buttons.
+/// Reasons of the verdict without the suggested changes, which the page shows as buttons.
 fn reasons(design: &Design, language: Language) -> String {
     let facts = design.reasons.iter().filter(|reason| {
         !matches!(
@@ -355,12 +360,12 @@ fn reasons(design: &Design, language: Language) -> String {
     facts.join(" ")
 }
 
-/// A sentence of the program as the page shows it.
+/// Message of the program as shown in the page.
 fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
 
-/// The files of a design by group, its scene among the tables.
+/// Files of a design by group. The scene is among the tables.
 fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
     let names = |group: Group| -> Vec<&'static str> {
         let scene = (group == Group::Tables).then_some("scene.toml");
@@ -374,7 +379,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// The figures of a design by column; null for missing ones.
+/// Figures of a design by column; null for missing ones.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);
@@ -406,7 +411,7 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Suggestions from the conflict alone, before each value is tried on the full design.
+/// Suggestions from the conflict only, before each value is checked with the full design.
 fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
@@ -434,14 +439,14 @@ fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Change> 
     changes
 }
 
-/// A number as written in a scene file under a key.
+/// Number of a key as written in a scene file.
 fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
     let row = keys::find(key)?;
     let written = keys::Value::Number(x).to_toml(row.dimension(scene));
     Some(written.as_str().map_or(written.to_string(), str::to_string))
 }
 
-/// The design that is meant.
+/// Request for a design.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
@@ -449,9 +454,10 @@ pub struct Which {
     pub scene: String,
 }
 
-/// The changes that would make a design pass, each tried on the whole design.
+/// Changes that are sufficient for a design. Each is checked with the full design.
 ///
 /// # Errors
+///
 /// Faults of the scene and of its force.
 pub fn relax(files: &Files, which: &Which) -> Result<Value> {
     let made = made(files, table(&which.scene)?)?;

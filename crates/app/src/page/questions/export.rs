@@ -1,4 +1,4 @@
-//! Files of a design, made on request: those of `synth`, and those for the workshop.
+//! Files of a design that are made on request: those of `synth`, and those for the workshop.
 
 use serde::Deserialize;
 
@@ -15,7 +15,7 @@ use crate::{Contents, Remark, Workshop, design};
 use gaitcam::error::{Error, Result};
 use gaitcam::units::{Dimension, parse};
 
-/// One file of a design.
+/// Request for a file of a design.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Export {
@@ -23,12 +23,12 @@ pub struct Export {
     pub scene: String,
     /// Name of the file.
     pub name: String,
-    /// The radius of a cutter as typed.
+    /// Radius of the cutter as typed.
     #[serde(default)]
     pub tool: Option<String>,
 }
 
-/// The file, or the reason why it cannot be made.
+/// Response with the file, or with the reason why it cannot be made.
 pub fn file(files: &Files, asked: &Export) -> Answer {
     let made = table(&asked.scene).and_then(|table| made(files, table));
     let tool = asked.tool.as_deref();
@@ -58,7 +58,7 @@ fn kind(name: &str) -> &'static str {
     }
 }
 
-/// The bytes of a file.
+/// Bytes of a file.
 fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     match name {
         "scene.toml" => {
@@ -98,14 +98,14 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     })
 }
 
-/// The module without CAD makes no files.
+/// Error, since the module without CAD makes no such files.
 #[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;
     Ok(Workshop::default())
 }
 
-/// The radius of a cutter as typed, m.
+/// Radius of a cutter in m from the typed text.
 fn radius(tool: &str) -> Result<f64> {
     let radius = parse(tool, Dimension::Length)?;
     if radius <= 0.0 {

@@ -1,4 +1,4 @@
-//! Questions of the page, one file per kind.
+//! Requests of the page, one file per kind.
 
 pub mod catalogue;
 pub mod design;

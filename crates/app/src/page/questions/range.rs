@@ -1,4 +1,4 @@
-//! Verdicts of the designs over the values of one key: what a slider can be set to.
+//! Verdicts of the designs over the values of one key, for the range of a slider.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -11,14 +11,14 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
 use gaitcam::scene::keys::{self, Kind};
 
-/// Time after which no further design is begun: a page that asks in blocks can stop between them, s.
+/// Time after which no further design is started, so that a page with requests in blocks can stop between them, s.
 const BLOCK: f64 = 0.12;
 /// Polls of the halt flag in the search of one design, the same on every machine.
 const LOOKS: usize = 3000;
-/// Maximum number of values of one question.
+/// Maximum number of values of one request.
 const MOST: usize = 200;
 
-/// Values of one key.
+/// Range of values of one key.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Span {
@@ -40,10 +40,11 @@ pub struct Span {
     pub unit: String,
 }
 
-/// The verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`. The list is shorter than asked where the time of a
-/// block has passed; it has at least one entry. "unknown" is a design whose search ended early, before it passed its checks.
+/// Verdicts of the designs at the values, in order: `[[20.0, "unacceptable"], …]`. The list has fewer entries than requested if the time of a block
+/// has passed, but at least one. "unknown" is a design whose search ended early, before it passed its checks.
 ///
 /// # Errors
+///
 /// Faults of the scene and its changes without the key.
 pub fn range(files: &Files, span: &Span) -> Result<Value> {
     let table = changed(files, &span.scene, &span.changes)?;

@@ -61,7 +61,7 @@ fn plain(given: &str) -> String {
     }
 }
 
-/// Excluded contacts of a recording.
+/// Request with the excluded contacts of a recording.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contacts {
@@ -69,10 +69,10 @@ pub struct Contacts {
     pub file: String,
     /// Hash of its bytes.
     pub hash: Hash,
-    /// Numbers of the excluded stances, from 0 on.
+    /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
     pub without: Vec<usize>,
-    /// Feet whose stances count.
+    /// Feet whose stances are used.
     #[serde(default)]
     pub feet: String,
     /// Reading options: keys of `gait` with their values.
@@ -80,11 +80,11 @@ pub struct Contacts {
     pub options: BTreeMap<String, String>,
 }
 
-/// The recording with some contacts left out: its mean cycle becomes a file of its own, which the scene may
-/// name.
+/// Recording with some contacts left out. Its mean cycle is stored as a separate file, which the scene can use.
 ///
 /// # Errors
-/// Missing recordings; nothing left to average.
+///
+/// Missing recordings; no remaining stances.
 pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     let bytes = files.engine.kept(&asked.hash).unwrap_or_default();
     let mut found = described(&bytes, asked)?;
@@ -169,19 +169,19 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     Ok(found)
 }
 
-/// Keys of `gait` that describe how a recording is read; its mean cycle needs none of them.
+/// Keys of `gait` that describe the reading of a recording. Its mean cycle needs none of them.
 const READER: [&str; 9] = [
     "time", "force", "unit", "rate", "mass", "kind", "period", "span", "noise",
 ];
 
-/// The line of a cycle's file that names the questions open about its recording.
+/// Line in the file of a cycle with the open questions about its recording.
 fn open_line(mut open: Vec<OpenQuestion>) -> Option<String> {
     open.retain(|question| question.is_acceptable());
     let names: Vec<&str> = open.into_iter().map(OpenQuestion::name).collect();
     (!names.is_empty()).then(|| format!("open = {}", names.join(" ")))
 }
 
-/// A scene whose recording is to be replaced by its mean cycle.
+/// Request for a scene with the mean cycle of its recording.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Whole {
@@ -189,9 +189,10 @@ pub struct Whole {
     pub scene: String,
 }
 
-/// The scene with the mean cycle of its recording as a small file in place of the recording. Its design is the same.
+/// Scene with the mean cycle of its recording as a small file instead of the recording. Its design is the same.
 ///
 /// # Errors
+///
 /// Faults of the scene and of its recording; several walkers.
 pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
     let mut table = page::table(&asked.scene)?;
@@ -270,10 +271,11 @@ pub struct Points {
     pub points: Vec<[f64; 2]>,
 }
 
-/// Keeps points as a file of one cycle; the curve goes through them, level at every peak and valley.
+/// Stores points as a file of one cycle. The curve passes through the points and is level at every maximum and minimum.
 ///
 /// # Errors
-/// Too few points, or times that do not increase.
+///
+/// Too few points; times that do not increase.
 pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();
@@ -309,7 +311,7 @@ mod tests {
     use gaitcam::error::Placed;
     use gaitcam::halt::Halt;
 
-    /// A page without a folder.
+    /// Host of a page without a folder.
     struct Page;
 
     impl Host for Page {
@@ -332,7 +334,7 @@ mod tests {
 
     const WALK: &str = include_str!("../../../../../data/recordings/made_walk.csv");
 
-    /// The problem of a scene and its packed one, whose only file is the mean cycle.
+    /// Problem of a scene, and problem of the same scene with the mean cycle as its only file.
     fn packed(recording: &str, gait: &str) -> [Problem; 2] {
         let engine = Engine::default();
         let mut scene = format!(

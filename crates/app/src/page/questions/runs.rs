@@ -26,9 +26,10 @@ use gaitcam_output::{identification, identified, plots, simulation};
 /// Maximum number of designs in a sweep.
 const MOST: u64 = 900;
 
-/// Runs the emitted cam of a scene: the numbers of `gaitcam simulate --json`, its table and its picture; only `why` if there is no cam.
+/// Simulates the emitted cam of a scene: data of `gaitcam simulate --json`, table and picture; only `why` if there is no cam.
 ///
 /// # Errors
+///
 /// Faults of the scene and of its machine.
 pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     let made = made(files, table(&which.scene)?)?;
@@ -46,11 +47,11 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     }))
 }
 
-/// The log of a running machine.
+/// Request with the log of a running machine.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Logged {
-    /// The scene of the logged cam.
+    /// Scene of the logged cam.
     pub scene: String,
     /// Name of the log.
     pub log: String,
@@ -58,9 +59,10 @@ pub struct Logged {
     pub hash: Hash,
 }
 
-/// The machine identified from a log, in words and as a picture, and the scene of the next cam; only `why` if there is no cam.
+/// Machine identified from a log, as text and picture, and the scene of the next cam; only `why` if there is no cam.
 ///
 /// # Errors
+///
 /// Faults of the scene and of the log.
 pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     let log = Log::read(
@@ -83,7 +85,7 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     }))
 }
 
-/// The scene of the next cam with the force error measured and that predicted.
+/// Scene of the next cam with the measured and the predicted force error.
 fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
     let search = Search::until(files.host.halt());
@@ -100,22 +102,23 @@ fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     }))
 }
 
-/// Designs over one or two keys of a scene.
+/// Request for designs over one or two keys of a scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Grid {
     /// TOML text of the scene.
     pub scene: String,
-    /// Keys with their values, as `gaitcam sweep --vary` takes them: `limits.stroke=50 mm:70 mm:9`.
+    /// Keys with their values in the syntax of `gaitcam sweep --vary`: `limits.stroke=50 mm:70 mm:9`.
     pub vary: Vec<String>,
     /// Column of the requested figure.
     pub column: String,
 }
 
-/// Verdict and one figure of each design of a grid, row by row, the last key fastest; null where the time limit ended it.
+/// Verdict and one figure of each design of a grid, row by row; the last key varies fastest. Null if the time limit ended the design.
 ///
 /// # Errors
-/// Keys or values that cannot be varied, more than 900 designs, recordings that are not there.
+///
+/// Keys or values that cannot be varied; more than 900 designs; missing recordings.
 pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     let (_, table) = files.scene(&table(&asked.scene)?)?;
     let question = SweepQuestion {
@@ -147,7 +150,7 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     }))
 }
 
-/// Why a design of a grid is not acceptable, row by row: the fault of its scene, or its violated or conflicting limits.
+/// Reasons why designs of a grid are not acceptable, row by row: the fault of the scene, or its violated or conflicting limits.
 fn why(records: &Records, language: Language) -> Vec<String> {
     let at = |column: &str, i: usize| {
         let words = records.words(column);

@@ -1,4 +1,4 @@
-//! Sensitivity of a design to its numbers, and the trade-off front.
+//! Sensitivity of a design to the numbers of its scene, and the trade-off front.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -14,7 +14,8 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether each point of a front corresponds to a scene with that value of a limit.
+/// Whether a figure can be traded against the force error and has a limit in the scene. Each point of its front is then a scene with that value of
+/// the limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
@@ -24,7 +25,7 @@ const POINTS: usize = 16;
 /// Maximum number of bars.
 const BARS: usize = 12;
 
-/// Quantity that is observed while every number is varied.
+/// Request for the sensitivity of a quantity to every number of the scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vary {
@@ -36,9 +37,10 @@ pub struct Vary {
     pub share: f64,
 }
 
-/// One bar for every number of the scene: the quantity with the number reduced and raised by a fraction, the longest bar first.
+/// Bars, one for every number of the scene: the quantity with the number reduced and increased by a fraction, the longest bar first.
 ///
 /// # Errors
+///
 /// Faults of the unchanged scene.
 pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
@@ -97,7 +99,7 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     }))
 }
 
-/// The design of a varied scene; a load model is evaluated again where its parameters change.
+/// Design of a varied scene. A load model is evaluated again if its parameters change.
 fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
         "gait" => files.target(scene).ok()?.map(|t| t.0),
@@ -118,7 +120,7 @@ fn value(design: &Design, figure: &Figure) -> Option<f64> {
     (design.infeasible.is_none() && value.is_finite()).then_some(value)
 }
 
-/// Quantity that is traded against the force error.
+/// Request for the trade-off of a quantity against the force error.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
@@ -128,9 +130,10 @@ pub struct Trade {
     pub against: String,
 }
 
-/// The front: the minimum force error at each value of the other quantity, each point with the change that makes its scene.
+/// Front: the minimum force error at each value of the other quantity. Each point contains the change for its scene.
 ///
 /// # Errors
+///
 /// Scenes without a force; quantities that cannot be traded.
 pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let name = Figure::of_column(&asked.against).and_then(|f| f.trade);

@@ -1,4 +1,4 @@
-//! Texts of the page, by language: one Fluent file each.
+//! Texts of the page, one Fluent file per language.
 
 use std::cell::Cell;
 
@@ -19,17 +19,17 @@ thread_local! {
     static LANGUAGE: Cell<Language> = const { Cell::new(Language::En) };
 }
 
-/// Sets the language of the messages of this thread's request.
+/// Sets the language of the messages for the request of this thread.
 pub fn settle(language: Language) {
     LANGUAGE.set(language);
 }
 
-/// Language of this thread's request.
+/// Language of the request of this thread.
 pub fn current() -> Language {
     LANGUAGE.get()
 }
 
-/// Every text of the page by its key, the names of figures as `figure-COLUMN`; the page replaces `{name}` by a value.
+/// Texts of the page by their keys; the names of figures have keys `figure-COLUMN`. The page replaces `{name}` by a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
     let arguments = include_str!("en.ftl").split("{ $").skip(1);
