@@ -1,4 +1,4 @@
-//! Limits on the convex radius of the finished cam, undercut, the roller in a concave part, and interference.
+//! Limits on the convex radius of curvature of the finished cam, undercut, the roller in a concave part, and interference.
 
 use super::finished::GEOMETRY;
 use super::slack::{ProfileSize, Slack};
@@ -12,10 +12,10 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference relative to the prime radius that counts as rounding.
 const TOUCH: f64 = 1e-6;
-/// Weights of s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
+/// Weights of s + a for a flat face. The radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
-/// Limit under a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
+/// Limit for a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     let rho = problem.limits[LimitKind::Curvature];
     let (base, rho, scale) = if is_sized {
@@ -112,7 +112,8 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// Roller or face against other parts of the profile; `None` if interference is impossible, as for a translating flat face on a convex cam.
+/// Check of the interference of roller or face with other parts of the profile; `None` if interference is impossible, as for a translating flat face
+/// on a convex cam.
 pub fn interference(cam: &Cam) -> Option<Check> {
     match cam.follower {
         Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,

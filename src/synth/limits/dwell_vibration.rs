@@ -1,6 +1,7 @@
-//! Limit on the residual vibration in a dwell (theory §10). The state (q, p) of the vibration at the start of a dwell is linear in the law; its
-//! length is the amplitude. If the law without the limit exceeds it, the disc |(q, p)| ≤ limit enters by its tangents. The finished cam is checked
-//! with the simulation model.
+//! Limit on the residual vibration in a dwell (theory §10).
+//!
+//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. If the law without the limit exceeds
+//! it, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the simulation model.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +19,7 @@ const SLACK: f64 = 1e-6;
 /// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding.
 const CANCELLED: f64 = 1e-4;
 
-/// The vibration of the finished cam: for a polydyne follower's end, its deviation from the law.
+/// Check of the vibration of the finished cam; for the end of a polydyne follower, check of its deviation from the law.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
     let limit = problem.limits[LimitKind::Residual]?;
@@ -32,7 +33,7 @@ pub fn check(design: &Finished) -> Option<Check> {
     Some(Check::of(LimitKind::Residual, worst?, limit, SLACK))
 }
 
-/// Largest amplitude in a dwell, m; infinite if it is unbounded. `None` without dwells or a compliant follower.
+/// Maximum amplitude in a dwell, m; infinite if it is unbounded. `None` without dwells or a compliant follower.
 fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
     let train = problem.train().ok()??;
     let starts: Vec<f64> = problem.rests().iter().map(|r| r.0).collect();
@@ -46,7 +47,7 @@ fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
 /// Determinant det(1 − e^{2πA}) below which there is an undamped resonance.
 const RESONANCE: f64 = 1e-11;
 
-/// Motions between consecutive rests, as angles over several turns.
+/// Intervals of motion between consecutive dwells, as angles over several turns.
 fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
     (0..rests.len())
         .map(|k| {
@@ -67,7 +68,7 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Free vibration of the follower as a function of the angle: a unit of q at rest becomes e^{−ζrφ}(C + ζS, −S) after φ.
+/// Free vibration of the follower as a function of the angle. After φ, a unit of q at rest becomes e^{−ζrφ}(C + ζS, −S).
 struct Free {
     /// Frequency ratio r = √(K/m)/ω.
     rate: f64,
@@ -76,7 +77,7 @@ struct Free {
 }
 
 impl Free {
-    /// The functions C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or their limits for ζ ≥ 1; both times e^{−ζrφ}.
+    /// Functions C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or their limits for ζ ≥ 1; both times e^{−ζrφ}.
     fn waves(&self, angle: f64) -> [f64; 2] {
         let (z, x) = (self.damping, self.rate * angle);
         let square = 1.0 - z * z;
@@ -92,14 +93,14 @@ impl Free {
         [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
     }
 
-    /// The matrix e^{A φ} with A = r (0 1; −1 −2ζ).
+    /// Matrix e^{A φ} with A = r (0 1; −1 −2ζ).
     fn carried(&self, angle: f64) -> [[f64; 2]; 2] {
         let ([c, s], z) = (self.waves(angle), self.damping);
         [[c + z * s, s], [-s, c - z * s]]
     }
 }
 
-/// The vibrations at the starts of the dwells as rows on the coefficients of a law: q and p of each, in the periodic steady state.
+/// Vibrations at the starts of the dwells in the periodic steady state, as rows q and p over the coefficients of a law.
 pub struct Vibrations {
     rests: Vec<(f64, f64)>,
     rows: Vec<[Vec<f64>; 2]>,
@@ -107,8 +108,8 @@ pub struct Vibrations {
 }
 
 impl Vibrations {
-    /// The limited vibrations of a problem; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower is at rest where its
-    /// law is.
+    /// Limited vibrations of a problem; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower is at rest where its law
+    /// is at rest.
     pub fn of(problem: &Problem, basis: &Basis) -> Option<Vibrations> {
         let limit = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne)?;
         let (train, rests) = (problem.train().ok()??, problem.rests());
@@ -132,7 +133,7 @@ impl Vibrations {
         Some(Vibrations { rests, rows, limit })
     }
 
-    /// Tangents of the discs at the vibrations of a law outside them.
+    /// Tangents of the discs for a law whose vibrations are outside them.
     pub fn tangents(&self, x: &[f64]) -> Vec<Row> {
         let sum = |row: &[f64]| row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
         let mut out = Vec::new();
@@ -163,7 +164,7 @@ impl Vibrations {
     }
 }
 
-/// Vibration after one motion of a follower that was at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
+/// Vibration after one interval of motion for a follower that was at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
 fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) -> [Vec<f64>; 2] {
     let mut out = [vec![0.0; basis.columns()], vec![0.0; basis.columns()]];
     for (theta, weight) in quadrature(&basis.breaks(), motion, free.rate) {
@@ -176,8 +177,8 @@ fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) 
     out
 }
 
-/// Angles with weights for ∫ f(θ) e^{irθ} dθ over one motion: Gauss points on parts of at most a radian of phase between
-/// the breaks, eight to a part (1e-14 for the degrees used here).
+/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion: eight Gauss points on each part of at most one radian of phase between the
+/// breaks (accuracy 1e-14 for the degrees used here).
 fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
     let gauss = gauss_legendre(8);
     let mut cuts: Vec<f64> = (breaks.iter())
@@ -198,7 +199,7 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f6
     out
 }
 
-/// The vibrations in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping each motion is considered alone.
+/// Vibrations in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping, each interval of motion is considered alone.
 fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
     let n = rests.len();
     // own[k] ends at the start of rest k + 1.

@@ -1,4 +1,4 @@
-//! Input of the checks of every limit, and their tolerances.
+//! Input of the checks of all limits, and their tolerances.
 
 use crate::cam::{BarrelGroove, Cam};
 use crate::law::Law;
@@ -15,14 +15,14 @@ pub const GEOMETRY: f64 = 1e-8;
 pub struct Finished<'a> {
     /// Problem of the design.
     pub problem: &'a Problem,
-    /// The cam to check.
+    /// Cam to check.
     pub cam: &'a Cam,
-    /// The second cam of a conjugate pair, if any.
+    /// Second cam of a conjugate pair, if any.
     pub second: Option<&'a Cam>,
-    /// The groove of a barrel.
+    /// Groove of a barrel.
     pub groove: Option<&'a BarrelGroove>,
-    /// The law that determines the force: the cam's own, or that of a polydyne follower's end.
+    /// Law that determines the force: that of the cam, or that of the end of a polydyne follower.
     pub pressing: &'a Law,
-    /// Achieved force against the target.
+    /// Force of the cam compared with the target.
     pub force: &'a ForceReport,
 }

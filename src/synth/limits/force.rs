@@ -12,7 +12,7 @@ use crate::synth::qp::{
 };
 use crate::synth::report::force::ForceReport;
 
-/// Limits on the smallest and largest force.
+/// Limits on the minimum and maximum force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
     let [s, v, a, _] = problem.drive.weights();
     let rest = problem.drive.rest_force;
@@ -38,7 +38,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Limits on the difference of force and target: the band, and the maximum error if it is minimised. Their shapes and cost join the program.
+/// Limits on the difference of force and target: the band, and the maximum error if it is minimised. Their shapes and cost are added to the program.
 pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Some(target) = &problem.target else {
         return Vec::new();
@@ -77,7 +77,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     out
 }
 
-/// The accuracy limit of a law with another objective; `half` is half the mean square of the force error.
+/// Accuracy limit of a law with another objective. `half` is half the mean square of the force error.
 pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<RmsLimit> {
     let most = problem.limited_error()?;
     Some(RmsLimit {
@@ -88,7 +88,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Difference of the force of a law from the target, exact on the pieces of both.
+/// Difference between the force of a law and the target, exact on the pieces of both.
 pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.force_curve(law);
     let (low, high) = problem.force_extremes(law);
@@ -108,10 +108,10 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// Negative contact force relative to the largest that counts as rounding.
+/// Negative contact force, relative to the maximum, that counts as rounding.
 const TOUCHES: f64 = 1e-7;
 
-/// Checks of the smallest and largest force; contact is always required.
+/// Checks of the minimum and maximum force. Contact is always required.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.force_extremes(design.pressing);
@@ -131,7 +131,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// The check of the band or of the accuracy, otherwise of the allowed RMS error.
+/// Check of the band or of the accuracy, otherwise of the allowed RMS error.
 pub fn accuracy_check(design: &Finished) -> Option<Check> {
     let (problem, force) = (design.problem, design.force);
     if let Some([low, high]) = &problem.band {

@@ -1,4 +1,4 @@
-//! Limit on the line pressure between cam and follower. Under a flat face it is linear in law and size; under a roller it is not convex.
+//! Limit on the line pressure between cam and follower. For a flat face it is linear in law and size; for a roller it is not convex.
 
 use std::f64::consts::PI;
 
@@ -13,11 +13,11 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Fraction of the squared pressure due to the roller alone above which the cam is not enlarged.
+/// Fraction of the squared pressure due to the roller alone, above which the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Steel on steel under a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together (`is_sized`: the radius is
-/// among the variables).
+/// Limit for steel on steel with a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together (`is_sized`: the radius is among the
+/// variables).
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     if !is_sized {
         return pressed(problem, problem.base_radius()?);
@@ -27,7 +27,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     Some(limit)
 }
 
-/// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
+/// Pressure limit for a flat face on a base circle. If `base_radius` is 0, the radius is among the variables.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
     if cam.follower != FollowerKind::FlatTranslating {
@@ -42,7 +42,7 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     Some(Meaning::Sized.of(limit))
 }
 
-/// Minimum base radius under a flat face for the pressure limit: the maximum of F E*/(π L p²) − s − a.
+/// Minimum base radius for a flat face with the pressure limit: the maximum of F E*/(π L p²) − s − a.
 pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
     let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;
@@ -58,7 +58,7 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         .value
 }
 
-/// The pressure limit, if a sufficiently large roller cam can satisfy it, since the roller's own curvature contributes to the pressure.
+/// Pressure limit, if a sufficiently large roller cam can satisfy it. The curvature of the roller alone already causes a pressure.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (
         problem.limits[LimitKind::HertzPressure]?,
@@ -72,7 +72,7 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
 /// Limit on the line pressure between a roller and its cam.
 #[derive(Debug, Clone, Copy)]
 pub struct Pressure {
-    /// Factor π L/E*; p² is the normal force times the sum of curvatures over this, m²/N.
+    /// Factor π L/E*. p² is the product of normal force and sum of curvatures, divided by this factor, m²/N.
     pub spread: f64,
     /// Radius of the roller, m.
     pub roller: f64,

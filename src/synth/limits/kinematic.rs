@@ -14,7 +14,7 @@ const DIP: f64 = 1e-7;
 /// Depth below the base circle that counts as none, m or rad: the program's tolerance for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
-/// The limit that the law stays above its base circle, if something else fixes its level.
+/// Limit that keeps the law above its base circle, if other conditions determine its level.
 pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
@@ -22,12 +22,12 @@ pub fn base_circle(problem: &Problem) -> Option<Limit> {
     (problem.level_is_known() || stroke.is_some()).then_some(limit)
 }
 
-/// The base-circle limit with the size of the cam among the variables.
+/// Base-circle limit with the size of the cam among the variables.
 pub fn above_base_circle(problem: &Problem) -> Limit {
     structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length())
 }
 
-/// The limit that the law is not below its base circle, which is its zero.
+/// Check that the law is not below its base circle, which is its zero.
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
     let dips = lowest.value < -(DIP * cam.law.stroke()).max(NO_LIFT);
@@ -53,7 +53,7 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// Limit of a derivative to a range of the given width, from 0 on or from the value of a variable on.
+/// Limits a derivative to a range of the given width. The range starts at 0 or at the value of a further variable.
 fn range(
     problem: &Problem,
     name: LimitKind,
@@ -98,7 +98,7 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Checks of stroke and time derivatives of the finished cam; a jump makes the next derivative infinite.
+/// Checks of stroke and time derivatives of the finished cam. A jump makes the next derivative infinite.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
@@ -122,7 +122,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// Limits that make the law monotone between neighbouring points of different lift, if the scene requires it.
+/// Limits that make the law monotone between adjacent points of different lift, if the scene requires it.
 pub fn monotone(problem: &Problem) -> Vec<Limit> {
     if !problem.law.monotone {
         return Vec::new();
@@ -149,7 +149,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         .collect()
 }
 
-/// The maximum absolute value of a derivative as the objective. Its cost joins the program.
+/// Limits for the maximum absolute value of a derivative as the objective. Its cost is added to the program.
 pub fn peak(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Minimise::Peak(order) = problem.objective() else {
         return Vec::new();

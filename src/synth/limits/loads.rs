@@ -1,5 +1,5 @@
 //! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0 with its derivatives: shaft torque, its rate and its power, and the pressure
-//! under a roller.
+//! of a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,12 +17,12 @@ use crate::problem::{OnShaft, Problem, product};
 /// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem; `None` = no limit.
+/// Nonconvex load limits of a problem; `None` is no limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
     /// Relation of lift and force.
     pub drive: Drive,
-    /// Additions of a varying speed or a floor.
+    /// Force added by a varying speed or a floor.
     pub on_shaft: Option<Arc<OnShaft>>,
     /// Maximum |F v|, N·m.
     pub torque: Option<f64>,
@@ -30,12 +30,12 @@ pub struct Loads {
     pub power: Option<f64>,
     /// Maximum |d(F v)/dθ|, N·m/rad.
     pub torque_rate: Option<f64>,
-    /// Limit on the pressure under a roller.
+    /// Limit on the pressure of a roller.
     pub pressure: Option<Pressure>,
 }
 
 impl Loads {
-    /// The nonconvex load limits; the pressure is included if the size `under_roller` is known.
+    /// Nonconvex load limits of a problem. The pressure is included if the size of the roller cam is known (`under_roller`).
     pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
         let limits = &problem.limits;
         let roller = Some(problem.cam.roller_radius).filter(|r| under_roller && *r > 0.0);
@@ -57,7 +57,7 @@ impl Loads {
         (!loads.named().is_empty()).then_some(loads)
     }
 
-    /// Every limit at a point of the law; h ≥ 0 if it holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
     pub fn slacks(&self, at: Svaj, theta: f64, size: ProfileSize, out: &mut Vec<Slack>) {
         let shaft = self.on_shaft.as_ref();
         let [extra, extra_rate] = shaft.map_or([0.0; 2], |shaft| {
@@ -75,7 +75,7 @@ impl Loads {
         out.extend(pressure.map(|p| p.slack(&self.drive, at, force, size)));
     }
 
-    /// The limits on the torque; at constant speed only the smaller one is needed.
+    /// Limits on the torque. At constant speed only the smaller one is needed.
     fn on_torque(&self, theta: f64) -> [Option<(LimitKind, f64)>; 2] {
         let speed = (self.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref());
         let torque = self.torque.map(|most| (LimitKind::Torque, most));
@@ -92,7 +92,7 @@ impl Loads {
         }
     }
 
-    /// The active kinds of limits, with their values.
+    /// Active kinds of limits, with their values.
     pub fn named(&self) -> Vec<(LimitKind, f64)> {
         [
             (LimitKind::Torque, self.torque),
@@ -105,7 +105,7 @@ impl Loads {
         .collect()
     }
 
-    /// The limits with one of them changed or removed.
+    /// Limits of which one is changed or removed.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = self.clone();
         match name {

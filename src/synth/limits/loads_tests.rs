@@ -1,4 +1,4 @@
-//! Derivatives of the loads by differences; the pressure against the contact's own.
+//! Derivatives of the loads compared with differences, and the pressure compared with that of the contact.
 
 use super::hertz_pressure::Pressure;
 use super::loads::Loads;
@@ -107,7 +107,7 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// h has the sign of the limit less the pressure that the contact itself is known to have.
+/// h has the sign of the limit minus the pressure that is computed for the contact.
 #[test]
 fn the_pressure_is_the_contact_s_own() {
     let follower = Follower::RollerTranslating {

@@ -1,4 +1,4 @@
-//! The limits of a problem, one file per limit or natural group.
+//! Limits of a problem, one file per limit or group.
 //!
 //! Each file contains the rows of its limit in a convex program (for a given size, or with the size among the variables), its nonconvex part, and its
 //! check on the finished design.
@@ -41,12 +41,12 @@ use crate::poly::PiecewisePoly;
 use crate::problem::{OnShaft, Problem, Size};
 use crate::scene::Minimise;
 
-/// Adds the limits of a problem that are convex in its law to a program: on root mean squares, over the whole turn, and on the
-/// size where that is sought. Laws of harmonics answer no demand and no other objective.
+/// Adds the convex limits of a problem to a program: limits on root mean squares, over the whole turn, and on the size if it is a variable. A law of
+/// harmonics has no demands and only the force error as its objective.
 ///
-/// Where nothing fixes the level of the law, limits on the profile count the lift from the angle at which the law touches its
-/// base circle. Where the speed of the shaft varies or the floor moves, a bound is less by what that adds to its quantity.
-/// `force_error` gives half the mean square of the force error.
+/// If no condition determines the level of the law, limits on the profile measure the lift from the angle at which the law touches its base circle.
+/// With a varying shaft speed or a moving floor, a bound is reduced by the resulting addition to its quantity. `force_error` computes half the mean
+/// square of the force error.
 pub fn constrain(
     problem: &Problem,
     search: &Search,
@@ -90,7 +90,7 @@ pub fn constrain(
     program.limits = rows;
 }
 
-/// Lowers the bound of a limit by what a varying speed or a floor adds to its quantity: its shape joins the program.
+/// Reduces the bound of a limit by the addition of a varying speed or a floor to its quantity. The shape of this addition is added to the program.
 fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) {
     let per_time = speed.powi(limit.highest_order() as i32);
     let timed = |order: usize| {
@@ -114,7 +114,7 @@ fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) 
 }
 
 impl Finished<'_> {
-    /// Every limit of the problem, and what no cam may lack, on the cam, its second cam and its groove.
+    /// Checks of all limits of the problem, and of the conditions for every cam, on the cam, its second cam and its groove.
     pub fn checks(&self) -> Vec<Check> {
         let mut out = kinematic::checks(self.problem, self.cam);
         out.extend(force::checks(self));
@@ -145,7 +145,7 @@ impl Finished<'_> {
     }
 }
 
-/// What the second cam of a conjugate pair must keep.
+/// Checks of the second cam of a conjugate pair.
 fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     let Some(cam) = second else { return Vec::new() };
     let mut out = pressure_angle::checks(problem, cam.pressure_angles_by_motion());
@@ -157,7 +157,7 @@ fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     out
 }
 
-/// Pressure angle and convex walls at the floor of a barrel's groove, where both are worst.
+/// Checks of pressure angle and convex walls at the bottom of a barrel's groove, where both are worst.
 fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     let Some(groove) = groove else {
         return Vec::new();

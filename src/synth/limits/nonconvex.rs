@@ -1,4 +1,4 @@
-//! All nonconvex limits together: those of the profile and those of shaft and contact.
+//! All nonconvex limits: those of the profile and those of shaft and contact.
 
 use super::loads::Loads;
 use super::profile::Profile;
@@ -21,7 +21,7 @@ pub struct NonconvexLimits {
 }
 
 impl NonconvexLimits {
-    /// The limits that a convex program cannot express; `None` if there are none.
+    /// Limits that a convex program cannot express; `None` if there are none.
     pub fn of(problem: &Problem) -> Option<NonconvexLimits> {
         let profile = Profile::of(problem);
         let under_roller = matches!(profile, Some(Profile::Roller(_)));
@@ -29,7 +29,7 @@ impl NonconvexLimits {
         (profile.is_some() || loads.is_some()).then_some(NonconvexLimits { profile, loads })
     }
 
-    /// Every limit at a point of the law; h ≥ 0 if it holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         if let Some(loads) = &self.loads {
@@ -38,7 +38,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// The size, if it may be among the variables.
+    /// Size, if it may be among the variables.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }
@@ -54,7 +54,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// The limits that `kept` selects.
+    /// Limits that `kept` selects.
     pub fn only(&self, kept: impl Fn(Criterion) -> bool) -> Self {
         let left_out = |loads: Loads| {
             let named = loads.named().into_iter();
@@ -68,7 +68,7 @@ impl NonconvexLimits {
         }
     }
 
-    /// The limits at another size.
+    /// Limits at another size.
     pub fn at_size(&self, size: ProfileSize) -> Self {
         NonconvexLimits {
             profile: self.profile.map(|f| f.at_size(size)),
@@ -77,7 +77,7 @@ impl NonconvexLimits {
     }
 }
 
-/// Clearance h/w over the law, for each of the limits.
+/// Clearance h/w over the law for each limit.
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
@@ -99,13 +99,13 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     })
 }
 
-/// Minimum clearance h/w over the law, for each of the limits.
+/// Minimum clearance h/w over the law for each limit.
 pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
     let curves = relative(law, limits);
     curves.iter().map(|c| c.extremes().0.value).collect()
 }
 
-/// Minimum clearance of the loads alone; ∞ without load limits.
+/// Minimum clearance of the load limits; ∞ without load limits.
 pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
     let names: Vec<Criterion> = limits
         .loads

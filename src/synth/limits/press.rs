@@ -11,19 +11,19 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
 use crate::problem::{Problem, sum};
 
-/// Maximum number of iterations for the highest quotient; three or four are usual.
+/// Maximum number of iterations for the maximum quotient; three or four are usual.
 const ROUNDS: usize = 40;
-/// Relative gain of the quotient below which it is rounding.
+/// Relative increase of the quotient below which it is rounding.
 const SETTLED: f64 = 1e-14;
 
-/// Data for the contact pressure: force, the law that determines it, and the contact's length, m.
+/// Data for the contact pressure: force, the law that determines it, and the length of the contact, m.
 #[derive(Debug, Clone, Copy)]
 pub struct Press<'a> {
     /// Relation of lift and force.
     pub drive: &'a Drive,
     /// Thickness of the plate, m.
     pub thickness: f64,
-    /// The law that determines the force.
+    /// Law that determines the force.
     pub law: &'a Law,
     /// Force added by a varying speed or a floor, N.
     pub extra: Option<&'a PiecewisePoly>,
@@ -47,8 +47,8 @@ impl<'a> Press<'a> {
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Maximum pressure on any contact, Pa: for a conjugate pair the second cam where it is loaded, for a groove both walls at its floor and at its
-    /// rim. `None` if a profile is undercut.
+    /// Maximum pressure on any contact, Pa: for a conjugate pair also on the second cam where it is loaded, for a groove on both walls at its bottom
+    /// and at its rim. `None` if a profile is undercut.
     pub fn worst(
         &self,
         cam: &Cam,
@@ -66,7 +66,7 @@ impl<'a> Press<'a> {
         Some(higher(first, on_profile(second, bears)?))
     }
 
-    /// Maximum pressure where the force is positive on a cam, Pa; infinite under a knife edge.
+    /// Maximum pressure where the force is positive on a cam, Pa; infinite for a knife edge.
     pub fn on(&self, cam: &Cam) -> Extreme {
         let follower = &cam.follower;
         if !follower.is_flat() && follower.roller_radius() == 0.0 {
@@ -94,8 +94,8 @@ impl<'a> Press<'a> {
         modulus(STEEL, STEEL) / (PI * self.thickness)
     }
 
-    /// Square root of the maximum p², from normal force and curvature at `sign` times the force; `bearing` returns both for the motion of the cam and
-    /// the force at one point.
+    /// Square root of the maximum p², from normal force and curvature at `sign` times the force. `bearing` returns both for the motion of the cam and
+    /// the force at a point.
     fn square_root(
         &self,
         cam: &Cam,
@@ -133,8 +133,8 @@ impl<'a> Press<'a> {
         root(square)
     }
 
-    /// Maximum F/ρ for a radius of curvature that is linear in the law, ρ = Rb + s + a, by Dinkelbach's method: the maximum of F − λρ gives a higher
-    /// quotient λ, until it converges.
+    /// Maximum F/ρ for a radius of curvature that is linear in the law, ρ = Rb + s + a, by Dinkelbach's method. The maximum of F − λρ leads to a
+    /// higher quotient λ, until it converges.
     fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
         let force = self.force_curve();
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
@@ -159,7 +159,7 @@ impl<'a> Press<'a> {
         })
     }
 
-    /// Both walls, each where its roller is in contact, at the floor and at the rim.
+    /// Maximum pressure on both walls, each where its roller has contact, at the bottom and at the rim.
     fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
         let (floor, rim) = groove.depth();
         let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
@@ -180,7 +180,7 @@ impl<'a> Press<'a> {
     }
 }
 
-/// The pressure on a profile; `None` if it is undercut, infinite on a cusp.
+/// Maximum pressure on a profile; `None` if it is undercut, infinite on a cusp.
 fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
     let convex = cam.curvature().convex;
     if convex.value <= 0.0 {
@@ -192,7 +192,7 @@ fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> 
     Some(pressure())
 }
 
-/// Normal force and curvature of a cam's own contact.
+/// Function for normal force and curvature of the contact of a cam.
 fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     let follower = cam.follower;
     move |at, force| {
@@ -221,7 +221,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// The highest F/ρ at an end of a piece, with its position, as a good initial value.
+/// Maximum F/ρ at an end of a piece, with its position, as a good initial value.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {
@@ -261,7 +261,7 @@ fn most_gained(
     place
 }
 
-/// The higher of F/ρ on both sides of a point.
+/// Larger of the values of F/ρ on both sides of a point.
 fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
     let (i, u) = force.locate(at);
     let ends = |k: usize, u: f64| {

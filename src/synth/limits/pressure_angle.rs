@@ -10,32 +10,33 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, OFFSET, RISE, structural};
 
-/// Pressure angle that means no limit, for code that needs its tangent.
+/// Pressure angle in place of no limit, for code that needs its tangent.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
 /// Limits on rise and fall, in this order.
 pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];
-/// Sign of velocity less offset for which each of them is active.
+/// Sign of the velocity minus the offset for which the limit of the same index in [`SIDES`] is active.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// A row of the pressure angle: `side`·(m v − e) ≤ `tan`·(s + D), with m = 1 all round or 0 where the follower turns.
+/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). m = 1 over the whole turn; m = 0 at a reversal of the
+/// follower (v = 0).
 ///
-/// |φ| is limited by the side's own row while the follower moves to that side. Where it turns, v = 0, both limits hold, so that
-/// |e| ≤ tan φ·(s + D) with the smaller tangent; with these rows the other sign of φ is within its limit between turns, too.
+/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits hold, so that |e| ≤ tan
+/// φ·(s + D) with the smaller tangent. With these constraints, φ of the opposite sign is within its limit between reversals too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
     /// Name of the limit.
     pub name: LimitKind,
     /// Tangent of the allowed angle.
     pub tan: f64,
-    /// +1 if a larger velocity is limited, −1 if a smaller one is.
+    /// Sign of the side: +1 if a larger velocity is limited, −1 if a smaller one is.
     pub side: f64,
-    /// Factor m of the velocity.
+    /// Whether the factor m of the velocity is 1; otherwise it is 0.
     pub moves: bool,
 }
 
-/// The rows of limited tangents on rise and fall. At v = 0 the row of the smaller tangent is its own row at the turn; on the other
-/// side it is a row of its own.
+/// Constraints for limits on rise and fall. Each limit results in the constraint of its side (m = 1). The smaller tangent also results in a
+/// constraint with m = 0 for the reversal on the other side.
 pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
     let row = |name: LimitKind, tan: f64, side: f64, moves: bool| AngleRow {
         name,
@@ -55,7 +56,7 @@ pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
 }
 
 impl AngleRow {
-    /// Row for a roller on a translating follower, with the lift scaled to `scale`; the bound without size and offset.
+    /// Row for a roller on a translating follower, with the lift scaled to `scale` and the bound without size and offset.
     fn limit(self, scale: f64) -> Limit {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
@@ -82,7 +83,7 @@ impl AngleRow {
     }
 }
 
-/// ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e if it is free, among the variables (`is_sized`).
+/// Rows ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e if it is free, among the variables (`is_sized`).
 pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     let kind = problem.cam.follower;
     let prime = problem.prime_radius();
@@ -126,7 +127,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle for any machine and for slow ones, on a side without a limit: those of CAM-DAS (Serrano Muñoz 2010). A flat
+/// Default bounds of the pressure angle on a side without a limit, for any machine and for slow ones: those of CAM-DAS (Serrano Muñoz 2010). A flat
 /// face has none.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
@@ -146,7 +147,7 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     Some([any_machine, 45.0].map(f64::to_radians))
 }
 
-/// Check of the finished cam's pressure angle on rise and fall against the limits or default bounds.
+/// Check of the finished cam's pressure angle on rise and fall with the limits or default bounds.
 pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
     (SIDES.into_iter().zip(worst))
@@ -157,7 +158,7 @@ pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
         .collect()
 }
 
-/// Checks of the sides without a limit in the scene, on either cam.
+/// Whether a check is for a side without a limit in the scene, on either cam.
 pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
     let open = SIDES
         .into_iter()

@@ -1,5 +1,4 @@
-//! Nonconvex limits of the profile: a roller's curvature, and curvature and pressure angle of followers on an arm
-//! (theory §6).
+//! Nonconvex limits of the profile: curvature for a roller, and curvature and pressure angle of followers on an arm (theory §6).
 
 use super::curvature;
 use super::pressure_angle::{self, NEARLY_RIGHT};
@@ -8,15 +7,15 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// Minimum radius of a sharp edge, relative to the cam's, which keeps divisions finite.
+/// Minimum radius of a sharp edge relative to the cam's. It keeps divisions finite.
 pub const SHARP: f64 = 1e-6;
 
 /// Dimensions of a profile with nonconvex limits.
 #[derive(Debug, Clone, Copy)]
 pub enum Profile {
-    /// A roller that translates along +y.
+    /// Roller that translates along +y.
     Roller(ProfileSize),
-    /// A roller on an arm: pivot at distance c, arm A.
+    /// Roller on an arm: pivot at distance c, arm A.
     Arm {
         /// Distance c of the pivot from the cam centre.
         pivot: f64,
@@ -29,7 +28,7 @@ pub enum Profile {
         /// Tangents of the allowed pressure angles on the rise and on the fall.
         tan: [Option<f64>; 2],
     },
-    /// A flat face that oscillates about a pivot at distance c.
+    /// Flat face that oscillates about a pivot at distance c.
     Face {
         /// Distance c of the pivot from the cam centre.
         pivot: f64,
@@ -43,7 +42,7 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// The follower with the nonconvex limits of its profile; `None` if there are none, or if the size follows from the law.
+    /// Follower with the nonconvex limits of its profile; `None` if there are none, or if the size follows from the law.
     pub fn of(problem: &Problem) -> Option<Profile> {
         let (cam, limits) = (&problem.cam, &problem.limits);
         let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -104,7 +103,7 @@ impl Profile {
         }
     }
 
-    /// Every limit at a point of the law; h ≥ 0 if it holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
             Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
@@ -134,7 +133,7 @@ impl Profile {
         }
     }
 
-    /// The size, if it may be among the variables.
+    /// Size, if it may be among the variables.
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
@@ -151,7 +150,7 @@ impl Profile {
         }
     }
 
-    /// The limits that `kept` selects; `None` if it selects none.
+    /// Limits that `kept` selects; `None` if it selects none.
     pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
         let curved = kept(LimitKind::Curvature.into());
         match &mut self {
@@ -170,7 +169,7 @@ impl Profile {
         }
     }
 
-    /// The limits at another size.
+    /// Limits at another size.
     pub fn at_size(mut self, size: ProfileSize) -> Self {
         match &mut self {
             Profile::Roller(own) => {
@@ -200,7 +199,7 @@ fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     (rest, 1.0 / (pivot * rest.cos()))
 }
 
-/// Arm angle at rest, which is the only size parameter of an oscillating follower: ξ = rest + s.
+/// Sets the derivatives by the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.
 fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
     for slack in &mut slacks {
         slack.by_radius = slack.by_lift * by_radius;
@@ -225,13 +224,13 @@ mod tests {
         program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
     }
 
-    /// Smallest h/w over the law.
+    /// Minimum of h/w over the law.
     fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
         let all = clearances(law, limits).into_iter();
         all.fold(f64::INFINITY, f64::min)
     }
 
-    /// Central differences of h against the derivatives stated, at places of many kinds.
+    /// Central differences of h compared with the stated derivatives at many kinds of points.
     #[test]
     fn derivatives_of_every_limit_agree_with_differences() {
         let roller = Profile::Roller(ProfileSize {
@@ -308,7 +307,7 @@ mod tests {
         }
     }
 
-    /// h is zero exactly where the finished cam has the allowed radius or pressure angle.
+    /// h is zero exactly if the finished cam has the allowed radius or pressure angle.
     #[test]
     fn limits_of_arms_are_those_of_the_cam() {
         let law = law(0.3);

@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
 
-/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
+/// Adds the cost of a size among the variables. Returns the limit on it; the cone Rp ≥ ‖(D, e)‖ of a free offset is added too.
 pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
@@ -50,7 +50,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     limits
 }
 
-/// A limit on a size without cost: one row, at angle 0.
+/// Limit on a size without cost: one row, at angle 0.
 fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     Limit {
         name: LimitKind::PrimeRadius.into(),
@@ -66,12 +66,12 @@ pub fn leave_room(program: &mut Program) {
     }
 }
 
-/// The minimum size of a cam, independent of the objective.
+/// Limit that keeps the size of a cam at a minimum, independent of the objective.
 fn at_least(problem: &Problem, size: f64, variable: Variable) -> Limit {
     on_size(problem, variable, -1.0, -size)
 }
 
-/// A geometric bound on the size, not from the scene: weight · size ≤ bound.
+/// Geometric bound on the size that is not in the scene: weight · size ≤ bound.
 fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Limit {
     let scale = problem.length() * problem.lever();
     let mut limit = structural(Criterion::BaseCircle, [0.0; 5], bound, scale);

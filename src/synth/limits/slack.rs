@@ -1,8 +1,8 @@
-//! A nonconvex limit at one point of the law: h(s, v, a, j, D, e) ≥ 0 with its derivatives, and the size.
+//! Nonconvex limit at one point of the law: h(s, v, a, j, D, e) ≥ 0 with its derivatives, and the size.
 
 use crate::cam::Criterion;
 
-/// Size parameters of a cam, and the minimum radius allowed on it; all 0 if the size is not part of the limits.
+/// Size parameters of a cam, and its minimum radius of curvature; all 0 if the size is not part of the limits.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ProfileSize {
     /// Height D of a translating roller.
@@ -11,7 +11,7 @@ pub struct ProfileSize {
     pub offset: f64,
     /// Radius of the prime circle of an oscillating follower.
     pub radius: f64,
-    /// Minimum radius allowed; under a roller that of the pitch curve: the cam's plus the roller's.
+    /// Minimum radius of curvature; for a roller that of the pitch curve, which is the sum of the cam's and the roller's radius.
     pub rho: f64,
 }
 
@@ -22,7 +22,7 @@ impl ProfileSize {
     }
 }
 
-/// Value h and its derivatives with respect to s, v, a, j, D, e, Rp.
+/// Value h of a nonconvex limit and its derivatives with respect to s, v, a, j, D, e, Rp.
 pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
@@ -41,7 +41,7 @@ pub struct Slack {
 }
 
 impl Slack {
-    /// A limit with zero derivatives, to be completed.
+    /// Limit with zero derivatives, to be completed.
     pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
             name: name.into(),
