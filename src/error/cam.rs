@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons for which a follower, a size, a conjugate pair or a groove is impossible.
+/// Reasons why a follower, a size, a conjugate pair or a groove is impossible.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -146,7 +146,7 @@ pub enum CamLength {
     FaceOffset,
 }
 
-/// Reasons for which an arm does not reach its prime circle.
+/// Reasons why an arm does not reach its prime circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

@@ -139,7 +139,7 @@ pub enum LawError {
     TableSpacing { table: String },
 }
 
-/// Reasons for which a programme of segments does not give a valid law.
+/// Reasons why a programme of segments does not give a valid law.
 ///
 /// ```
 /// use gaitcam::error::JoinError;

@@ -99,7 +99,7 @@ pub enum LogError {
     NoTarget,
 }
 
-/// Reasons for which a log does not lead to a new cam.
+/// Reasons why a log does not lead to a new cam.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons for which a design cannot be started.
+/// Reasons why a design cannot be started.
 ///
 /// ```
 /// use gaitcam::error::SynthError;
@@ -109,7 +109,7 @@ pub enum SynthError {
     PointOutside { at: Quantity },
 }
 
-/// Reasons for which no cam satisfies a scene.
+/// Reasons why no cam satisfies a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

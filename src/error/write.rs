@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Reasons for which a file cannot be created or written.
+/// Reasons why a file cannot be created or written.
 ///
 /// ```
 /// use gaitcam::error::{Placed, WriteError};

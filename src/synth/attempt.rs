@@ -23,7 +23,7 @@ pub struct Attempt {
     pub law: SolvedLaw,
     /// Cam of the law, with force and checks.
     pub cam: CheckedCam,
-    /// Reason for which the limits are infeasible.
+    /// Reason why the limits are infeasible.
     pub refusal: Option<Arc<Refusal>>,
 }
 

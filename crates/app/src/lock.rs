@@ -113,7 +113,7 @@ fn is_still_there(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Whether a file exists at the path; on this system it is not compared with the open file.
+/// Whether a file exists at the path. On this system the path is not compared with the open file.
 #[cfg(not(unix))]
 fn is_still_there(_: &File, path: &Path) -> bool {
     path.exists()

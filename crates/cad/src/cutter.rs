@@ -20,7 +20,7 @@ pub struct CutterPoint {
     pub y: f64,
 }
 
-/// Reasons for which a cutter damages the profile.
+/// Reasons why a cutter damages the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gouge {
     /// The radius of the cutter exceeds a concave radius of the profile.

@@ -140,7 +140,7 @@ pub struct Contact {
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force over a whole stance, N s.
     pub impulse_ns: Option<f64>,
-    /// Reason for which the contact was rejected; `None` if it is used.
+    /// Reason why the contact was rejected; `None` if it is used.
     pub rejected: Option<RejectReason>,
 }
 
@@ -170,11 +170,11 @@ pub struct RecordedStride {
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force of both feet over the stride, N s.
     pub impulse_ns: f64,
-    /// Reason for which the mean cycle does not contain the stride; `None` if it does.
+    /// Reason why the mean cycle does not contain the stride; `None` if it does.
     pub rejected: Option<StrideReject>,
 }
 
-/// Reason for which a whole stride is not averaged.
+/// Reason why a whole stride is not averaged.
 ///
 /// ```
 /// use gaitcam_gait::StrideReject;

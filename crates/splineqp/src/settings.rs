@@ -71,7 +71,7 @@ settings! {
         resolved: f64 = 1e-12,
         /// Violation below which a law without further progress is accepted as exact to rounding.
         resolved_at_last: f64 = 1e-7,
-        /// Fraction of the minimum violation so far; an iteration with a violation above it made no progress.
+        /// Fraction of the minimum violation so far. An iteration with a violation above this fraction made no progress.
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
@@ -137,7 +137,8 @@ settings! {
     RefinementSettings {
         /// Relative gap below which no refinement is necessary.
         gap: f64 = 1e-7,
-        /// Stationarity below which no refinement is necessary; it often stops at 1e-7 with a closed gap. A law with both below 1e-6 is certified.
+        /// Stationarity below which no refinement is necessary. The solver often stops at 1e-7 with a closed gap. A law with stationarity and gap
+        /// below 1e-6 is certified.
         stationarity: f64 = 3e-7,
         /// Tolerance above which a program is a step of a sequence and is not refined.
         finest_tolerance: f64 = TOLERANCE,

@@ -321,7 +321,7 @@ impl Engine<'_> {
     }
 }
 
-/// Reasons for which a mass leaves its profile.
+/// Reasons why a mass leaves its profile.
 enum Leave {
     End,
     /// The contact force would be negative until the given angle.

@@ -11,7 +11,7 @@ pub use nalgebra::{Matrix2, Vector2};
 const REACH: f64 = 1.0;
 /// Number of terms of the series of the exponential at this norm: 1/24! ≈ 2e-24.
 const SERIES: usize = 24;
-/// Maximum norm of A times the length of a span; above it the response is computed as quasi-static.
+/// Maximum norm of A times the length of a span. Above this value the response is computed as quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
 /// A linear system of two states with one input. An unused state decays and is not coupled.

@@ -48,7 +48,7 @@ pub struct Steady {
     pub range: [f64; 2],
 }
 
-/// Reasons for which a shaft stops.
+/// Reasons why a shaft stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
     /// The inertia is below this value, kg·m².

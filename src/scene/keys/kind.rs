@@ -151,7 +151,7 @@ pub enum Relax {
     Down,
 }
 
-/// Reason for which a given key has no effect.
+/// Reason why a given key has no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]

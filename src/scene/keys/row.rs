@@ -99,7 +99,7 @@ impl Key {
         self.exists(scene) && (self.required)(scene)
     }
 
-    /// Reason for which the key has no effect in a scene; `None` if it has an effect.
+    /// Reason why the key has no effect in a scene; `None` if it has an effect.
     pub fn idle(&self, scene: &Scene) -> Option<Idle> {
         (self.idle)(scene)
     }

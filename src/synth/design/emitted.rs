@@ -15,7 +15,7 @@ use crate::wording::Language;
 const POINTS: usize = 1440;
 
 impl Design {
-    /// Reason for which there is no cam to simulate; `None` if there is a cam.
+    /// Reason why there is no cam to simulate; `None` if there is a cam.
     pub fn no_cam(&self, language: Language) -> Option<String> {
         if let Some(infeasible) = &self.infeasible {
             return Some(infeasible.sentence(language));

@@ -73,7 +73,7 @@ pub struct Design {
     pub groove: Option<BarrelGroove>,
     /// Difference between force and target.
     pub force: ForceReport,
-    /// Reason for which no such cam exists; `None` for a feasible design.
+    /// Reason why no such cam exists; `None` for a feasible design.
     pub infeasible: Option<Infeasible>,
     /// Single changes of one limit for which the whole design passes. `relaxed` computes them for a design that fails.
     pub relaxations: Vec<Relaxation>,

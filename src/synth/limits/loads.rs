@@ -105,7 +105,7 @@ impl Loads {
         .collect()
     }
 
-    /// Limits of which one is changed or removed.
+    /// Limits with one of them changed or removed.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = self.clone();
         match name {

@@ -1,4 +1,4 @@
-//! Reasons for which a problem has no law.
+//! Reasons why a problem has no law.
 
 use crate::criterion::Criterion;
 use crate::error::Result;
@@ -13,7 +13,7 @@ pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 pub struct Refusal {
     /// The program without a solution.
     pub program: Program,
-    /// Reason for which the solver ended.
+    /// Reason why the solver ended.
     pub failure: Failure,
     /// Non-convex limits, if the program has a solution that violates them and no feasible one was found.
     pub nonconvex: Option<NonconvexLimits>,

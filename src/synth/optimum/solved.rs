@@ -66,7 +66,7 @@ pub struct Optimum {
 pub struct Sequence {
     /// Steps that improved the objective, in order.
     steps: Vec<Step>,
-    /// Reason for which the sequence ended.
+    /// Reason why the sequence ended.
     ended: Ended,
     /// Lower bound of the objective from the convex limits.
     least: Option<f64>,

@@ -191,7 +191,7 @@ impl Easing {
     }
 }
 
-/// Reason for which no such cam exists.
+/// Reason why no such cam exists.
 ///
 /// ```
 /// use gaitcam::scene;

@@ -58,7 +58,7 @@ pub enum Method {
     },
 }
 
-/// Reason for which a sequence of convex programs ended.
+/// Reason why a sequence of convex programs ended.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -89,7 +89,7 @@ pub enum Ended {
     SmallGain,
 }
 
-/// Reason for which the harmonics in closed form were not used.
+/// Reason why the harmonics in closed form were not used.
 ///
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};

@@ -6,7 +6,7 @@ use strum::VariantNames;
 use crate::synth::qp::Certificate;
 use crate::wording::{self, Language};
 
-/// Reason for which a law is not certified as the optimum.
+/// Reason why a law is not certified as the optimum.
 ///
 /// ```
 /// use gaitcam::synth::Doubt;
@@ -41,7 +41,7 @@ impl Doubt {
     }
 }
 
-/// Reason for which a certificate is not a proof.
+/// Reason why a certificate is not a proof.
 pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
     if !certificate.keeps_limits() {
         Some(Doubt::Limits)

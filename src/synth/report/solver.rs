@@ -90,13 +90,13 @@ pub struct SolverReport {
     pub tier: Tier,
     /// Details of the solution method.
     pub method: Method,
-    /// Reason for which the harmonics in closed form were not used, if they were tried first.
+    /// Reason why the harmonics in closed form were not used, if they were tried first.
     pub passed_over: Option<PassedOver>,
     /// Total number of iterations of all solves.
     pub iterations: usize,
     /// Whether the limits hold for the continuous law, and no law of the family is better by more than 1e-6 of the objective.
     pub certified: bool,
-    /// Reason for which the law is not certified.
+    /// Reason why the law is not certified.
     pub doubt: Option<Doubt>,
     /// Proved distance from the optimum; `None` if nothing was minimised.
     pub certificate: Option<Certificate>,
@@ -128,7 +128,7 @@ impl SolverReport {
         all.join("; ")
     }
 
-    /// Reason for which the sequence of convex programs ended; `None` without a sequence.
+    /// Reason why the sequence of convex programs ended; `None` without a sequence.
     pub fn ended(&self) -> Option<Ended> {
         match self.method {
             Method::Sequence { ended, .. } => Some(ended),

@@ -12,9 +12,9 @@ pub enum Piece {
     Svg,
     /// Drawing as a PDF file.
     Sheet,
-    /// The plate as STL.
-    Stl,
     /// Plate as STL.
+    Stl,
+    /// Plate as 3MF.
     ThreeMf,
     /// Wall of a groove as STL.
     Wall(Wall),

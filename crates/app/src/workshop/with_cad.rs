@@ -67,7 +67,7 @@ impl Remark {
         matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
     }
 
-    /// Reason for which a file could not be made, if the remark contains one.
+    /// Reason why a file could not be made, if the remark contains one.
     pub fn into_fault(self) -> Option<Error> {
         match self {
             Remark::NoSolid(fault)

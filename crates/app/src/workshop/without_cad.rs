@@ -22,7 +22,7 @@ impl Remark {
         match *self {}
     }
 
-    /// Reason for which a file could not be made.
+    /// Reason why a file could not be made.
     pub fn into_fault(self) -> Option<Error> {
         match self {}
     }

@@ -27,7 +27,7 @@ pub const ABOVE: f64 = 12.0;
 pub const BELOW: f64 = 14.0;
 /// Space to the right of the side view for the thickness of a thin plate, mm.
 pub const BESIDE: f64 = 16.0;
-/// Distance of the frame from the edge of the sheet, mm; on the left, where sheets are bound, it is 20.
+/// Distance of the frame from the edge of the sheet, mm. On the left, where sheets are bound, the distance is 20 mm.
 const EDGE: f64 = 10.0;
 const BOUND: f64 = 20.0;
 

@@ -93,7 +93,7 @@ pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     [words.text("drawing-bore"), size]
 }
 
-/// Label of the keyway: width with the fit of the key's seat, and height of the bore through the keyway, by which it is measured.
+/// Label of the keyway: width with the fit of the key's seat, and the measured dimension, the height of the bore through the keyway.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

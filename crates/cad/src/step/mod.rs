@@ -17,7 +17,7 @@ use gaitcam::synth::Edge;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-/// Maximum distance between a spline and the exact profile at the compared points, m; it is below 0.1 µm between them.
+/// Maximum distance between a spline and the exact profile at the compared points, m. Between these points the distance is below 0.1 µm.
 pub const FAITHFUL: f64 = 5e-8;
 /// Minimum of half the width of the space for the mark of θ = 0, mm.
 const LEAST_ROOM: f64 = 0.25;

@@ -16,7 +16,7 @@ const LOADED: f64 = 0.3;
 /// Fraction of a stride that may be missing at the ends of a recording.
 const LACKING: f64 = 0.02;
 
-/// Mean force of all plates, N, over whole strides of a recording in which it is never far below its mean; `None` for other recordings.
+/// Mean force of all plates, N, over whole strides of a recording whose force is never far below its mean; `None` for other recordings.
 fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
     let samples = plates.iter().map(|p| p.len()).min()?;

@@ -41,7 +41,7 @@ pub struct Trial<'a> {
     pub open: &'a [OpenQuestion],
 }
 
-/// Reason for which a recording is excluded from a joint mean.
+/// Reason why a recording is excluded from a joint mean.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, LeftOut, OpenQuestion, ReadOptions, Trial, cycle, joint_mean, read, stances};

@@ -64,7 +64,7 @@ pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }
 
-/// Reason for which mean force and mass are inconsistent for one walker; `None` if they are consistent.
+/// Reason why mean force and mass are inconsistent for one walker; `None` if they are consistent.
 pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     let ratio = mean_of_weight(curve, feet)?;
     let mass_kg = curve.mass_kg?;

@@ -1,4 +1,4 @@
-//! Reasons for which a recording without a whole stance contains no cycle.
+//! Reasons why a recording without a whole stance contains no cycle.
 
 use super::plausibility::{ADULT_KG, ranges};
 use super::total::total_stride;

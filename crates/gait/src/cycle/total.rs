@@ -183,7 +183,7 @@ fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
 const LOOKED_AT: (f64, f64) = (60.0, 100.0);
 /// Minimum autocorrelation of a total force at a lag of one step.
 const REPEATS: f64 = 0.3;
-/// Relative autocorrelation above which a shorter lag is the step, and the best lag a multiple of it.
+/// Relative autocorrelation above which a shorter lag is the step. The best lag is then a multiple of the step.
 const NEARLY: f64 = 0.8;
 
 /// Duration of a step, s: the lag of the maximum autocorrelation; `None` if the force is not periodic.

@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons for which there is no force curve.
+/// Reasons why there is no force curve.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;

@@ -7,7 +7,7 @@ use super::Fault;
 use crate::units::Quantity;
 use crate::wording::{Catalogue, WORDS};
 
-/// Reasons for which a file cannot be read.
+/// Reasons why a file cannot be read.
 ///
 /// ```
 /// use gaitcam_gait::error::ReadError;

@@ -1,4 +1,4 @@
-//! Reasons for which a cycle is excluded from a population.
+//! Reasons why a cycle is excluded from a population.
 
 use std::collections::HashMap;
 
@@ -18,7 +18,7 @@ const LIFTED: f64 = 0.02;
 /// Ratio of step periods to their median below which they are plausible; a stride has two steps.
 const STEPS: f64 = 1.45;
 
-/// Reason for which a cycle cannot belong to a population.
+/// Reason why a cycle cannot belong to a population.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker, WalkerFault, walker_faults};

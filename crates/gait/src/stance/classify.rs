@@ -112,7 +112,7 @@ pub(super) struct Judged<'a> {
     pub beside: Beside,
 }
 
-/// Reason for which a contact is not a whole stance of walking or, if requested, of running; `None` if it is a whole stance.
+/// Reason why a contact is not a whole stance of walking or, if requested, of running; `None` if it is a whole stance.
 pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
     let (contact, shape) = (judged.contact, judged.shape);
     let duration = contact.duration_s();

@@ -96,7 +96,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     out
 }
 
-/// Reason for which a whole contact of a movement is not averaged.
+/// Reason why a whole contact of a movement is not averaged.
 fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     match kind {
         Kind::Walking => None,

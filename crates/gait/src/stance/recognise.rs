@@ -17,9 +17,10 @@ const BRISK_S: f64 = 0.42;
 const RUNNING_DUTY: f64 = 0.5;
 /// Maximum stride time that implies running, s.
 const RUNNING_STRIDE_S: f64 = 0.6;
-/// Ratio of maximum and mean of a force with one peak, above which it is not walking. A half sine has 1.57, a walker with a single peak about 1.25.
+/// Ratio of maximum and mean of a force with one peak, above which the movement is not walking. A half sine has 1.57, a walker with a single peak
+/// about 1.25.
 const PEAKED: f64 = 1.45;
-/// Peak force, in body weights, above which it is not walking.
+/// Peak force, in body weights, above which the movement is not walking.
 const HARD_BW: f64 = 1.75;
 /// Range of the flight time of a runner, s.
 const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
@@ -27,7 +28,7 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the landing peak to the level before or after it, above which it is a landing.
+/// Ratio of the landing peak to the level before or after it, above which the contact is a landing.
 const LANDING: f64 = 1.6;
 /// Maximum time to the impact of a landing from a height, s. It is before the push-off of the shortest contact in walking (0.76 of `BRISK_S`, 0.32
 /// s). In synthetic landings it is 0.06 s; measured landings were not available.

@@ -96,7 +96,7 @@ impl Stance {
     }
 }
 
-/// Reason for which a contact is not used.
+/// Reason why a contact is not used.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, RejectReason, read, stances};

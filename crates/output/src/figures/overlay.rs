@@ -10,7 +10,7 @@ use crate::plot::sheet::{Frame, stroke, trace};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
-/// One colour per design; they repeat after twelve.
+/// Colours of the designs, which repeat after twelve.
 const COLOURS: [RGBAColor; 12] = [
     BLUE,
     ORANGE,

@@ -1,4 +1,4 @@
-//! Reasons for which a program has no solution.
+//! Reasons why a program has no solution.
 
 use crate::Names;
 use serde::Serialize;
@@ -15,12 +15,12 @@ pub enum Failure<N: Names> {
     Infeasible,
     /// The solver stopped without a result.
     Numerical {
-        /// Reason for which the solver stopped.
+        /// Reason why the solver stopped.
         stop: Stop,
     },
 }
 
-/// Reason for which a solver stopped without a result. It does not prove infeasibility.
+/// Reason why a solver stopped without a result. It does not prove infeasibility.
 ///
 /// ```
 /// use splineqp::{Failure, Stop};

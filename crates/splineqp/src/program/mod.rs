@@ -58,7 +58,7 @@ pub struct Program<N: Names> {
     pub shapes: Vec<PiecewisePoly>,
     /// Row for the value of the law at the reference angle, from which limits may measure the law; `None` if they measure it from zero.
     pub reference: Option<Entries>,
-    /// Rows that do not belong to a limit (linearised curvature); they are kept in every iteration.
+    /// Rows that do not belong to a limit (linearised curvature). These rows are kept in every iteration.
     pub fixed: Vec<Row<N>>,
     /// Initial rows of the exchange: contacts of a similar program.
     pub seeds: Vec<Row<N>>,

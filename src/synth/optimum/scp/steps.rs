@@ -12,7 +12,7 @@ use crate::synth::report::solver::Step;
 const MOST_STEPS: usize = 40;
 /// Minimum relative improvement of the merit, predicted and actual, below which the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
-/// Maximum number of second-order corrections of a step before it is shortened.
+/// Maximum number of second-order corrections before a step is shortened.
 const CORRECTIONS: usize = 5;
 /// Fraction of the predicted gain below which a corrected step is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
