@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 /// A law of motion. On each span it is a polynomial plus a few sinusoids.
 ///
-/// This form includes all common laws: splines and polynomials have no sinusoids, harmonic laws have one span, and modified sine and trapezoid have a
+/// This form includes all common laws. Splines and polynomials have no sinusoids, and harmonic laws have one span. Modified sine and trapezoid have a
 /// line or parabola with one sinusoid per span. A *closed* law is periodic with its extent (usually one turn). An open law (translating cam) is not
 /// periodic.
 ///
@@ -190,8 +190,8 @@ impl Law {
         self.svaj_on(i, u)
     }
 
-    /// Span that contains an angle, and position on this span. At a break, and up to rounding before it, the next span is used, so that all rows of
-    /// all tables are on the same side of a jump.
+    /// Span that contains an angle, and position on this span. At a break, and up to rounding before it, the next span is used. All rows of all
+    /// tables are therefore on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();

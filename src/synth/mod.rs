@@ -23,7 +23,7 @@
 //! ```
 //!
 //! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force does not
-//! determine the level (moving axis), one coefficient is fixed, and the minimum of the lift is placed on the base circle afterwards.
+//! determine the level (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
 //!
 //! **QP.** In addition a(θ)ᵀx ≤ b(θ) for every θ: acceleration, jerk, stroke, force, flat-face curvature, a band about the target. Starting from the
 //! optimum without limits, the exact worst points of the law (roots in Bernstein form) become rows of a dual active-set method. When all contacts are

@@ -41,7 +41,7 @@ pub fn is_of_machine(key: &str) -> bool {
 }
 
 /// Places a manufactured cam in the machine of another scene, with its drive and target force. For a load model, the target belongs to the step
-/// frequency of the new speed, or the second value is the reason for which it is not defined there.
+/// frequency of the new speed. If it is not defined there, the second value is the reason.
 ///
 /// # Errors
 ///

@@ -22,8 +22,8 @@ pub struct Unlimited {
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
 /// H may be singular in directions that the equalities fix. Multiples of their outer products make it positive definite without changing the
-/// constrained optimum. If a constant is undetermined (on a moving axis, the force does not depend on the level of the lift), a quadratic term is
-/// added for one coefficient. Its weight is small if limits determine the level.
+/// constrained optimum. On a moving axis, for example, the force does not depend on the level of the lift. If a constant is undetermined in this way,
+/// a quadratic term is added for one coefficient. Its weight is small if limits determine the level.
 ///
 /// # Errors
 ///

@@ -110,7 +110,7 @@ impl Steady {
     }
 
     /// E′ at the start (0) or the end (1) of a step, from inside the step. If the time constant of the motor is a fraction of the step, the energy at
-    /// the ends oscillates, and E′ of the stages is used.
+    /// the ends oscillates. In this case E′ of the stages is used.
     pub fn rate_at_end(&self, load: &Load, motor: &Motor, step: usize, end: usize) -> f64 {
         let (own, energy) = (&load.steps[step], self.energy[step + end]);
         let [rate, by_energy, _] = own.ends[end].rate(motor, self.no_load, energy);

@@ -13,8 +13,8 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Inverse of the harmonics of the force without limits, and RMS of the other harmonics, N: with `count` harmonics, or with the minimum number whose
-/// residual is at most `wanted`.
+/// Inverse of the harmonics of the force without limits, and RMS of the other harmonics, N. The number of harmonics is `count`, or the minimum for
+/// which the residual is at most `wanted`.
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(SolvedLaw, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let spectral = invert(target, &problem.drive, count, wanted)?;

@@ -24,8 +24,8 @@ const MOST_IN_BAND: usize = 120;
 const GROWTH: f64 = 1.5;
 /// Minimum relative decrease of the error for which the number of spans is increased again.
 pub const WORTHWHILE: f64 = 0.02;
-/// Number of spans below which, with active limits, the error does not decrease monotonically with the number of spans and a feasible law may not
-/// exist.
+/// Number of spans below which, with active limits, a feasible law may not exist. The error does not decrease monotonically with the number of spans
+/// there.
 pub const TELLING: usize = 12;
 
 /// Spline of a problem with its method.

@@ -41,8 +41,8 @@ use crate::poly::PiecewisePoly;
 use crate::problem::{OnShaft, Problem, Size};
 use crate::scene::Minimise;
 
-/// Adds the convex limits of a problem to a program: limits on root mean squares, over the whole turn, and on the size if it is a variable. A law of
-/// harmonics has no demands and only the force error as its objective.
+/// Adds the convex limits of a problem to a program: limits on root mean squares, over the whole turn, and on a variable size. A law of harmonics has
+/// no demands and only the force error as its objective.
 ///
 /// If no condition determines the level of the law, limits on the profile measure the lift from the angle at which the law touches its base circle.
 /// With a varying shaft speed or a moving floor, a bound is reduced by the resulting addition to its quantity. `force_error` computes half the mean

@@ -134,8 +134,8 @@ impl Iterate {
     }
 }
 
-/// Designs a cam for its machine. If the limits are infeasible at constant speed and the machine analysis fails too, the result is the design for
-/// constant speed without a machine report.
+/// Designs a cam for its machine. If the limits are infeasible at constant speed, the machine analysis may fail too. The result is then the design
+/// for constant speed without a machine report.
 ///
 /// # Errors
 ///

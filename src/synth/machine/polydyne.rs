@@ -25,8 +25,8 @@ const NEAR: f64 = 1e-4;
 
 /// Designs the law of the end and the cam that produces it.
 ///
-/// The limits of the program apply to the end. The law of the cam differs by the deflection of the follower. If the cam violates a limit, or has
-/// slack in a limit that is active for the end, the limit for the end is changed and the law is computed again.
+/// The limits of the program apply to the end. The law of the cam differs by the deflection of the follower. The cam may violate a limit, or have
+/// slack in a limit that is active for the end. The limit for the end is then changed and the law is computed again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {

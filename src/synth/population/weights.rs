@@ -21,9 +21,9 @@ pub struct Weights<'a> {
     laws: Vec<Vec<f64>>,
     /// Weights of the laws in the best combination.
     pub best: Vec<f64>,
-    /// Measure of the weights.
+    /// Objective of the best combination.
     pub upper: f64,
-    /// Lower bound of the measure over all laws of the family.
+    /// Lower bound of the objective over all laws of the family.
     pub lower: f64,
     /// Weighted sum of the squares for the combination to which the last weights belong.
     hull: f64,

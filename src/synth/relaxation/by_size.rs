@@ -47,7 +47,7 @@ impl<'a> BySize<'a> {
         })
     }
 
-    /// Value for which the smallest cam has the permitted size, by regula falsi from the multipliers, in the range between a value with a cam that is
+    /// Value for which the smallest cam has the permitted size, by regula falsi from the multipliers. The range is between a value with a cam that is
     /// too large and a value without effect. `None` if no value is sufficient.
     pub fn value(
         &self,

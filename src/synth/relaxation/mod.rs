@@ -241,8 +241,8 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, for which the optimum passes. The search for passing designs ends at a different law for non-convex
-    /// limits or many walkers, and minimises the force error if the accuracy is a limit.
+    /// The value, or a slightly weaker one, for which the optimum passes. For non-convex limits or many walkers, the search for feasible designs ends
+    /// at a different law. It minimises the force error if the accuracy is a limit.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
         let problem = self.problem;
         let is_same = NonconvexLimits::of(problem).is_none()

@@ -1,5 +1,5 @@
-//! Scale invariance: if all lengths of a scene are multiplied, and speed and forces change so that the equations stay the same, the cam is the same,
-//! multiplied by this factor.
+//! Scale invariance. All lengths of a scene are multiplied by a factor, and speed and forces change so that the equations stay the same. The cam is
+//! then the same, multiplied by this factor.
 
 use gaitcam::synth::Design;
 

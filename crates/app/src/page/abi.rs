@@ -1,8 +1,8 @@
 //! Functions that a browser calls: memory for a request, its response, bytes to store.
 //!
 //! Only numbers are passed: addresses and lengths. The first four bytes of a response are its length. The response for a file is a JSON object with
-//! the media type, a line break, and the bytes. The memory that the page may read or write is owned here, so that a wrong address leads to an empty
-//! request and never to invalid access.
+//! the media type, a line break, and the bytes. This module owns the memory that the page may read or write. A wrong address therefore leads to an
+//! empty request and never to invalid access.
 #![allow(unsafe_code)] // Exported names and the imported clock; there is no unsafe block.
 
 use std::collections::BTreeMap;

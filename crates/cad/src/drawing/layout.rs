@@ -100,7 +100,8 @@ const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// Sheet for views of a width and height in mm at a scale in mm per mm: A4, or A3 if A4 would require a reduction and A3 permits a larger scale.
+    /// Sheet for views of a width and height in mm at a scale in mm per mm. The sheet is A4. It is A3 if A4 would require a reduction and A3 permits
+    /// a larger scale.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {

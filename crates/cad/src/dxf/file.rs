@@ -1,7 +1,7 @@
 //! The DXF file: header, tables, blocks and entities of the dialects R12 and R2000.
 //!
 //! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the next line. Since R13 every object has a handle
-//! (group 5), an owner (330) and subclass markers (100), and a file needs its tables, block records and root dictionary even if they are empty.
+//! (group 5), an owner (330) and subclass markers (100). A file needs its tables, block records and root dictionary even if they are empty.
 
 use std::fmt::{Display, Write};
 

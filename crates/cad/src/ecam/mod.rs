@@ -1,9 +1,9 @@
 //! Electronic cams: a law as a program text or table for a motion controller, and the error of the controller.
 //!
 //! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends represents a law of degree 5 exactly.
-//! The acceleration of a cubic spline through positions has two errors: one proportional to h², with the distance h of the points, and the rounding
-//! error of the positions divided by h². Above some number of points, more points increase the error. Every file is therefore read back, executed in
-//! the number type of its controller, and compared with the law.
+//! The acceleration of a cubic spline through positions has two errors. With the distance h of the points, one is proportional to h², the other is
+//! the rounding error of the positions divided by h². Above some number of points, more points increase the error. Every file is therefore read back,
+//! executed in the number type of its controller, and compared with the law.
 
 mod codesys;
 mod csv;

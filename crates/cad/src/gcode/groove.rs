@@ -1,7 +1,7 @@
 //! Groove of a barrel on a rotary axis. The axis of the cutter meets the axis of the barrel, like the axis of the roller.
 //!
-//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller, without ridges and gouges at any depth.
-//! A thinner cutter cannot do this: in an oblique part of the groove its circle touches the wall at a different place at every depth.
+//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller. There are no ridges and gouges at any
+//! depth. A thinner cutter cannot do this: in an oblique part of the groove its circle touches the wall at a different place at every depth.
 
 use std::fmt::Write;
 

@@ -247,8 +247,8 @@ fn a_refused_law_at_its_jerk_limit_nearly_everywhere_is_proved_and_in_time() {
     }
 }
 
-/// Whether a result took too long. If it seems so, its time is compared with a task of known time and of the same kind (mostly an interior-point
-/// method) on the same machine.
+/// Whether a result took too long. If it seems so, its time is compared with a task of known time on the same machine. This task is of the same kind
+/// (mostly an interior-point method).
 fn is_too_long(taken: f64) -> bool {
     taken > LONGEST && {
         let slower = yardstick() / USUAL;

@@ -225,7 +225,7 @@ fn a_wider_limit_never_worsens_a_design() {
     assert!(times() == 0 || kinds.iter().all(|n| *n > 0), "{kinds:?}");
 }
 
-/// For a force that is symmetric in time, the angle of symmetry is a local maximum of the objective over the touching angle, and no law that touches
+/// For a force that is symmetric in time, the angle of symmetry is a local maximum of the objective over the touching angle. No law that touches
 /// there is best for a large accuracy limit. With the short stroke, programs whose weights of the accuracy differ by a millionth begin with equal
 /// contacts up to rounding.
 #[test]

@@ -64,7 +64,7 @@ fn a_certificate_closes_the_gap() {
 }
 
 /// Law of open level under limits that depend on its lift. If every touching angle is bounded, the gap holds for all laws. If the angle was found by
-/// a search, the gap is that of one angle, and the gap of all laws is unknown, with or without a sequence.
+/// a search, the gap is that of one angle. The gap of all laws is then unknown, with or without a sequence.
 #[test]
 fn a_gap_of_all_laws_is_stated_only_where_every_touching_angle_is_bounded() {
     let face = [

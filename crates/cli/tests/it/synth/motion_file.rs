@@ -47,8 +47,8 @@ fn law(folder: &Path, arguments: &[&str]) -> Vec<Vec<f64>> {
     reader.records().map(|r| numbers(r.unwrap())).collect()
 }
 
-/// Asserts that two laws are equal: the lift to 1e-14 of the stroke, each derivative to a tolerance 24 times larger, since rounding errors of rows at
-/// a distance of 1/24 grow by this factor.
+/// Asserts that two laws are equal: the lift to 1e-14 of the stroke, each derivative to a tolerance 24 times larger. Rounding errors of rows at a
+/// distance of 1/24 grow by this factor.
 fn same(a: &[Vec<f64>], b: &[Vec<f64>]) {
     assert_eq!(a.len(), b.len());
     for (column, order) in [(0, 0), (1, 0), (2, 1), (3, 2), (4, 3)] {

@@ -52,7 +52,7 @@ impl Walk {
         (frame / FRAMES_HZ - self.strike_s) / self.stride_s
     }
 
-    /// Position of a heel, mm. It is constant from heel strike until the heel rises, then moves to the next position with minimum jerk (Flash and
+    /// Position of a heel, mm. It is constant from heel strike until the heel rises. It then moves to the next position with minimum jerk (Flash and
     /// Hogan 1985) and with a rise above the floor.
     fn heel(&self, frame: f64, foot: Foot) -> [f64; 3] {
         let now = self.phase(frame);

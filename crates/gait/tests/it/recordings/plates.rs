@@ -187,8 +187,8 @@ pub fn stances_mass_rate_and_peaks_are_those_of_the_readme(folder: &Path) {
     }
 }
 
-/// Each pair of consecutive stances of a long walk, alone on two plates: the mass from the force while both feet are recorded is compared with the
-/// mass from the impulse of both over a doubled step.
+/// Each pair of consecutive stances of a long walk, alone on two plates. Two masses are compared: from the force while both feet are recorded, and
+/// from the impulse of both over a doubled step.
 pub fn two_stances_in_turn_weigh_the_walker(folder: &Path) {
     let (r, s) = open(folder, "opensim/subject01_walk1_grf_15s_oldheader.mot");
     let (mut window, mut doubled, mut count) = (0.0, 0.0, 0.0);

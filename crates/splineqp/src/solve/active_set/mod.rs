@@ -18,7 +18,7 @@ use dual::{Dual, Plane, Stuck};
 
 /// Solves a program for the coefficients alone, starting from its optimum without limits.
 ///
-/// If the maximum number of steps is reached or there is no progress, it returns the rows so far, and the interior-point method decides on
+/// If the maximum number of steps is reached or there is no progress, it returns the rows so far. The interior-point method then decides on
 /// feasibility.
 pub fn solve<N: Names>(
     program: &Program<N>,

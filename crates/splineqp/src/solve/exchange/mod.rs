@@ -1,5 +1,5 @@
-//! Exchange of rows: solves the program with finitely many rows and adds rows at the exact worst points of the law, until no limit is exceeded at any
-//! angle.
+//! Exchange of rows: solves the program with finitely many rows and adds rows at the exact worst points of the law. The exchange ends when no limit
+//! is exceeded at any angle.
 
 pub mod clarabel;
 
