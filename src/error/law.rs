@@ -139,7 +139,7 @@ pub enum LawError {
     TableSpacing { table: String },
 }
 
-/// Reasons why a programme of segments does not give a valid law.
+/// Reasons why a programme of segments does not result in a valid law.
 ///
 /// ```
 /// use gaitcam::error::JoinError;

@@ -52,7 +52,7 @@ pub enum SceneError {
     NotText { typed: String },
     /// A value that is neither a text nor a list of texts.
     NotTexts { typed: String },
-    /// A value that is neither true nor false.
+    /// The value is neither true nor false.
     NotFlag { typed: String },
     /// A value that is not a whole number in the range.
     NotCount {
@@ -176,7 +176,7 @@ pub enum SceneError {
     ForceNeedsTurn { follower: &'static str },
     /// A law over a length of travel is not given as a programme, which is required.
     LengthNeedsProgram,
-    /// A law over several turns is not given as a programme, which is required.
+    /// The law extends over several turns, but is not given as a programme.
     TurnsNeedProgram,
     /// A follower on an arm is combined with a cam on a moving axis.
     ArmOnMovingAxis,

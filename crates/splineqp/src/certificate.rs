@@ -177,8 +177,8 @@ impl Lagrangian {
     }
 }
 
-/// Duality gap and stationarity including the further variables. A component of the gradient is small relative to its largest term, or if changing
-/// the variable by its own size leaves the objective unchanged.
+/// Duality gap and stationarity including the further variables. A component of the gradient counts as zero if it is small relative to its largest
+/// term, or if changing the variable by its size leaves the objective unchanged.
 fn with_further_variables<N: Names>(
     program: &Program<N>,
     lagrangian: &Lagrangian,

@@ -63,11 +63,11 @@ pub struct Curves {
 pub struct Panel {
     /// Name of the quantity: `force`, `s`, `v` …
     pub id: &'static str,
-    /// Unit of the panel.
+    /// Unit of the diagram.
     pub unit: &'static str,
-    /// Curves of the panel by their role: `main`, `target`, `low`, `high`, `worst`.
+    /// Curves of the diagram by their role: `main`, `target`, `low`, `high`, `worst`.
     pub lines: Vec<Line>,
-    /// Lines of the limits in the panel.
+    /// Lines of the limits in the diagram.
     pub levels: Vec<Level>,
 }
 

@@ -89,7 +89,7 @@ pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     out.push_str("</tr>\n");
 }
 
-/// Writes all checks with their traffic lights.
+/// Writes all checks with their status colours.
 pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
