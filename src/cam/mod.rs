@@ -26,7 +26,7 @@ pub use follower::{Follower, FollowerKind, Measures, Unit};
 pub(crate) use geometry::{Contact, Geometry, Kind};
 pub use inspect::{Deviation, Inspection};
 pub use interference::Body;
-pub use making::{Bore, Hardness, Keyway, Making};
+pub use making::{Bore, Hardness, Keyway, Making, Material, STEEL, StatedMaterial, Stock};
 pub use profile::ProfilePoint;
 pub(crate) use size::PrimeCircle;
 pub(crate) use size::least_between;

@@ -40,6 +40,8 @@ pub enum LimitKind {
     PressureAngleFall,
     /// Maximum prime radius (flat faces: base radius).
     PrimeRadius,
+    /// Maximum diameter of the finished cam.
+    Diameter,
     /// Maximum length of a flat face.
     FaceWidth,
     /// Maximum |torque| of the shaft.
@@ -97,6 +99,7 @@ impl LimitKind {
             LimitKind::PressureAngleRise => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtBound)),   PressureAngle),
             LimitKind::PressureAngleFall => LimitFacts::row(AtMost,  Cam,       true,  Some((Diagram::PressureAngle, AtNegative)), PressureAngle),
             LimitKind::PrimeRadius       => LimitFacts::row(AtMost,  Cam,       true,  None,                                      Limit),
+            LimitKind::Diameter          => LimitFacts::row(AtMost,  Cam,       true,  None,                                      Limit),
             LimitKind::FaceWidth         => LimitFacts::row(AtMost,  Cam,       false, Some((Diagram::Contact, AboveLowest)),     Limit),
             LimitKind::Torque            => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Torque, BothSides)),        Limit),
             LimitKind::Power             => LimitFacts::row(AtMost,  Load,      true,  Some((Diagram::Power, BothSides)),         Limit),

@@ -55,6 +55,8 @@ pub enum Criterion {
     Monotone,
     /// Maximum of the minimised quantity.
     Peak,
+    /// Diameter of the second cam of a pair.
+    SecondDiameter,
     /// Minimum convex radius of the second cam of a pair.
     SecondCurvature,
     /// The roller fits the concave parts of the second cam.
@@ -87,6 +89,7 @@ impl Criterion {
             Criterion::LowerWall => "lower_wall",
             Criterion::Monotone => "monotone",
             Criterion::Peak => "peak",
+            Criterion::SecondDiameter => "second_diameter",
             Criterion::SecondCurvature => "second_curvature",
             Criterion::SecondConcave => "second_concave",
             Criterion::SecondInterference => "second_interference",
@@ -99,6 +102,7 @@ impl Criterion {
     #[must_use]
     pub fn of_second_cam(self) -> Criterion {
         match self {
+            Criterion::Limit(LimitKind::Diameter) => Criterion::SecondDiameter,
             Criterion::Limit(LimitKind::Curvature) => Criterion::SecondCurvature,
             Criterion::Limit(LimitKind::PressureAngleRise) => Criterion::SecondPressureAngleRise,
             Criterion::Limit(LimitKind::PressureAngleFall) => Criterion::SecondPressureAngleFall,
@@ -120,6 +124,7 @@ impl Criterion {
             | Criterion::GivenPrimeRadius
             | Criterion::Interference
             | Criterion::SecondInterference
+            | Criterion::SecondDiameter
             | Criterion::SecondPressureAngleRise
             | Criterion::SecondPressureAngleFall
             | Criterion::Peak => Direction::AtMost,
@@ -157,6 +162,7 @@ impl Criterion {
             | Criterion::BaseRadius
             | Criterion::GivenPrimeRadius
             | Criterion::Inertia
+            | Criterion::SecondDiameter
             | Criterion::Monotone
             | Criterion::Peak => Severity::Limit,
         }

@@ -188,6 +188,12 @@ pub enum SceneError {
     MotorLine,
     /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
+    /// A unit for points that Fusion reads in its own.
+    PointsOfFusion,
+    /// A nameplate without rated torque or rated speed.
+    HalfNameplate,
+    /// A synchronous speed that is not above the rated speed.
+    NotSynchronous,
     /// The torque of a motor does not decrease with its speed.
     MotorCurve,
     /// A motor is given without the inertia of its shaft.

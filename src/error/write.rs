@@ -81,4 +81,9 @@ pub enum WriteError {
         allowed: Quantity,
     },
     EcamOfMotor,
+    /// A name that the controller does not accept.
+    EcamName {
+        name: String,
+        longest: usize,
+    },
 }

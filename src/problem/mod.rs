@@ -34,6 +34,7 @@ pub(crate) use walkers::Walkers;
 
 use std::sync::{Arc, OnceLock};
 
+use crate::criterion::LimitKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
@@ -126,6 +127,14 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
+/// The limits of a scene. Where none is given for the contact pressure, the allowable one of hardness or materials is the limit.
+fn limits(scene: &Scene) -> Limits {
+    let mut limits = scene.limits.clone();
+    let pressure = limits[LimitKind::HertzPressure].or_else(|| scene.cam.allowable_pressure());
+    limits[LimitKind::HertzPressure] = pressure;
+    limits
+}
+
 /// Number of steps in a cycle of force: two for the strides of a recording or of a single-foot load model; `None` for a file that contains one cycle
 /// and does not state it.
 fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
@@ -214,7 +223,7 @@ impl Problem {
             law: law_at_lever(&scene.law, drive.lever),
             drive,
             cam: scene.cam.clone(),
-            limits: scene.limits.clone(),
+            limits: limits(scene),
             accuracy: scene.rms,
             target,
             band,

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Problem;
 use crate::cam::Bore;
+use crate::law::Law;
 use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
 /// Fraction of the range of prime radii, at either end, that is not used for followers on arms.
@@ -39,7 +40,9 @@ impl Problem {
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
-            _ => self.limits[LimitKind::PrimeRadius].is_some(),
+            _ => [LimitKind::PrimeRadius, LimitKind::Diameter]
+                .iter()
+                .any(|kind| self.limits[*kind].is_some()),
         };
         // Where the lengths allow no size, sizing after the law reports them.
         let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
@@ -85,9 +88,16 @@ impl Problem {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Minimum automatic base radius with the wall of a hub, m.
+    /// Minimum automatic base radius before the law is known, m.
     pub fn hub_radius(&self) -> f64 {
-        hub_radius(&self.cam, &self.limits)
+        hub_radius(&self.cam, &self.limits, None)
+    }
+
+    /// Minimum automatic base radius for a law, m.
+    pub fn hub_radius_for(&self, law: &Law) -> f64 {
+        let translates = self.cam.follower.is_translating();
+        let highest = translates.then(|| law.extremes(0).1.value);
+        hub_radius(&self.cam, &self.limits, highest)
     }
 
     /// Pressure angles on rise and fall that determine the size of a cam, rad: the limited ones, otherwise the usual one. For a flat face, and for a
@@ -124,9 +134,16 @@ pub enum Size {
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m. It leaves the wall of a hub around the hole for the shaft, within the limit on the prime radius.
-pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits) -> f64 {
-    let most = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
+/// Minimum automatic base radius, m: it leaves the wall of a hub around the hole for the shaft, as far as the limits on
+/// prime radius and diameter allow. `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
+pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
+    let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
+    let of_diameter = match (limits[LimitKind::Diameter], highest) {
+        (None, _) => f64::INFINITY,
+        (Some(diameter), Some(highest)) => 0.5 * diameter - highest,
+        (Some(_), None) => 0.0,
+    };
+    let most = of_prime.min(of_diameter);
     let hub = |hole: Bore| hole.hub_radius().min(most).max(hole.least_base_radius());
     cam.hole().map_or(0.0, hub)
 }

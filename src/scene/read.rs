@@ -109,6 +109,13 @@ fn collect<'a>(
         let typed = || value.to_string();
         match (node(&pattern), value) {
             (Node::Section, Toml::Table(inner)) => collect(inner, &pattern, &path, index, out)?,
+            // A material is a name or a table of constants.
+            (Node::Section, value) if KEYS.iter().any(|k| k.path == pattern) => out.push(Leaf {
+                pattern,
+                path,
+                index,
+                value,
+            }),
             (Node::Section, _) => {
                 return Err(SceneError::NotTable {
                     typed: typed(),

@@ -7,10 +7,12 @@ use std::sync::Arc;
 
 use super::families::{self, SolvedLaw};
 use super::infeasible;
+use super::limits;
 use super::optimum::{Refusal, Sought};
 use super::report::proof::Doubt;
 use super::search::Search;
 use super::sizing::checked_cam::{CheckedCam, checked_cam};
+use crate::cam::{Check, LimitKind};
 use crate::error::{Placed, Result};
 use crate::problem::Problem;
 use crate::scene::{LawSpec, Minimise};
@@ -56,7 +58,24 @@ pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
 ///
 /// Errors of the input.
 pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
+    if let Some(attempt) = within_diameter(problem, search)? {
+        return Ok(Ok(attempt));
+    }
     on_cam(problem, families::law(problem, search)?)
+}
+
+/// The law without a nonconvex limit on the diameter, if it keeps that limit: it is then the best one under it too, and the sequence of convex
+/// programs need not find it.
+fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>> {
+    if !limits::diameter_is_nonconvex(problem) {
+        return Ok(None);
+    }
+    let mut open = problem.limits.clone();
+    open[LimitKind::Diameter] = None;
+    let law = families::law(&problem.with_limits(open), search)?;
+    let attempt = on_cam(problem, law)?.ok();
+    let keeps = |c: &Check| c.name != LimitKind::Diameter || c.pass;
+    Ok(attempt.filter(|attempt| attempt.cam.checks.iter().all(keeps)))
 }
 
 /// Places a law on the given or the smallest cam of a problem.
@@ -144,7 +163,6 @@ fn quick(problem: &Problem) -> Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cam::LimitKind;
     use crate::synth::samples::{FLAT, amplitude, one_wave};
     use crate::units::G;
 

@@ -7,7 +7,6 @@ use std::f64::consts::PI;
 
 use crate::cam::FollowerKind;
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::liftoff_speed;
 use crate::problem::{Problem, Shape, hub_radius};
 use crate::scene::{Family, LimitKind};
@@ -88,8 +87,8 @@ impl Motion<'_> {
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
         let [least, most] = self.shape.force_range.map(|force| mean + scale * force);
         let bent = self.level + self.factor * self.shape.least_bent;
-        let (base, smallest_convex_radius) = size(problem, bent);
         let [[bottom, top], [slowest, fastest], ..] = self.svaj;
+        let (base, smallest_convex_radius) = size(problem, bent, top + self.level);
         Figures {
             force: ForceReport {
                 rms_error_n,
@@ -109,6 +108,7 @@ impl Motion<'_> {
             }),
             base_radius: base,
             prime_radius: base,
+            radii: Some([bottom, top].map(|lift| base + self.level + lift)),
             offset: 0.0,
             smallest_convex_radius,
             largest_pressure_angle: 0.0,
@@ -122,7 +122,7 @@ impl Motion<'_> {
         let unit = self.scale * self.factor;
         let radius = [base_radius + self.level, self.factor];
         let quotient = self.shape.highest_quotient([mean, self.scale], radius);
-        let pressure = modulus(STEEL, STEEL) / (PI * problem.cam.thickness) * quotient;
+        let pressure = problem.cam.contact_modulus() / (PI * problem.cam.thickness) * quotient;
         MachineReport {
             liftoff_speed_rad_per_s: self.liftoff(drive),
             hertz_pressure_max_pa: Some(pressure.max(0.0).sqrt()),
@@ -145,15 +145,17 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, given or the minimum for curvature and bore, and minimum radius of curvature with this base radius, from the minimum of s + a.
-fn size(problem: &Problem, bent: f64) -> (f64, f64) {
+/// Base radius, given or the minimum for curvature and bore, and the minimum radius of curvature on it, from the minimum of s + a and the maximum
+/// lift.
+fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {
         return (base, base + bent);
     }
-    let base = (wanted - bent)
-        .max(0.0)
-        .max(hub_radius(&problem.cam, &problem.limits));
+    let base =
+        (wanted - bent)
+            .max(0.0)
+            .max(hub_radius(&problem.cam, &problem.limits, Some(highest)));
     (base, (base + bent).max(wanted))
 }
 
@@ -164,6 +166,9 @@ fn passes(problem: &Problem, figures: &Figures) -> bool {
         let Some(limit) = limits[kind] else {
             return true;
         };
+        if kind == LimitKind::Diameter {
+            return figures.radii.is_some_and(|[_, most]| 2.0 * most <= limit);
+        }
         let (of_figure, limit) = match kind {
             LimitKind::PressureAngleRise | LimitKind::PressureAngleFall => {
                 (LimitKind::PressureAngle, limit)

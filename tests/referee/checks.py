@@ -7,7 +7,8 @@ import tomllib
 
 import numpy as np
 
-from figures import Second, continuity, force, mean_target, moved, rho_min, second_cam
+from figures import Second, continuity, distance, force, mean_target, moved, rho_min, second_cam
+from materials import allowable
 from result import Unknown, close, field, place, size_of
 from units import quantity
 from walkers import population as field_of_population, walkers_of
@@ -51,6 +52,8 @@ CHECKS = {
     "torque_rate": (lambda r: (lambda t, s, v, a, j: np.abs((r.drive.stiffness * v + r.drive.damping * r.drive.speed * a
                     + r.drive.inertia * r.drive.speed**2 * j) * v + r.drive.force(t, s, v, a) * a)), True),
     "hertz_pressure": (lambda r: r.hertz, True),
+    "diameter": (lambda r: (lambda *x: 2 * distance(r)(*x)), True),
+    "second_diameter": (lambda r: (lambda t, s, v, a, j=None: 2 * np.hypot(*Second(r).at(t, s, v, a)[0])), True),
     "second_curvature": (second_cam, False),
     "second_concave": (lambda r: Second(r).concave, False),
     "second_pressure_angle_rise": (lambda r: Second(r).by_motion(True), True),
@@ -131,6 +134,8 @@ def check_limit(r, name, row):
         return close(given, 1e-12)
     second = name.startswith("second_")
     name = name.removeprefix("second_")
+    if name == "hertz_pressure":
+        return close(allowable(r.scene), 1e-9)
     if name.startswith("pressure_angle"):
         return close(DEFAULT_ANGLE["outer"], 1e-12)
     if name in ("curvature", "force_min", "upper_wall", "lower_wall"):

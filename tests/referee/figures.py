@@ -7,6 +7,7 @@ import numpy as np
 
 from cam import Cam
 from force import harmonics
+from materials import allowable
 from on_shaft import error_over_time
 from result import Unknown, close, field, model_of, place, presses, size_of
 from units import quantity
@@ -153,6 +154,20 @@ def size(r, m):
     if given is not None:
         return close(given, 1e-9)
     return (stated if profile_fits(r) else math.nan), 1e-9, 1e-15
+
+
+def distance(r):
+    """Distance of the point of contact from the centre of the shaft."""
+    return lambda theta, s, v, a, j=None: np.hypot(*r.cam.at(theta, s, v, a)[0])
+
+
+@field(r"cam\.radius_(min|max)_m")
+def radius_of_profile(r, m):
+    if r.cam.kind in ("translating-cam", "barrel"):
+        return None, 0, 0
+    if rho_min(r, None)[0] < 0 and not r.cam.is_face:
+        raise Unknown("radius of an undercut profile")
+    return close(r.law.extreme(distance(r), m[1] == "max")[0], 1e-7)
 
 
 def profile_fits(r):
@@ -307,9 +322,7 @@ def peak_between_rows(values):
 def machine(r, m):
     name = m[1]
     if name == "hertz_pressure_allowable_pa":
-        if r.scene["cam"].get("hardness") is None:
-            return None, 0, 0
-        raise Unknown("hardness")
+        return (None, 0, 0) if allowable(r.scene) is None else close(allowable(r.scene), 1e-9)
     if not presses(r):
         return None, 0, 0
     exact = 2e-4 if varies(r) else 3e-6 if r.motion or r.drive.learned else 1e-7

@@ -8,8 +8,6 @@ import numpy as np
 from units import quantity
 
 GRAVITY = 9.81
-# Steel on steel: E = 206.8 GPa, ν = 0.3 for both bodies.
-CONTACT_MODULUS = 206.8e9 / (2 * (1 - 0.3**2))
 
 
 def learned_terms(rows):

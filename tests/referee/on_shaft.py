@@ -217,7 +217,7 @@ def figure_of(law, before, r, m):
 
 def held(r):
     """Whether a quantity other than the force error depends on the speed of the shaft."""
-    still = ("stroke", "curvature", "pressure_angle", "pressure_angle_rise", "pressure_angle_fall", "prime_radius", "face_width")
+    still = ("stroke", "curvature", "pressure_angle", "pressure_angle_rise", "pressure_angle_fall", "prime_radius", "diameter", "face_width")
     limits = [name for name, value in r.scene["limits"].items() if name not in still and value != "none"]
     usual = "force-error" if r.target is not None else "jerk"
     return bool(limits or "band" in r.scene["gait"] or r.scene["law"].get("minimise", usual) != "force-error")

@@ -13,7 +13,8 @@ import numpy as np
 import law as laws
 import recorded
 from cam import Cam
-from force import CONTACT_MODULUS, Drive, model, sines
+from force import Drive, model, sines
+from materials import contact_modulus
 from machine import Floor, Motion, Motor
 from units import quantity
 
@@ -218,7 +219,7 @@ class Result:
             normal = normal * self.cam.normal_force_factor(theta, s, v, a)
         length = quantity(self.scene["cam"].get("thickness", 0.010))
         curvature = self.cam.curvature_sum(theta, s, v, a)
-        return np.sqrt(np.maximum(normal * curvature, 0.0) * CONTACT_MODULUS / (math.pi * length))
+        return np.sqrt(np.maximum(normal * curvature, 0.0) * contact_modulus(self.scene) / (math.pi * length))
 
 
 def place(r, value, stated, worst):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from figures import mean_target
-from force import CONTACT_MODULUS
+from materials import contact_modulus
 from on_shaft import error_over_time
 from result import Unknown, close, field
 from units import quantity
@@ -66,7 +66,7 @@ def contact(r, m):
     at = np.array([stated["at_rad"]])
     motion = [r.law(at, k) for k in range(3)]
     pressure = float(run.hertz(at, *motion)[0])
-    half_width = 2 * pressure / (CONTACT_MODULUS * float(r.cam.curvature_sum(at, *motion)[0]))
+    half_width = 2 * pressure / (contact_modulus(r.scene) * float(r.cam.curvature_sum(at, *motion)[0]))
     if m[1] == "at_rad" and r.motion is not None:
         # The value is that of a row.
         rows = run.hertz(r.run_theta, *(r.law(r.run_theta, k) for k in range(3)))

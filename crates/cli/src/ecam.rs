@@ -13,6 +13,7 @@ use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
 use gaitcam::error::Result;
+use gaitcam_app::folder::write_whole;
 use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
@@ -22,6 +23,7 @@ const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
   gaitcam ecam out/footbridge --dialect codesys
+  gaitcam ecam out/footbridge --dialect codesys --name heel --out heel.st
   gaitcam ecam out/footbridge --dialect rockwell --points 120";
 
 /// Arguments of `gaitcam ecam`.
@@ -37,6 +39,12 @@ pub struct EcamArgs {
     /// Number of equal intervals per cycle (default: the smallest number that reproduces the law)
     #[arg(long, value_name = "N")]
     points: Option<usize>,
+    /// Write to this file instead of the folder of the design
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Name of the cam in the controller's program, for a second cam in one project (default: gaitcam)
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -62,6 +70,26 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
         return Ok(NO_SUCH_CAM);
     }
     let cam = ecam::make(&design, args.dialect, args.points)?;
+    let cam = match &args.name {
+        Some(name) => cam.named(name)?,
+        None => cam,
+    };
+    let file = written(args, &made, &cam)?;
+    if args.json {
+        print_json(&ecam_json(&cam, &file));
+        return Ok(BUILT);
+    }
+    print(&sentence(&cam));
+    print(&words::fill("ecam-file", &json!({"file": file})));
+    Ok(BUILT)
+}
+
+/// Writes the file where it is asked for, otherwise into the folder of the design; its path.
+fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> {
+    if let Some(out) = &args.out {
+        write_whole(out, cam.text.as_bytes())?;
+        return Ok(out.display().to_string());
+    }
     let path = match args.design.is_dir() {
         true => args.design.clone(),
         false => input::result_folder(&made.input, None, "")?,
@@ -70,13 +98,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     folder.write(cam.dialect.file(), cam.text.as_bytes())?;
     let file = folder.path().join(cam.dialect.file()).display().to_string();
     folder.commit(&[])?;
-    if args.json {
-        print_json(&ecam_json(&cam, &file));
-        return Ok(BUILT);
-    }
-    print(&sentence(&cam));
-    print(&words::fill("ecam-file", &json!({"file": file})));
-    Ok(BUILT)
+    Ok(file)
 }
 
 /// Sentence on the force error with the controller.

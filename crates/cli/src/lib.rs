@@ -11,6 +11,7 @@ mod gait;
 mod identify;
 mod input;
 mod inspect;
+mod points;
 mod reference;
 mod results;
 mod scene;
@@ -63,6 +64,8 @@ enum Command {
     Recut(identify::RecutArgs),
     /// Write a design as an electronic cam for a motion controller, and compute the force error with this controller
     Ecam(ecam::EcamArgs),
+    /// Write the profile as points for "curve through points" of a CAD program
+    Points(points::PointsArgs),
     /// Design thousands of scenes (a grid, a list or a sample of values) into one table
     Sweep(sweep::SweepArgs),
     /// Compute the Pareto front of a sweep: table, pictures and the best design
@@ -137,6 +140,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Identify(args) => identify::identify(&args),
         Command::Recut(args) => identify::recut(&args),
         Command::Ecam(args) => ecam::run(&args),
+        Command::Points(args) => points::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
         Command::Compare(args) => compare::run(&args),
@@ -190,6 +194,7 @@ impl Command {
             Command::Keys(args) => args.json || args.schema,
             Command::Scenes(args) => args.json,
             Command::Studio(_)
+            | Command::Points(_)
             | Command::Completions(_)
             | Command::Init(_)
             | Command::Doctor(_) => false,

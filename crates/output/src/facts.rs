@@ -256,6 +256,14 @@ impl List<'_> {
                 self.figure("offset_m", brief);
             }
         }
+        if let Some([least, most]) = self.figures.radii {
+            let [least, most] = [least, most].map(|radius| self.words.millimetres(radius));
+            self.put(
+                "report-profile-radii",
+                format!("{least} … {most}"),
+                Brief::Whole,
+            );
+        }
         self.figure("rho_min_m", Brief::Whole);
         let at = follower
             .measures()
@@ -294,19 +302,28 @@ impl List<'_> {
         if pressure.is_some_and(f64::is_finite) {
             self.figure("hertz_pressure_max_pa", Brief::Whole);
         }
-        let Some(hardness) = self.design.problem.cam.making.hardness else {
+        let cam = &self.design.problem.cam;
+        let Some(borne) = cam.allowable_pressure() else {
             return;
         };
-        // The pressure that the hardness of the surface bears, with the margin.
-        let borne = hardness.allowable_pressure();
+        // The pressure that the materials bear, with the margin.
+        let of_hardness = cam.making.hardness;
+        let of_hardness = of_hardness.filter(|h| h.allowable_pressure() == borne);
         let margin = pressure.filter(|p| *p > 0.0);
         let margin = margin.map_or(f64::INFINITY, |p| borne / p);
         let arguments = [
             ("pressure", &*self.words.number(1e-6 * borne)),
-            ("hardness", &hardness.to_string()),
+            (
+                "hardness",
+                &of_hardness.map_or_else(String::new, |h| h.to_string()),
+            ),
             ("margin", &self.words.number(margin)),
         ];
-        let value = self.words.fill("report-hertz-borne", &arguments);
+        let key = match of_hardness {
+            Some(_) => "report-hertz-borne",
+            None => "report-material-borne",
+        };
+        let value = self.words.fill(key, &arguments);
         self.put("report-hertz-allowable", value, Brief::Whole);
     }
 }

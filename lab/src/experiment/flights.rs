@@ -70,10 +70,11 @@ pub(super) fn bounces(out: &mut Page) -> Result<()> {
                 _ => None,
             });
         out.line(format_args!(
-                "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings in every turn.",
-                landings.join(", "),
-                rest.unwrap_or(f64::NAN),
-                run.impacts.len()));
+            "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings in every turn.",
+            landings.join(", "),
+            rest.unwrap_or(f64::NAN),
+            run.impacts.len()
+        ));
     }
     out.line("");
     out.picture(

@@ -31,8 +31,7 @@ pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
     let rungs = Chart {
         file: "ladder".to_string(),
         title: "Each solver on its own problems".to_string(),
-        task: "The remark names the reference of the error."
-            .to_string(),
+        task: "The remark names the reference of the error.".to_string(),
         error: "error".to_string(),
         across: Across::Spans,
         rows: [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat(),

@@ -228,17 +228,22 @@ impl Follower {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
 
-    /// Follower with the base radius for which its position at s = 0 is `start`; `None` if there is no such base radius.
-    pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
+    /// Radius of the base circle on which the follower is at `start` when s = 0, m.
+    pub(super) fn base_radius_at(&self, start: f64) -> f64 {
         let radius = self.roller_radius();
-        let flat_arm = self.pivot().is_some() && self.arm().is_none();
-        let base = match (self.pivot(), self.arm()) {
+        match (self.pivot(), self.arm()) {
             (Some([c, _]), Some(Arm { length, .. })) => {
                 (length * length + c * c - 2.0 * length * c.abs() * start.cos()).sqrt() - radius
             }
             (Some([c, _]), None) => self.face_offset() + c.abs() * start.sin(),
             (None, _) => start.hypot(self.offset()) - radius,
-        };
+        }
+    }
+
+    /// The follower on the base circle for which it is at `start` when s = 0; `None` if there is none.
+    pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
+        let flat_arm = self.pivot().is_some() && self.arm().is_none();
+        let base = self.base_radius_at(start);
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
     }
 

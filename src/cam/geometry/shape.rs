@@ -101,6 +101,18 @@ impl Cam {
         Geometry::new(&self.follower).travel(at)
     }
 
+    /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
+    ///
+    /// Where the profile is nearest to the centre or farthest from it, its normal is radial and the follower at rest: the radius there is that of
+    /// the base circle on which the follower would start at that lift. Exact for a profile without undercut.
+    pub fn radii(&self) -> Option<[Extreme; 2]> {
+        let follower = &self.follower;
+        let start = follower.start_place();
+        let at = |lift: Extreme| lift.map(|s| follower.base_radius_at(start + s));
+        let (low, high) = self.law.extremes(0);
+        (!follower.is_unrolled()).then(|| [at(low), at(high)])
+    }
+
     /// Minimum length of the face, flat or mushroom, m: the range of the contact on it. For a translating flat face this is max v − min v (Campillo
     /// de Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {

@@ -4,9 +4,11 @@ use serde::Serialize;
 
 mod bore;
 mod hardness;
+mod material;
 
 pub use bore::{Bore, Keyway};
 pub use hardness::Hardness;
+pub use material::{Material, STEEL, StatedMaterial, Stock};
 
 /// Material, surface and tolerance; lengths in m.
 ///
@@ -19,6 +21,8 @@ pub use hardness::Hardness;
 pub struct Making {
     /// The material by its designation; `None` = steel.
     pub material: Option<String>,
+    /// Constants of the material; those of steel where nothing is stated.
+    pub stated: StatedMaterial,
     /// Hardness of the surface.
     pub hardness: Option<Hardness>,
     /// Arithmetical mean roughness Ra of the profile.

@@ -2,6 +2,7 @@
 //!
 //! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
 
+pub use crate::cam::{Material, STEEL};
 use crate::drive::Drive;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -9,29 +10,6 @@ use std::f64::consts::PI;
 /// Depth of the maximum shear stress below a line contact, relative to the half-width (Johnson 1985, Contact Mechanics, §4.2).
 const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
-
-/// Elastic constants of one body.
-///
-/// ```
-/// use gaitcam::dynamics::hertz::{Material, STEEL, modulus};
-///
-/// // Of two equal bodies: E/(1 − ν²)/2 … the reduced modulus of steel on steel is half of a rigid partner's.
-/// let rigid = Material { young: f64::INFINITY, poisson: 0.0 };
-/// assert!((modulus(STEEL, rigid) / modulus(STEEL, STEEL) - 2.0).abs() < 1e-12);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Material {
-    /// Young's modulus of the body, Pa.
-    pub young: f64,
-    /// Poisson's ratio of the body.
-    pub poisson: f64,
-}
-
-/// Elastic constants of steel: 206.8 GPa, 0.3 (theory §10).
-pub const STEEL: Material = Material {
-    young: 206.8e9,
-    poisson: 0.3,
-};
 
 /// A line contact under load.
 ///
@@ -56,7 +34,7 @@ pub struct LineContact {
 
 /// Contact modulus E* of two bodies, Pa.
 pub fn modulus(a: Material, b: Material) -> f64 {
-    1.0 / ((1.0 - a.poisson * a.poisson) / a.young + (1.0 - b.poisson * b.poisson) / b.young)
+    1.0 / (a.compliance() + b.compliance())
 }
 
 /// Line contact with p₀ = √(F E*/(π L R)), where 1/R is the sum of the curvatures of both bodies, `curvature` in 1/m.

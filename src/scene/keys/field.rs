@@ -1,7 +1,7 @@
 //! Access of a key to its field, one implementation for each type of field.
 
 use super::value::Value;
-use crate::cam::{FollowerKind, Hardness};
+use crate::cam::{FollowerKind, Hardness, Stock};
 use crate::drive::DriveKind;
 use crate::error::{Result, SceneError};
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
@@ -158,6 +158,7 @@ fn named_all<T: Copy>(all: &[T], name: fn(T) -> &'static str) -> Vec<(&'static s
 impl_words! {
     DriveKind: named_all(DriveKind::ALL, DriveKind::name);
     FollowerKind: named_all(FollowerKind::ALL, FollowerKind::name);
+    Stock: named_all(Stock::ALL, Stock::name);
     Movement: named_all(Movement::ALL, Movement::name);
     Feet: named_all(&Feet::ALL, Feet::name);
     ForceScale: named_all(ForceScale::ALL, ForceScale::name);

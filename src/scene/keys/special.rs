@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use super::field::Access;
 use super::value::{Value, written};
+use crate::cam::Stock;
 use crate::scene::{Harmonic, LimitKind, Limits, Source};
 use crate::units::Dimension;
+use crate::wording::called_in_spanish;
 
 /// Word that switches a default bound off.
 pub(super) const NONE: &str = "none";
@@ -118,11 +120,15 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// Access to `cam.material`. An empty text is not a material.
+/// `cam.material`: a known material, in English or Spanish, or a designation of steel; an empty text is not a material.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {
-        s.cam.making.material = Some(v.text()).filter(|text| !text.trim().is_empty());
+        let typed = v.text();
+        let names: Vec<&'static str> = Stock::ALL.iter().map(|stock| stock.name()).collect();
+        let spanish = || called_in_spanish(&typed, &names).and_then(Stock::named);
+        s.cam.making.stated.stock = Stock::named(&typed).or_else(spanish);
+        s.cam.making.material = Some(typed).filter(|text| !text.trim().is_empty());
         Ok(())
     },
 };

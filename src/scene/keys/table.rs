@@ -11,7 +11,7 @@ use super::special::{
     ACCURACY, FILE, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE, OFFSET,
     PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, limit, one_side,
 };
-use crate::cam::FollowerKind;
+use crate::cam::{FollowerKind, Stock};
 use crate::drive::DriveKind;
 use crate::force::{self, Feet, Kind as Movement};
 use crate::law::Rise;
@@ -79,7 +79,14 @@ pub static KEYS: &[Key] = &[
     row("cam.keyway",                  number(Length, Positive).or("auto"), "",                 field!(cam.keyway)).only(turns),
     row("cam.mark",                    FLAG,                                "false",            field!(cam.mark)).only(is_disc),
     row("cam.thickness",               number(Length, Positive),            "10 mm",            field!(cam.thickness)),
-    row("cam.material",                TEXT,                                "",                 MATERIAL).only(is_disc),
+    row("cam.material",                TEXT,                                "",                 MATERIAL),
+    row("cam.material.young",              number(Pressure, Positive),      "",      field!(cam.making.stated.young)),
+    row("cam.material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     field!(cam.making.stated.poisson)),
+    row("cam.material.allowable_pressure", number(Pressure, Positive),      "",      field!(cam.making.stated.allowable_pressure)),
+    row("cam.follower_material",                    words::<Stock>(),               "steel", field!(cam.follower_material.stock)),
+    row("cam.follower_material.young",              number(Pressure, Positive),      "",      field!(cam.follower_material.young)),
+    row("cam.follower_material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     field!(cam.follower_material.poisson)),
+    row("cam.follower_material.allowable_pressure", number(Pressure, Positive),      "",      field!(cam.follower_material.allowable_pressure)),
     row("cam.hardness",                TEXT,                                "",                 field!(cam.making.hardness)),
     row("cam.roughness",               number(Length, Positive),            "",                 field!(cam.making.roughness)).only(is_disc),
     row("cam.tolerance",               number(Length, Positive),            "",                 field!(cam.making.tolerance)).only(is_disc),
@@ -140,6 +147,7 @@ pub static KEYS: &[Key] = &[
     row("limits.pressure_angle_rise", number(Angle, Acute).or(NONE), "", one_side!(PressureAngleRise)).limit(LimitKind::PressureAngleRise),
     row("limits.pressure_angle_fall", number(Angle, Acute).or(NONE), "", one_side!(PressureAngleFall)).limit(LimitKind::PressureAngleFall),
     limit!("limits.prime_radius",   PrimeRadius,   number(Length, Positive)),
+    limit!("limits.diameter",       Diameter,      number(Length, Positive)).idle_when(unrolled),
     limit!("limits.face_width",     FaceWidth,     number(Length, Positive)).idle_when(no_face),
     limit!("limits.torque",         Torque,        number(Torque, Positive)),
     limit!("limits.power",          Power,         number(Power, Positive)),
@@ -157,6 +165,10 @@ pub static KEYS: &[Key] = &[
     row("machine.motor.slope",         number(AngularDamping, Positive),        "",     field!(machine.motor.slope)).only(turns),
     row("machine.motor.stall_torque",  number(Torque, Positive),                "",     field!(machine.motor.stall_torque)).only(turns),
     row("machine.motor.no_load_speed", number(AngularSpeed, Positive),          "auto", field!(machine.motor.no_load_speed)).only(turns),
+    row("machine.motor.rated_torque",      number(Torque, Positive),            "",     field!(machine.motor.rated_torque)).only(turns),
+    row("machine.motor.rated_speed",       number(AngularSpeed, Positive),      "",     field!(machine.motor.rated_speed)).only(turns),
+    row("machine.motor.synchronous_speed", number(AngularSpeed, Positive),      "auto", field!(machine.motor.synchronous_speed)).only(turns).idle_when(no_motor),
+    row("machine.motor.inertia",           number(Inertia, NotNegative),        "0",    field!(machine.motor.inertia)).only(turns).idle_when(no_motor),
     row("machine.motor.curve",         TEXT,                                    "",     field!(machine.motor.curve)).only(turns),
     row("machine.motor.gear",          number(Ratio, Between(1e-3, 1e3)),       "1",    field!(machine.motor.gear)).only(turns).idle_when(no_motor),
     row("machine.motor.efficiency",    number(Ratio, Between(0.01, 1.0)),       "1",    field!(machine.motor.efficiency)).only(turns).idle_when(no_motor),
@@ -313,6 +325,11 @@ fn no_force(scene: &Scene) -> Option<Idle> {
 /// No effect: the offset of a translating flat face.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
+}
+
+/// Condition: an unrolled profile has no diameter.
+fn unrolled(scene: &Scene) -> Option<Idle> {
+    (!is_disc(scene)).then_some(Idle::Follower)
 }
 
 /// No effect: the length of a face without a flat face.

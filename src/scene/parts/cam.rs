@@ -1,6 +1,6 @@
 //! `[cam]`: the cam and its follower.
 
-use crate::cam::{Bore, Closure, FollowerKind, Keyway, Making, Measures};
+use crate::cam::{Bore, Closure, FollowerKind, Keyway, Making, Material, Measures, StatedMaterial};
 
 /// Default plate thickness, m.
 const THICKNESS: f64 = 0.01;
@@ -45,6 +45,8 @@ pub struct CamSpec {
     pub thickness: f64,
     /// Material, hardness and tolerances.
     pub making: Making,
+    /// Material of the follower where it touches the cam.
+    pub follower_material: StatedMaterial,
     /// For a cam of constant breadth: distance of both faces, or of both roller centres. The law is then given only for the first half turn.
     pub breadth: Option<f64>,
     /// For a translating cam: length of the travel; `None`: the total length of the segments.
@@ -76,6 +78,7 @@ impl Default for CamSpec {
             mark: false,
             thickness: THICKNESS,
             making: Making::default(),
+            follower_material: StatedMaterial::default(),
             breadth: None,
             travel: None,
             turns: 1,
@@ -104,6 +107,33 @@ pub enum KeywaySpec {
 }
 
 impl CamSpec {
+    /// Elastic constants of cam and follower.
+    pub fn materials(&self) -> [Material; 2] {
+        [
+            self.making.stated.material(),
+            self.follower_material.material(),
+        ]
+    }
+
+    /// Contact modulus E* of cam and follower, Pa.
+    pub fn contact_modulus(&self) -> f64 {
+        let [cam, follower] = self.materials();
+        1.0 / (cam.compliance() + follower.compliance())
+    }
+
+    /// Allowable pressure of the contact, Pa: the lower one of cam and follower. That of the cam is stated, or follows from its hardness or its
+    /// material. `None` if nothing is known.
+    pub fn allowable_pressure(&self) -> Option<f64> {
+        let making = &self.making;
+        let of_hardness = making.hardness.map(|h| h.allowable_pressure());
+        let stated = making.stated.allowable_pressure;
+        let of_cam = stated
+            .or(of_hardness)
+            .or_else(|| making.stated.allowable_pressure());
+        let of_follower = self.follower_material.allowable_pressure();
+        of_cam.into_iter().chain(of_follower).reduce(f64::min)
+    }
+
     /// Cam for a kind of follower, with a size that the synthesis determines.
     #[must_use]
     pub fn new(follower: FollowerKind) -> CamSpec {

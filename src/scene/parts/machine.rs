@@ -1,11 +1,15 @@
 //! `[machine]`: properties of the machine in addition to its drive.
 
+use std::f64::consts::TAU;
+
 use super::floor::{FloorSpec, WalkersSpec};
 use super::harmonic::Harmonic;
 use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
 
+/// Maximum number of pole pairs whose synchronous speed is a default.
+const POLE_PAIRS: u32 = 4;
 /// Default damping ratio of a follower train, typical of lubricated steel parts.
 const DAMPING_RATIO: f64 = 0.05;
 
@@ -72,6 +76,14 @@ pub struct MotorSpec {
     pub stall_torque: Option<f64>,
     /// No-load speed of the motor, rad/s; `None`: the one for which the shaft has the mean speed.
     pub no_load_speed: Option<f64>,
+    /// Rated torque of an induction motor, N·m, at its rated speed.
+    pub rated_torque: Option<f64>,
+    /// Rated speed of the motor, rad/s.
+    pub rated_speed: Option<f64>,
+    /// Synchronous speed of the motor, rad/s; `None`: the next one of a supply of 50 Hz or 60 Hz above the rated speed.
+    pub synchronous_speed: Option<f64>,
+    /// Moment of inertia of the rotor, before the gear, kg·m².
+    pub inertia: f64,
     /// Speeds, rad/s, and torques, N·m, of the motor, alternating, from a file.
     pub curve: Option<String>,
     /// Turns of the motor per turn of the cam.
@@ -86,6 +98,10 @@ impl Default for MotorSpec {
             slope: None,
             stall_torque: None,
             no_load_speed: None,
+            rated_torque: None,
+            rated_speed: None,
+            synchronous_speed: None,
+            inertia: 0.0,
             curve: None,
             gear: 1.0,
             efficiency: 1.0,
@@ -96,7 +112,38 @@ impl Default for MotorSpec {
 impl MotorSpec {
     /// Whether torque data are given.
     pub fn is_given(&self) -> bool {
-        self.slope.is_some() || self.stall_torque.is_some() || self.curve.is_some()
+        self.slope.is_some()
+            || self.stall_torque.is_some()
+            || self.rated_torque.is_some()
+            || self.curve.is_some()
+    }
+
+    /// Torque of the straight line at standstill, N·m, and its no-load speed, rad/s: stated, or from the nameplate of an induction motor, whose torque
+    /// vanishes at its synchronous speed.
+    fn straight(&self) -> Option<(f64, Option<f64>)> {
+        if let Some(stall) = self.stall_torque {
+            return Some((stall, self.no_load_speed));
+        }
+        let (torque, rated) = (self.rated_torque?, self.rated_speed?);
+        let synchronous = self.synchronous()?;
+        Some((
+            torque * synchronous / (synchronous - rated),
+            Some(synchronous),
+        ))
+    }
+
+    /// Synchronous speed, rad/s: stated, or the next one of 2, 4, 6 or 8 poles above the rated speed.
+    fn synchronous(&self) -> Option<f64> {
+        let rated = self.rated_speed?;
+        let per_pair = [50.0, 60.0].map(|frequency| TAU * frequency);
+        let all = (1..=POLE_PAIRS).flat_map(|pairs| per_pair.map(|w| w / f64::from(pairs)));
+        let next = || all.clone().filter(|w| *w > rated).reduce(f64::min);
+        self.synchronous_speed.or_else(next)
+    }
+
+    /// Moment of inertia of the rotor at the camshaft, kg·m².
+    pub fn rotor_at_cam(&self) -> f64 {
+        self.inertia * self.gear * self.gear
     }
 
     /// Speeds and torques of the curve; `None` unless they form a decreasing curve with at least two rows that reaches zero torque.
@@ -115,9 +162,9 @@ impl MotorSpec {
         if let Some(slope) = self.slope {
             return Some((TorqueLine::Slope(slope), None));
         }
-        if let Some(stall) = self.stall_torque {
+        if let Some((stall, no_load)) = self.straight() {
             let at_cam = factor * stall;
-            return Some(match self.no_load_speed.map(|w| w / n) {
+            return Some(match no_load.map(|w| w / n) {
                 Some(nominal) => (TorqueLine::Slope(at_cam / nominal), Some(nominal)),
                 None => (TorqueLine::Stall(at_cam), None),
             });
@@ -140,10 +187,28 @@ impl MachineSpec {
         let lines = [
             motor.slope.is_some(),
             motor.stall_torque.is_some(),
+            motor.rated_torque.is_some(),
             motor.curve.is_some(),
         ];
         let lines = lines.iter().filter(|given| **given).count();
-        let fault = if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
+        let of_plate = [motor.rated_speed, motor.synchronous_speed];
+        let is_half = match motor.rated_torque {
+            None => of_plate.iter().any(Option::is_some),
+            Some(_) => motor.rated_speed.is_none(),
+        };
+        let too_fast = motor.rated_torque.and(motor.rated_speed).filter(|rated| {
+            motor
+                .synchronous()
+                .is_none_or(|synchronous| synchronous <= *rated)
+        });
+        let fault = if is_half {
+            ("machine.motor.rated_torque", SceneError::HalfNameplate)
+        } else if too_fast.is_some() {
+            (
+                "machine.motor.synchronous_speed",
+                SceneError::NotSynchronous,
+            )
+        } else if motor.no_load_speed.is_some() && motor.stall_torque.is_none() {
             (
                 "machine.motor.no_load_speed",
                 SceneError::NoLoadWithoutStall,
@@ -152,12 +217,19 @@ impl MachineSpec {
             ("machine.motor.slope", SceneError::MotorLine)
         } else if motor.curve.is_some() && motor.rows().is_none() {
             ("machine.motor.curve", SceneError::MotorCurve)
-        } else if lines > 0 && self.inertia.is_none() {
+        } else if lines > 0 && self.inertia.is_none() && motor.inertia == 0.0 {
             ("machine.inertia", SceneError::MotorWithoutInertia)
         } else {
             return Ok(());
         };
         Err(fault)
+    }
+
+    /// Moment of inertia of all that turns, at the camshaft, kg·m²: the given one and the rotor of the motor.
+    fn total_inertia(&self) -> Option<f64> {
+        let rotor = self.motor.rotor_at_cam();
+        let alone = (rotor > 0.0).then_some(rotor);
+        self.inertia.map(|own| own + rotor).or(alone)
     }
 
     /// The motor with flywheel and friction; `None` for a constant shaft speed.
@@ -167,7 +239,7 @@ impl MachineSpec {
         Some(Motor {
             line,
             nominal,
-            inertia: self.inertia?,
+            inertia: self.total_inertia()?,
             friction: self.friction_torque,
             gear: spec.gear,
             efficiency: spec.efficiency,

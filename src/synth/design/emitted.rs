@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use super::Design;
 use crate::drive::Drive;
-use crate::dynamics::hertz::STEEL;
 use crate::dynamics::{Face, Machine, Run};
 use crate::error::Result;
 use crate::scene::MachineSpec;
@@ -31,6 +30,7 @@ impl Design {
     ///
     /// A natural frequency without a mass.
     pub fn emitted(&self, spec: &MachineSpec, drive: Drive) -> Result<Run> {
+        let [cam, follower] = self.problem.cam.materials();
         let angles = || (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
         let machine = Machine {
             train: spec.train(&drive)?,
@@ -40,8 +40,8 @@ impl Design {
             conjugate: self.conjugate.as_ref().map(|pair| pair.second.clone()),
             face: Some(Face {
                 length: self.problem.cam.thickness,
-                cam: STEEL,
-                follower: STEEL,
+                cam,
+                follower,
             }),
             groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
             motor: spec.motor(),

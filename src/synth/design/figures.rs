@@ -37,6 +37,8 @@ pub struct Figures {
     pub base_radius: f64,
     /// Radius of the prime circle.
     pub prime_radius: f64,
+    /// Minimum and maximum radius of the profile about the centre of the shaft; `None` for unrolled profiles.
+    pub radii: Option<[f64; 2]>,
     /// Offset of the follower.
     pub offset: f64,
     /// Minimum radius of curvature of the convex parts of the profile.
@@ -65,6 +67,7 @@ impl Figures {
             }),
             base_radius: follower.base_radius(),
             prime_radius: follower.prime_radius(),
+            radii: cam.radii().map(|ends| ends.map(|end| end.value)),
             offset: follower.offset(),
             smallest_convex_radius: cam.curvature().convex.value,
             largest_pressure_angle: high.value.max(-low.value),
@@ -218,7 +221,7 @@ impl Figure {
 /// All figures, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
 /// limit; a minimum force at the speed of the machine replaces it.
 #[rustfmt::skip]
-pub static FIGURES: [Figure; 25] = [
+pub static FIGURES: [Figure; 27] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),
     figure("force_rms_error_percent",   "%",     ["force",   "rms_error_percent_of_mean"], |f| f.force.rms_error_percent_of_mean).digits(3),
     figure("force_max_error_n",         "N",     ["force",   "max_error_n"],              |f| f.force.max_error_n).digits(3),
@@ -234,6 +237,8 @@ pub static FIGURES: [Figure; 25] = [
     figure("jerk_max_m_per_s3",         "m/s^3", ["",        "jerk_m_per_s3"],            |f| f.peaks[2]).limited(Limit::Jerk).traded("jerk").measured(|m| m.by_time(3)),
     figure("base_radius_m",             "m",     ["cam",     "base_radius_m"],            |f| f.base_radius).settling("cam.base_radius"),
     figure("prime_radius_m",            "m",     ["cam",     "prime_radius_m"],           |f| f.prime_radius).limited(Limit::PrimeRadius).traded("prime_radius").settling("cam.prime_radius"),
+    figure("radius_min_m",              "m",     ["cam",     "radius_min_m"],             |f| known(f.radii.map(|ends| ends[0]))),
+    figure("radius_max_m",              "m",     ["cam",     "radius_max_m"],             |f| known(f.radii.map(|ends| ends[1]))),
     figure("offset_m",                  "m",     ["cam",     "offset_m"],                 |f| f.offset).settling("cam.offset"),
     figure("rho_min_m",                 "m",     ["cam",     "rho_min_m"],                |f| f.smallest_convex_radius).limited(Limit::Curvature),
     figure("pressure_angle_max_rad",    "rad",   ["",        "pressure_angle_max_rad"],   |f| f.largest_pressure_angle).limited(Limit::PressureAngle),

@@ -7,7 +7,7 @@ use super::press::Press;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{FollowerKind, LimitKind};
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
+use crate::dynamics::hertz::flat_face_limit;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
@@ -33,9 +33,14 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
-    let steel = modulus(STEEL, STEEL);
-    let ([s, v, a, j], bound) =
-        flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
+    let modulus = cam.contact_modulus();
+    let ([s, v, a, j], bound) = flat_face_limit(
+        &problem.drive,
+        base_radius,
+        cam.thickness,
+        modulus,
+        pressure,
+    );
     let scale = bound.abs().max(problem.drive.rest_force.abs());
     let weights = [s, v, a, j, 0.0];
     let limit = structural(LimitKind::HertzPressure, weights, bound, scale);
@@ -65,7 +70,7 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
         problem.cam.roller_radius,
     );
     let force = problem.force_extremes(pressing).1.value;
-    let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
+    let least = force * problem.cam.contact_modulus() / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }
 

@@ -19,7 +19,9 @@ pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
     let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale);
-    (problem.level_is_known() || stroke.is_some()).then_some(limit)
+    // Limits on the height of the law count from there.
+    let is_limited = stroke.is_some() || problem.limits[LimitKind::Diameter].is_some();
+    (problem.level_is_known() || is_limited).then_some(limit)
 }
 
 /// Base-circle limit with the size of the cam among the variables.

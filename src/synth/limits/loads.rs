@@ -9,7 +9,6 @@ use super::hertz_pressure::{self, Pressure};
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Check, LimitKind};
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, modulus};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
@@ -49,7 +48,7 @@ impl Loads {
             pressure: roller
                 .zip(limits[LimitKind::HertzPressure])
                 .map(|(roller, most)| Pressure {
-                    spread: PI * problem.cam.thickness / modulus(STEEL, STEEL),
+                    spread: PI * problem.cam.thickness / problem.cam.contact_modulus(),
                     roller,
                     most,
                 }),

@@ -4,6 +4,7 @@
 //! check on the finished design.
 
 mod curvature;
+mod diameter;
 mod dwell_vibration;
 mod finished;
 mod force;
@@ -20,6 +21,7 @@ mod profile;
 mod size;
 mod slack;
 
+pub use diameter::is_nonconvex as diameter_is_nonconvex;
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
 pub use force::report as force_report;
@@ -59,6 +61,7 @@ pub fn constrain(
     let base_circle = kinematic::base_circle(problem).filter(|_| !search.below_base_circle);
     let mut rows: Vec<Limit> = base_circle.into_iter().collect();
     rows.extend(kinematic::stroke(problem));
+    rows.extend(diameter::row(problem, is_sized));
     rows.extend(kinematic::face_width(problem));
     rows.extend(kinematic::timed(problem));
     if is_spline {
@@ -139,6 +142,7 @@ impl Finished<'_> {
         }
         out.extend(curvature::checks(problem, cam));
         out.extend(size::checks(problem, cam));
+        out.extend(diameter::check(problem, cam, LimitKind::Diameter));
         out.extend(curvature::interference(cam));
         out.extend(kinematic::base_circle_check(cam));
         out
@@ -151,6 +155,7 @@ fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     let mut out = pressure_angle::checks(problem, cam.pressure_angles_by_motion());
     out.extend(curvature::checks(problem, cam));
     out.extend(curvature::interference(cam));
+    out.extend(diameter::check(problem, cam, LimitKind::Diameter));
     for check in &mut out {
         check.name = check.name.of_second_cam();
     }

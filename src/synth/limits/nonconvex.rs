@@ -1,9 +1,10 @@
 //! All nonconvex limits: those of the profile and those of shaft and contact.
 
+use super::diameter::Diameter;
 use super::loads::Loads;
 use super::profile::Profile;
 use super::slack::{ProfileSize, Slack};
-use crate::cam::Criterion;
+use crate::cam::{Criterion, LimitKind};
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
@@ -16,6 +17,8 @@ pub const ENLARGED: f64 = 4e-6;
 pub struct NonconvexLimits {
     /// Nonconvex limits of the profile.
     pub profile: Option<Profile>,
+    /// Nonconvex limit on the diameter.
+    pub diameter: Option<Diameter>,
     /// Nonconvex limits of shaft and contact.
     pub loads: Option<Loads>,
 }
@@ -26,12 +29,19 @@ impl NonconvexLimits {
         let profile = Profile::of(problem);
         let under_roller = matches!(profile, Some(Profile::Roller(_)));
         let loads = Loads::of(problem, under_roller);
-        (profile.is_some() || loads.is_some()).then_some(NonconvexLimits { profile, loads })
+        let diameter = Diameter::of(problem);
+        let any = profile.is_some() || diameter.is_some() || loads.is_some();
+        any.then_some(NonconvexLimits {
+            profile,
+            diameter,
+            loads,
+        })
     }
 
     /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
+        out.extend(self.diameter.map(|d| d.slack(at, self.size())));
         if let Some(loads) = &self.loads {
             loads.slacks(at, theta, self.size(), &mut out);
         }
@@ -64,6 +74,7 @@ impl NonconvexLimits {
         };
         NonconvexLimits {
             profile: self.profile.and_then(|p| p.only(&kept)),
+            diameter: self.diameter.filter(|_| kept(LimitKind::Diameter.into())),
             loads: self.loads.clone().map(left_out),
         }
     }
@@ -72,6 +83,7 @@ impl NonconvexLimits {
     pub fn at_size(&self, size: ProfileSize) -> Self {
         NonconvexLimits {
             profile: self.profile.map(|f| f.at_size(size)),
+            diameter: self.diameter,
             loads: self.loads.clone(),
         }
     }

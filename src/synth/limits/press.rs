@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use super::finished::GEOMETRY;
 use crate::cam::{BarrelGroove, Cam, Follower, Wall};
 use crate::drive::Drive;
-use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::rigid::touch::touch;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
@@ -23,6 +22,8 @@ pub struct Press<'a> {
     pub drive: &'a Drive,
     /// Thickness of the plate, m.
     pub thickness: f64,
+    /// Contact modulus of cam and follower, Pa.
+    pub modulus: f64,
     /// Law that determines the force.
     pub law: &'a Law,
     /// Force added by a varying speed or a floor, N.
@@ -35,6 +36,7 @@ impl<'a> Press<'a> {
         Press {
             drive: &problem.drive,
             thickness: problem.cam.thickness,
+            modulus: problem.cam.contact_modulus(),
             law,
             extra: problem.on_shaft.as_ref().map(|shaft| &shaft.extra.force),
         }
@@ -91,7 +93,7 @@ impl<'a> Press<'a> {
     }
 
     fn factor(&self) -> f64 {
-        modulus(STEEL, STEEL) / (PI * self.thickness)
+        self.modulus / (PI * self.thickness)
     }
 
     /// Square root of the maximum p², from normal force and curvature at `sign` times the force. `bearing` returns both for the motion of the cam and

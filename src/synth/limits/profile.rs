@@ -187,14 +187,14 @@ impl Profile {
 }
 
 /// Arm angle ξ on the prime circle, rad, and its derivative with respect to the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
-fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
+pub(super) fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
     let rest = cos.clamp(-1.0, 1.0).acos();
     (rest, prime / (arm * pivot * rest.sin()))
 }
 
 /// Face angle ξ on the base circle, rad, and its derivative with respect to the circle's radius: Rb = c sin ξ + offset.
-fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
+pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     let rest = ((base - offset) / pivot).clamp(-1.0, 1.0).asin();
     (rest, 1.0 / (pivot * rest.cos()))
 }
@@ -302,6 +302,7 @@ mod tests {
 
     fn alone(profile: Profile) -> NonconvexLimits {
         NonconvexLimits {
+            diameter: None,
             profile: Some(profile),
             loads: None,
         }

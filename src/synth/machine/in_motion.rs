@@ -258,7 +258,8 @@ fn larger_inertia(
     let target = problem.target.as_ref().map(|t| &**t.curve());
     let cam = &last.attempt.cam.cam;
     let run = Runner::new(problem, cam, target, Some(&motor), floor.as_ref()).ok()?;
-    let least = run.inertia_for_accuracy(law, allowed)?;
+    // The scene states the inertia without the rotor.
+    let least = run.inertia_for_accuracy(law, allowed)? - problem.machine.motor.rotor_at_cam();
     let meets = |inertia: &f64| {
         let heavier = problem.with(Criterion::Inertia, *inertia);
         let reports = attempt(&heavier, search)
@@ -413,6 +414,7 @@ fn rounds(
         let speed = problem.drive.speed;
         let calm = CALM.min(0.5 * motion.shaft.ripple());
         let inertia = run.load_of_law(law).swing(speed) / (calm * speed * speed);
+        let inertia = inertia - problem.machine.motor.rotor_at_cam();
         let fault = SynthError::ShaftDiverges {
             inertia: Quantity::new(three_digits(inertia), Dimension::Inertia),
             ripple: Quantity::share(three_digits(motion.shaft.ripple())),

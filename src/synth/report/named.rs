@@ -40,6 +40,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     match criterion {
         Criterion::Limit(kind) => of_limit(kind),
         Criterion::SecondCurvature => of_limit(LimitKind::Curvature),
+        Criterion::SecondDiameter => of_limit(LimitKind::Diameter),
         Criterion::SecondPressureAngleRise | Criterion::SecondPressureAngleFall => Dimension::Angle,
         Criterion::RmsError | Criterion::Band if oscillating => Dimension::Torque,
         Criterion::RmsError | Criterion::Band => Dimension::Force,

@@ -111,7 +111,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     let rho = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let base_radius = problem.base_radius().unwrap_or_else(|| {
         smallest_base_radius(law, rho)
-            .max(problem.hub_radius())
+            .max(problem.hub_radius_for(law))
             .max(limits::smallest_base_radius(problem, law, pressing))
     });
     Follower::FlatTranslating { base_radius }
@@ -159,7 +159,8 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     }
     let PrimeCircle { radius, offset } = smallest_prime_circle(law, rise, fall, spec.offset);
     let lift = (radius.powi(2) - offset.powi(2)).max(0.0).sqrt();
-    let least = (problem.hub_radius() + spec.roller_radius).max(next_to_nothing(problem, law));
+    let least =
+        (problem.hub_radius_for(law) + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
     let press = limits::Press::of(problem, pressing);
@@ -225,12 +226,12 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     // thinner than the floor.
     let base = if barrel {
         smallest
-            .max(problem.hub_radius())
+            .max(problem.hub_radius_for(&cam.law))
             .max(spec.roller_radius * (1.0 + 1e-6))
             + depth(problem)
     } else {
         smallest
-            .max(problem.hub_radius())
+            .max(problem.hub_radius_for(&cam.law))
             .max(next_to_nothing(problem, &cam.law))
     };
     let base = base * (1.0 + ROUNDING);

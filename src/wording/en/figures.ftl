@@ -21,6 +21,8 @@ figure-base-radius-m = { $movement ->
        *[other] base radius
     }
 figure-prime-radius-m = prime radius
+figure-radius-min-m = minimum radius of the profile
+figure-radius-max-m = maximum radius of the profile
 figure-offset-m = offset
 figure-rho-min-m = minimum convex radius
 figure-pressure-angle-max-rad = maximum pressure angle

@@ -38,7 +38,14 @@ key-cam-bore = Diameter of the bore; an automatic base circle leaves a wall of a
 key-cam-keyway = Width of the keyway, DIN 6885-1; auto: the width for the bore. The keyway points to θ = 0; an automatic base circle leaves at least 3 mm outside it.
 key-cam-mark = Engraves a dot at θ = 0 on the solid (cam.step), in addition to the line in every drawing.
 key-cam-thickness = Thickness of the cam plate, which is also the length of the line contact.
-key-cam-material = Material of the cam by its designation, printed on the drawing. Default: steel.
+key-cam-material = Material of the cam: steel, cast-iron, bronze, aluminium, pom, pa66, pla, petg; any other text is a designation of steel. A table with young, poisson, allowable_pressure gives its own constants.
+key-cam-material-young = Young's modulus of the cam.
+key-cam-material-poisson = Poisson's ratio of the cam.
+key-cam-material-allowable_pressure = Allowable contact pressure of the cam; without limits.hertz_pressure it is the limit.
+key-cam-follower_material = Material of the follower where it touches the cam.
+key-cam-follower_material-young = Young's modulus of the follower.
+key-cam-follower_material-poisson = Poisson's ratio of the follower.
+key-cam-follower_material-allowable_pressure = Allowable contact pressure of the follower.
 key-cam-hardness = Hardness of the cam's surface: "58 HRC", "650 HV", "240 HB". The report compares the Hertz pressure with the allowable pressure for this hardness.
 key-cam-roughness = Arithmetical mean roughness Ra of the profile, printed on the drawing.
 key-cam-tolerance = Half width of the profile tolerance; the drawing states its effect on the force.
@@ -94,6 +101,10 @@ key-machine-second_cam = Angle of a second, equal cam behind the first on the sa
 key-machine-motor-slope = Decrease of the motor torque per speed, at the camshaft. The no-load speed is computed so that drive.speed is the mean speed.
 key-machine-motor-stall_torque = Torque of the motor at standstill, before its gear.
 key-machine-motor-no_load_speed = Speed of the motor without load, before its gear; auto: the value for which drive.speed is the mean speed.
+key-machine-motor-rated_torque = Rated torque of an induction motor by its nameplate, before the gear; the torque vanishes at the synchronous speed.
+key-machine-motor-rated_speed = Rated speed of the motor by its nameplate, before the gear.
+key-machine-motor-synchronous_speed = Speed of the motor without load, before the gear; auto: the next synchronous speed of 50 Hz or 60 Hz above the rated speed.
+key-machine-motor-inertia = Moment of inertia of the rotor, before the gear; it adds to machine.inertia by the square of the gear.
 key-machine-motor-curve = Torque of the motor as a function of its speed: a file with the columns speed_rad_per_s and torque_n_m, or pairs of speed and torque: "0 50 10 20 12 -4" (rad/s, N m).
 key-machine-motor-gear = Turns of the motor per turn of the cam.
 key-machine-motor-efficiency = Fraction of the torque that the gear transmits.

@@ -44,6 +44,10 @@ key-limits-prime_radius = Maximum prime radius (flat faces: base radius) of a ca
 name-prime-radius = prime_radius
 label-limits-prime_radius = Maximum prime radius
 
+key-limits-diameter = Maximum diameter of the finished cam: twice the maximum radius of its profile about the shaft.
+name-diameter = diameter
+label-limits-diameter = Diameter
+
 key-limits-face_width = Maximum length of the flat face.
 name-face-width = face_width
 label-limits-face_width = Face width

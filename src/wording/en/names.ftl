@@ -12,6 +12,16 @@ name-flat-oscillating = flat-oscillating
 name-translating-cam = translating-cam
 name-barrel = barrel
 
+# Materials.
+name-steel = steel
+name-cast-iron = cast iron
+name-bronze = bronze
+name-aluminium = aluminium
+name-pom = POM
+name-pa66 = PA66
+name-pla = PLA
+name-petg = PETG
+
 # Drives.
 name-moving-axis = moving-axis
 name-fixed-axis = fixed-axis
@@ -20,6 +30,7 @@ name-hydraulic = hydraulic
 # Limits and checks.
 name-lift = lift
 name-second-curvature = second_curvature
+name-second-diameter = second_diameter
 name-concave = concave
 name-interference = interference
 name-second-interference = second_interference

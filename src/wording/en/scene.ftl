@@ -139,10 +139,16 @@ scene-pair-not-closed = give either this key or base_radius
     .help = give the distance between faces or roller centres (oscillating followers: the angle between the arms), or base_radius of the second cam
 scene-frequency-and-stiffness = natural_frequency already defines the stiffness of the follower train
     .help = remove one of the two
-scene-motor-line = a motor requires one of slope, stall_torque and curve
+scene-motor-line = a motor needs one of slope, stall_torque, rated_torque and curve
     .help = write for example slope = "10 N m s/rad" under [machine.motor], the decrease of torque per rad/s at the camshaft
 scene-no-load-without-stall = a no-load speed requires a stall_torque
     .help = give both, or only the slope; its no-load speed is then computed
+scene-points-of-fusion = Fusion reads points in centimetres
+    .help = leave the unit out
+scene-half-nameplate = the nameplate of a motor needs rated_torque and rated_speed
+    .help = write for example rated_torque = "5.1 N m" and rated_speed = "1395 rpm" under [machine.motor]
+scene-not-synchronous = the synchronous speed of a motor is above its rated speed
+    .help = write for example synchronous_speed = "1500 rpm": 120 times the frequency of the supply over the number of poles
 scene-motor-curve = the torque of the motor must decrease with its speed
     .help = give at least two rows with increasing speeds and decreasing torques: a file with the columns speed_rad_per_s and torque_n_m, or pairs such as "0 50 10 20 12 -4"
 scene-motor-without-inertia = missing; the motor requires the moment of inertia of its shaft

@@ -46,3 +46,5 @@ write-ecam-law = the minimum force error of { $dialect } is { $error } of the me
     .help = choose codesys, twincat or segments, or a law with continuous acceleration
 write-ecam-of-motor = the law is designed for a shaft of varying speed, but the master of an electronic cam turns at constant speed
     .help = set law.shaft = "constant"
+write-ecam-name = { $name } is not a name that a controller accepts
+    .help = use letters, digits and single underscores, at most { $longest } characters, beginning with a letter, for example --name heel

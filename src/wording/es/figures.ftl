@@ -21,6 +21,8 @@ figure-base-radius-m = { $movement ->
        *[other] radio base
     }
 figure-prime-radius-m = radio primario
+figure-radius-min-m = radio mínimo del perfil
+figure-radius-max-m = radio máximo del perfil
 figure-offset-m = excentricidad
 figure-rho-min-m = radio convexo mínimo
 figure-pressure-angle-max-rad = ángulo de presión máximo

@@ -38,7 +38,14 @@ key-cam-bore = Diámetro del agujero; un círculo base automático deja una pare
 key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto: la anchura para el agujero. El chavetero apunta a θ = 0; un círculo base automático deja al menos 3 mm fuera de él.
 key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea de todos los dibujos.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
-key-cam-material = Material de la leva por su designación, que figura en el plano. Por defecto: acero.
+key-cam-material = Material de la leva: steel (acero), cast-iron (fundición), bronze (bronce), aluminium (aluminio), pom, pa66, pla, petg; otro texto es una designación de acero. Una tabla con young, poisson, allowable_pressure da constantes propias.
+key-cam-material-young = Módulo de Young de la leva.
+key-cam-material-poisson = Coeficiente de Poisson de la leva.
+key-cam-material-allowable_pressure = Presión de contacto admisible de la leva; sin limits.hertz_pressure es el límite.
+key-cam-follower_material = Material del seguidor donde toca la leva.
+key-cam-follower_material-young = Módulo de Young del seguidor.
+key-cam-follower_material-poisson = Coeficiente de Poisson del seguidor.
+key-cam-follower_material-allowable_pressure = Presión de contacto admisible del seguidor.
 key-cam-hardness = Dureza de la superficie de la leva: "58 HRC", "650 HV", "240 HB". El informe compara la presión de Hertz con la admisible para esta dureza.
 key-cam-roughness = Rugosidad media aritmética Ra del perfil, que figura en el plano.
 key-cam-tolerance = Semiancho de la tolerancia del perfil; el plano indica su efecto en la fuerza.
@@ -94,6 +101,10 @@ key-machine-second_cam = Ángulo de una segunda leva igual detrás de la primera
 key-machine-motor-slope = Disminución del par del motor por velocidad, en el eje de la leva. La velocidad en vacío se calcula para que drive.speed sea la velocidad media.
 key-machine-motor-stall_torque = Par del motor parado, antes de su reductor.
 key-machine-motor-no_load_speed = Velocidad del motor en vacío, antes de su reductor; auto: el valor con el que drive.speed es la velocidad media.
+key-machine-motor-rated_torque = Par nominal de un motor asíncrono según su placa, antes del reductor; el par se anula a la velocidad síncrona.
+key-machine-motor-rated_speed = Velocidad nominal del motor según su placa, antes del reductor.
+key-machine-motor-synchronous_speed = Velocidad del motor en vacío, antes del reductor; auto: la velocidad síncrona de 50 Hz o 60 Hz siguiente a la nominal.
+key-machine-motor-inertia = Momento de inercia del rotor, antes del reductor; se suma a machine.inertia por el cuadrado de la relación.
 key-machine-motor-curve = Par del motor en función de su velocidad: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas de velocidad y par: "0 50 10 20 12 -4" (rad/s, N m).
 key-machine-motor-gear = Vueltas del motor por vuelta de la leva.
 key-machine-motor-efficiency = Fracción del par que transmite el reductor.

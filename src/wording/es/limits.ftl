@@ -44,6 +44,10 @@ key-limits-prime_radius = Radio primario máximo (caras planas: radio base) de u
 name-prime-radius = radio primario
 label-limits-prime_radius = Radio primario máximo
 
+key-limits-diameter = Diámetro máximo de la leva terminada: el doble del radio máximo del perfil respecto al eje.
+name-diameter = diámetro
+label-limits-diameter = Diámetro
+
 key-limits-face_width = Longitud máxima de la cara plana.
 name-face-width = longitud de la cara
 label-limits-face_width = Ancho de la cara

@@ -12,6 +12,16 @@ name-flat-oscillating = seguidor oscilante de cara plana
 name-translating-cam = rodillo sobre leva de traslación
 name-barrel = rodillo en leva cilíndrica
 
+# Materiales.
+name-steel = acero
+name-cast-iron = fundición
+name-bronze = bronce
+name-aluminium = aluminio
+name-pom = POM
+name-pa66 = PA66
+name-pla = PLA
+name-petg = PETG
+
 # Accionamientos.
 name-moving-axis = eje móvil
 name-fixed-axis = eje fijo
@@ -20,6 +30,7 @@ name-hydraulic = hidráulico
 # Límites y comprobaciones.
 name-lift = elevación
 name-second-curvature = radio de curvatura de la segunda leva
+name-second-diameter = diámetro de la segunda leva
 name-concave = radio de curvatura cóncavo
 name-interference = interferencia
 name-second-interference = interferencia de la segunda leva

@@ -139,7 +139,7 @@ scene-pair-not-closed = dé esta clave o base_radius, solo una de las dos
     .help = dé la distancia entre caras o centros de rodillo (seguidores oscilantes: el ángulo entre los brazos), o base_radius de la segunda leva
 scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren del seguidor
     .help = quite una de las dos
-scene-motor-line = un motor requiere uno de slope, stall_torque y curve
+scene-motor-line = un motor necesita uno de slope, stall_torque, rated_torque y curve
     .help = escriba por ejemplo slope = "10 N m s/rad" en [machine.motor], la disminución del par por rad/s en el eje de la leva
 scene-no-load-without-stall = una velocidad en vacío requiere un stall_torque
     .help = indique ambos, o solo slope; su velocidad en vacío se calcula entonces
@@ -147,6 +147,12 @@ scene-motor-curve = el par del motor debe disminuir con su velocidad
     .help = dé al menos dos filas con velocidades crecientes y pares decrecientes: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas como "0 50 10 20 12 -4"
 scene-motor-without-inertia = falta; el motor requiere el momento de inercia de su eje
     .help = escriba por ejemplo inertia = "0.5 kg m^2" en [machine] para volante y rotor, reducidos al eje de la leva
+scene-points-of-fusion = Fusion lee los puntos en centímetros
+    .help = no indique la unidad
+scene-half-nameplate = la placa de un motor necesita rated_torque y rated_speed
+    .help = escriba por ejemplo rated_torque = "5.1 N m" y rated_speed = "1395 rpm" en [machine.motor]
+scene-not-synchronous = la velocidad síncrona de un motor es mayor que su velocidad nominal
+    .help = escriba por ejemplo synchronous_speed = "1500 rpm": 120 veces la frecuencia de la red entre el número de polos
 scene-floor-lacks = falta; un suelo que se mueve requiere masa modal, frecuencia y razón de amortiguamiento
     .help = escriba por ejemplo "{ $example }" en [machine.floor]
 scene-floor-twice = el suelo se da como un modo y como una lista de modos

@@ -46,3 +46,5 @@ write-ecam-law = el error de fuerza mínimo de { $dialect } es el { $error } de 
     .help = elija codesys, twincat o segments, o una ley de aceleración continua
 write-ecam-of-motor = la ley está diseñada para un eje de velocidad variable, pero el maestro de una leva electrónica gira a velocidad constante
     .help = ponga law.shaft = "constant"
+write-ecam-name = { $name } no es un nombre que acepte un control
+    .help = use letras sin acentos, cifras y guiones bajos sueltos, { $longest } caracteres como máximo, con una letra al principio, por ejemplo --name tacon

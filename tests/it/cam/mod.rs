@@ -4,6 +4,7 @@ mod geometry;
 mod inspect;
 mod papers;
 mod put_back;
+mod radii;
 mod random;
 mod refused;
 

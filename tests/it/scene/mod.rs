@@ -3,3 +3,4 @@
 mod harmonics;
 pub mod random;
 mod table;
+mod workshop;

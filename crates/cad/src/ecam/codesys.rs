@@ -1,4 +1,5 @@
-//! CODESYS SoftMotion: an `MC_CAM_REF` with an array of `SMC_CAMXYVA` (online help of SM3_Basic: `MC_CAM_REF`, `SMC_CAM_TYPE`).
+//! CODESYS SoftMotion: an `MC_CAM_REF` over an array of `SMC_CAMXYVA` (online help of SM3_Basic: `MC_CAM_REF`, `SMC_CAM_TYPE`,
+//! `MC_CamTableSelect`, `MC_CamIn`), with the block that couples the axes.
 
 use std::fmt::Write;
 
@@ -13,7 +14,7 @@ pub fn write(table: &Table) -> String {
         &table.segments[table.segments.len() - 1][1],
     );
     let mut out = format!("(* {} *)\n", table.head());
-    out += "(* Once: gaitcam_cam.pce := ADR(gaitcam_points); then MC_CamTableSelect and MC_CamIn, slave absolute. *)\n";
+    out += &table.axes();
     let _ = write!(
         out,
         "VAR_GLOBAL\n  gaitcam_points : ARRAY[0..{}] OF SMC_CAMXYVA := [\n    {}\n  ];\n",
@@ -22,12 +23,21 @@ pub fn write(table: &Table) -> String {
     );
     let _ = write!(
         out,
-        "  gaitcam_cam : MC_CAM_REF := (byType := SMC_CAM_TYPE.XYVA, nElements := {}, xStart := {}, xEnd := {});\nEND_VAR\n",
+        "  gaitcam_cam : MC_CAM_REF := (byType := SMC_CAM_TYPE.XYVA, nElements := {}, xStart := {}, xEnd := {});\nEND_VAR\n\n",
         rows.len(),
         literal(first.x),
         literal(last.x)
     );
-    out
+    let periodic = table.periodic();
+    out + "FUNCTION_BLOCK gaitcam_follow\nVAR_IN_OUT\n  Master : AXIS_REF_SM3;\n  Slave : AXIS_REF_SM3;\nEND_VAR\n"
+        + "VAR_INPUT\n  Execute : BOOL;\nEND_VAR\nVAR\n  Select : MC_CamTableSelect;\n  CamIn : MC_CamIn;\nEND_VAR\n"
+        + "gaitcam_cam.pce := ADR(gaitcam_points);\n"
+        + &format!(
+            "Select(Master := Master, Slave := Slave, CamTable := gaitcam_cam, Execute := Execute, Periodic := {periodic}, \
+             MasterAbsolute := TRUE, SlaveAbsolute := TRUE);\n"
+        )
+        + "CamIn(Master := Master, Slave := Slave, Execute := Select.Done, StartMode := MC_StartMode.absolute, \
+           CamTableID := Select.CamTableID);\nEND_FUNCTION_BLOCK\n"
 }
 
 fn row(node: Node) -> String {

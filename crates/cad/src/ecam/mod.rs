@@ -243,6 +243,30 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
     }
 }
 
+/// Longest name of a cam in a controller's program.
+const LONGEST_NAME: usize = 24;
+
+impl ElectronicCam {
+    /// The cam with another name than `gaitcam` in its variables, for a second cam in one project.
+    ///
+    /// # Errors
+    /// A name that is not an identifier of IEC 61131-3, or longer than 24 characters.
+    pub fn named(mut self, name: &str) -> Result<ElectronicCam> {
+        let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
+        let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        let is_apart = !name.contains("__") && !name.ends_with('_');
+        if !(starts && is_plain && is_apart && name.len() <= LONGEST_NAME) {
+            let fault = WriteError::EcamName {
+                name: name.to_string(),
+                longest: LONGEST_NAME,
+            };
+            return Err(fault.at_argument("--name"));
+        }
+        self.text = self.text.replace("gaitcam_", &format!("{name}_"));
+        Ok(self)
+    }
+}
+
 impl Replayed {
     /// Error for a text that cannot be read back.
     const NOT_READ: Replayed = Replayed {

@@ -6,8 +6,8 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
-/// Magnitude below which values in mm or degrees, and their derivatives, are rounding errors.
-const ROUNDING: f64 = 1e-15;
+/// Relative difference of the two sides of a joint that counts as rounding.
+const SAME: f64 = 1e-9;
 
 /// A point of the cam, with derivatives of the follower's position with respect to the cam's position.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +79,7 @@ impl Table {
             y_unit,
             factors: [x, y],
             closed: law.is_closed(),
-            segments: angles.windows(2).map(segment).collect(),
+            segments: clean(angles.windows(2).map(segment).collect(), number),
         }
     }
 
@@ -87,6 +87,22 @@ impl Table {
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let last = self.segments.last().map(|s| s[1]);
         self.segments.iter().map(|s| s[0]).chain(last)
+    }
+
+    /// Whether the controller repeats the cam, as structured text.
+    pub fn periodic(&self) -> &'static str {
+        if self.closed { "TRUE" } else { "FALSE" }
+    }
+
+    /// What the axes must be, as a comment in both languages.
+    pub fn axes(&self) -> String {
+        match (self.closed, self.x_unit) {
+            (true, "deg") => "(* The master is a modulo axis of 360 deg; cam angle 0 is its position 0. *)\n\
+                              (* El maestro es un eje módulo de 360 grados; el ángulo 0 de la leva es su posición 0. *)\n",
+            _ => "(* The master is a linear axis: the motion is not repeated. *)\n\
+                  (* El maestro es un eje lineal: el movimiento no se repite. *)\n",
+        }
+        .to_string()
     }
 
     /// Description of the numbers, for the head of a file.
@@ -101,13 +117,44 @@ impl Table {
     }
 }
 
+/// The segments without rounding errors: a value below one unit of the last place of its column's largest one is 0, and values that differ by
+/// rounding on the two sides of a joint, or at the ends of a closed cycle, are the same.
+fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
+    type Column = fn(&mut Node) -> &mut f64;
+    let columns: [Column; 4] = [|n| &mut n.x, |n| &mut n.y, |n| &mut n.v, |n| &mut n.a];
+    for column in columns {
+        let values = segments.iter_mut().flatten().map(|n| column(n).abs());
+        let most = values.fold(0.0, f64::max);
+        for x in segments.iter_mut().flatten().map(column) {
+            if x.abs() < number.unit_of_last_place() * most {
+                *x = 0.0;
+            }
+        }
+        for i in 1..segments.len() {
+            let before = *column(&mut segments[i - 1][1]);
+            let after = column(&mut segments[i][0]);
+            if (*after - before).abs() <= SAME * most {
+                *after = before;
+            }
+        }
+    }
+    segments
+}
+
 impl Number {
-    /// Nearest number of the controller's type; rounding errors become 0.
+    /// The nearest number of the controller.
     pub fn nearest(self, x: f64) -> f64 {
         match self {
-            _ if x.abs() < ROUNDING => 0.0,
             Number::Single => f64::from(x as f32),
             Number::Double => x,
+        }
+    }
+
+    /// Spacing of the numbers of the controller near 1.
+    fn unit_of_last_place(self) -> f64 {
+        match self {
+            Number::Single => f64::from(f32::EPSILON),
+            Number::Double => f64::EPSILON,
         }
     }
 }

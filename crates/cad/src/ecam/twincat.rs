@@ -1,5 +1,5 @@
-//! TwinCAT: an array of `MC_MotionFunctionPoint` (Beckhoff Information System, TF5050: `MC_MotionFunctionPoint`, `MC_MotionFunctionType`) for
-//! `MC_CamTableSelect` with `MC_TABLETYPE_MOTIONFUNCTION`.
+//! TwinCAT: an array of `MC_MotionFunctionPoint` (Beckhoff Information System, TF5050: `MC_MotionFunctionPoint`,
+//! `MC_MotionFunctionType`, `MC_CAM_REF`, `MC_CamTableSelect`, `MC_CamIn`), with the block that couples the axes.
 
 use std::fmt::Write;
 
@@ -10,6 +10,7 @@ use super::table::Table;
 pub fn write(table: &Table) -> String {
     let count = table.segments.len() + 1;
     let mut out = format!("(* {} *)\n", table.head());
+    out += &table.axes();
     let _ = writeln!(
         out,
         "VAR_GLOBAL\n  gaitcam_points : ARRAY[1..{count}] OF MC_MotionFunctionPoint := ["
@@ -24,7 +25,22 @@ pub fn write(table: &Table) -> String {
             i + 1
         );
     }
-    out + "  ];\nEND_VAR\n"
+    let periodic = table.periodic();
+    out += "  ];\n";
+    let _ = write!(
+        out,
+        "  gaitcam_cam : MC_CAM_REF := (TableType := MC_TABLETYPE_MOTIONFUNCTION, NoOfRows := {count}, NoOfColumns := 1);\nEND_VAR\n\n"
+    );
+    out += "FUNCTION_BLOCK gaitcam_follow\nVAR_IN_OUT\n  Master : AXIS_REF;\n  Slave : AXIS_REF;\nEND_VAR\n";
+    out += "VAR_INPUT\n  Execute : BOOL;\nEND_VAR\nVAR\n  Select : MC_CamTableSelect;\n  CamIn : MC_CamIn;\nEND_VAR\n";
+    out += "gaitcam_cam.pArray := ADR(gaitcam_points);\ngaitcam_cam.ArraySize := SIZEOF(gaitcam_points);\n";
+    let _ = writeln!(
+        out,
+        "Select(Master := Master, Slave := Slave, CamTable := gaitcam_cam, Execute := Execute, Periodic := {periodic}, \
+         MasterAbsolute := TRUE, SlaveAbsolute := TRUE, CamTableID := 1);"
+    );
+    out + "CamIn(Master := Master, Slave := Slave, CamTable := gaitcam_cam, Execute := Select.Done, MasterScaling := 1.0, \
+           SlaveScaling := 1.0, StartMode := MC_STARTMODE_ABSOLUTE, CamTableID := 1);\nEND_FUNCTION_BLOCK\n"
 }
 
 pub fn read(text: &str) -> Option<Curve> {

@@ -406,6 +406,7 @@ inspect-lifts-off = this cam loses contact at the speed of the scene
 # Electronic cams.
 synth-no-ecam = the electronic cam was not written: { $fault }
 ecam-no-cam = there is no cam to simulate: { $why }
+points-file = { $count } points in { $unit }: { $file }
 ecam-file = File { $file }.
 ecam-quintic = quintic
 ecam-cubic = cubic spline

@@ -406,6 +406,7 @@ inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena
 # Levas electrónicas.
 synth-no-ecam = no se escribió la leva electrónica: { $fault }
 ecam-no-cam = no hay ninguna leva que simular: { $why }
+points-file = { $count } puntos en { $unit }: { $file }
 ecam-file = Archivo { $file }.
 ecam-quintic = quíntica
 ecam-cubic = spline cúbica

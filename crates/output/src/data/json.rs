@@ -200,10 +200,13 @@ fn cam(design: &Design) -> Value {
     let cam = &design.cam;
     let convex = cam.curvature().convex;
     let (phi_min, phi_max) = design.pressure_angle_extremes();
+    let radius = |end: usize| cam.radii().map(|radii| radii[end].value);
     let mut out = json!({
         "follower": cam.follower.name(),
         "base_radius_m": cam.follower.base_radius(),
         "prime_radius_m": cam.follower.prime_radius(),
+        "radius_min_m": radius(0),
+        "radius_max_m": radius(1),
         "offset_m": cam.follower.offset(),
         "rho_min_m": real(convex.value),
         "rho_min_at_rad": convex.at,
@@ -233,8 +236,8 @@ fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");
     let own = own.map(|f| (f.key, f.value(&figures)));
-    let hardness = design.problem.cam.making.hardness;
-    let allowable = hardness.map_or(f64::NAN, |h| h.allowable_pressure());
+    let allowable = design.problem.cam.allowable_pressure();
+    let allowable = allowable.unwrap_or(f64::NAN);
     let all = own.chain([("hertz_pressure_allowable_pa", allowable)]);
     all.map(|(key, x)| (key, real(x))).collect()
 }

@@ -48,6 +48,28 @@ pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
     built().map_err(not_built)
 }
 
+/// Workbook with the points of a curve in a plane: the unit in the first cell, headings x, y, z below it, then one point per row.
+///
+/// # Errors
+/// A workbook that cannot be assembled.
+pub fn points(unit: &str, points: &[[f64; 2]]) -> Result<Vec<u8>> {
+    let built = || {
+        let mut book = book("points")?;
+        let sheet = book.add_worksheet();
+        sheet.write(0, 0, unit)?;
+        for (column, heading) in (0..).zip(["x", "y", "z"]) {
+            sheet.write(1, column, heading)?;
+        }
+        for (row, [x, y]) in (2..).zip(points) {
+            for (column, value) in (0..).zip([*x, *y, 0.0]) {
+                sheet.write(row, column, value)?;
+            }
+        }
+        book.save_to_buffer()
+    };
+    built().map_err(not_built)
+}
+
 fn not_built(fault: XlsxError) -> gaitcam::error::Error {
     let fault = fault.to_string();
     WriteError::NotPutTogether { fault }.into()

@@ -90,6 +90,7 @@ report-acceleration-time = acceleration (per second)
 report-jerk = jerk
 report-jerk-time = jerk (per second)
 report-follower = follower
+report-profile-radii = profile radii
 report-roller-radius = roller radius
 report-found-at = at
 report-concave-radius = minimum concave radius
@@ -101,6 +102,7 @@ report-frequency = frequency
 report-factor-target = target
 report-factor-achieved = achieved
 report-hertz-allowable = allowable Hertz pressure
+report-material-borne = { $pressure } MPa, margin { $margin }
 report-hertz-borne = { $pressure } MPa ({ $hardness }, 10⁸ contacts), margin { $margin }
 
 # Solution.

@@ -90,6 +90,7 @@ report-acceleration-time = aceleración (por segundo)
 report-jerk = sobreaceleración
 report-jerk-time = sobreaceleración (por segundo)
 report-follower = seguidor
+report-profile-radii = radios del perfil
 report-roller-radius = radio del rodillo
 report-found-at = en
 report-concave-radius = radio cóncavo mínimo
@@ -101,6 +102,7 @@ report-frequency = frecuencia
 report-factor-target = objetivo
 report-factor-achieved = obtenido
 report-hertz-allowable = presión de Hertz admisible
+report-material-borne = { $pressure } MPa, margen { $margin }
 report-hertz-borne = { $pressure } MPa ({ $hardness }, 10⁸ contactos), margen { $margin }
 
 # Solución.

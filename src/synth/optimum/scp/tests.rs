@@ -100,6 +100,7 @@ fn limits(rise: f64) -> NonconvexLimits {
         ..ProfileSize::default()
     };
     NonconvexLimits {
+        diameter: None,
         profile: Some(Profile::Roller(size)),
         loads: None,
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{MM, Sample, Shown, short};
 use gaitcam::cam::{Cam, Check};
 use gaitcam::criterion::{Criterion, LimitKind};
-use gaitcam::dynamics::hertz::{STEEL, line, modulus};
+use gaitcam::dynamics::hertz::line;
 use gaitcam::dynamics::touch;
 use gaitcam::synth::Design;
 
@@ -132,7 +132,7 @@ fn hertz(design: &Design, s: &Sample) -> f64 {
         here.normal,
         design.problem.cam.thickness,
         here.curvature,
-        modulus(STEEL, STEEL),
+        design.problem.cam.contact_modulus(),
     )
     .pressure
 }

@@ -373,8 +373,8 @@ mod tests {
         ] {
             let [whole, cycle] = packed(WALK, gait);
             assert_eq!(
-                whole.target.as_ref().unwrap().force_n,
-                cycle.target.as_ref().unwrap().force_n,
+                whole.target.as_ref().unwrap().curve().force_n,
+                cycle.target.as_ref().unwrap().curve().force_n,
                 "{gait}"
             );
             assert_eq!(whole.drive.mass, cycle.drive.mass, "{gait}");

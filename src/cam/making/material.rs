@@ -1,0 +1,149 @@
+//! Materials of cam and follower: elastic constants and allowable contact pressure.
+
+use serde::Serialize;
+
+/// Maximum pressure of a line contact over the yield strength at which no point below the surface yields: the maximum shear 0.300 p₀ is then half of
+/// the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
+const FIRST_YIELD: f64 = 0.5 / 0.300;
+
+/// Elastic constants of one body.
+///
+/// ```
+/// use gaitcam::dynamics::hertz::{Material, STEEL, modulus};
+///
+/// // Of two equal bodies: E/(1 − ν²)/2 … the reduced modulus of steel on steel is half of a rigid partner's.
+/// let rigid = Material { young: f64::INFINITY, poisson: 0.0 };
+/// assert!((modulus(STEEL, rigid) / modulus(STEEL, STEEL) - 2.0).abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Young's modulus of the body, Pa.
+    pub young: f64,
+    /// Poisson's ratio of the body.
+    pub poisson: f64,
+}
+
+impl Material {
+    /// Share (1 − ν²)/E of the body in the compliance 1/E* of a contact, 1/Pa.
+    pub fn compliance(self) -> f64 {
+        (1.0 - self.poisson * self.poisson) / self.young
+    }
+}
+
+/// Steel: 206.8 GPa, 0.3 (theory §10).
+pub const STEEL: Material = Material {
+    young: 206.8e9,
+    poisson: 0.3,
+};
+
+/// Materials with known constants: typical values of the grade in brackets, recalled from the standards and data sheets that are named.
+///
+/// ```
+/// use gaitcam::cam::Stock;
+///
+/// let pla = Stock::named("pla").unwrap();
+/// assert_eq!(pla.material().young, 3.3e9);
+/// // 50 MPa yield strength.
+/// assert!((pla.allowable_pressure() / 83.3e6 - 1.0).abs() < 1e-3);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[derive(strum::EnumString, strum::IntoStaticStr, strum::VariantNames, strum::VariantArray)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Stock {
+    /// Quenched and tempered steel (C45+QT, EN ISO 683-1).
+    Steel,
+    /// Ductile cast iron (EN-GJS-500-7, EN 1563).
+    CastIron,
+    /// Tin bronze (CuSn12-C, EN 1982).
+    Bronze,
+    /// Aluminium alloy (EN AW-6082 T6, EN 755-2).
+    Aluminium,
+    /// Acetal copolymer, at room temperature.
+    Pom,
+    /// Polyamide 66, conditioned at 50 % humidity.
+    Pa66,
+    /// Polylactide, printed solid.
+    Pla,
+    /// PETG, printed solid.
+    Petg,
+}
+
+impl Stock {
+    /// Every material.
+    pub const ALL: &'static [Stock] = <Stock as strum::VariantArray>::VARIANTS;
+
+    /// Name in a scene file.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// The material of this name, if it is known.
+    pub fn named(name: &str) -> Option<Stock> {
+        name.trim().to_ascii_lowercase().parse().ok()
+    }
+
+    /// Young's modulus, Pa; Poisson's ratio; yield strength, Pa.
+    #[rustfmt::skip]
+    fn constants(self) -> [f64; 3] {
+        match self {
+            Stock::Steel     => [STEEL.young, STEEL.poisson, 430e6],
+            Stock::CastIron  => [169e9, 0.275, 320e6],
+            Stock::Bronze    => [ 95e9, 0.34,  140e6],
+            Stock::Aluminium => [ 70e9, 0.33,  250e6],
+            Stock::Pom       => [2.8e9, 0.37,   65e6],
+            Stock::Pa66      => [1.7e9, 0.40,   55e6],
+            Stock::Pla       => [3.3e9, 0.36,   50e6],
+            Stock::Petg      => [2.0e9, 0.38,   45e6],
+        }
+    }
+
+    /// Elastic constants.
+    pub fn material(self) -> Material {
+        let [young, poisson, _] = self.constants();
+        Material { young, poisson }
+    }
+
+    /// Contact pressure at which the material begins to yield below a line contact, Pa. Rolling fatigue in long runs needs a margin.
+    pub fn allowable_pressure(self) -> f64 {
+        FIRST_YIELD * self.constants()[2]
+    }
+}
+
+/// Constants of a material as a scene states them; missing ones are those of steel.
+///
+/// ```
+/// use gaitcam::cam::StatedMaterial;
+///
+/// let resin = StatedMaterial { young: Some(2.4e9), ..StatedMaterial::default() };
+/// assert_eq!((resin.material().young, resin.material().poisson), (2.4e9, 0.3));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct StatedMaterial {
+    /// The known material whose constants apply where none is stated.
+    pub stock: Option<Stock>,
+    /// Young's modulus, Pa.
+    pub young: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson: Option<f64>,
+    /// Allowable contact pressure, Pa.
+    pub allowable_pressure: Option<f64>,
+}
+
+impl StatedMaterial {
+    /// Elastic constants.
+    pub fn material(&self) -> Material {
+        let usual = self.stock.map_or(STEEL, Stock::material);
+        Material {
+            young: self.young.unwrap_or(usual.young),
+            poisson: self.poisson.unwrap_or(usual.poisson),
+        }
+    }
+
+    /// Allowable contact pressure, Pa; `None` where neither it nor a known material is stated.
+    pub fn allowable_pressure(&self) -> Option<f64> {
+        let usual = || self.stock.filter(|_| self.young.is_none());
+        let usual = || usual().map(Stock::allowable_pressure);
+        self.allowable_pressure.or_else(usual)
+    }
+}
