@@ -257,7 +257,7 @@ impl List<'_> {
             }
         }
         if let Some([least, most]) = self.figures.radii {
-            let [least, most] = [least, most].map(|radius| self.words.millimetres(radius));
+            let (least, most) = (self.words.number(1e3 * least), self.words.millimetres(most));
             self.put(
                 "report-profile-radii",
                 format!("{least} … {most}"),

@@ -4,7 +4,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 const OUT = new URL("../page/core/vendor.js", import.meta.url);
-const ABOUT = "/* Made by `npm run vendor` from crates/studio/vendor/libraries.js. lit-html: BSD-3-Clause, Google LLC. fflate: MIT, Arjun Barrett. gifenc: MIT, Matt DesLauriers. uqr: MIT, Anthony Fu. */";
+const ABOUT = "// @ts-nocheck\n/* Made by `npm run vendor` from crates/studio/vendor/libraries.js. lit-html: BSD-3-Clause, Google LLC. fflate: MIT, Arjun Barrett. gifenc: MIT, Matt DesLauriers. uqr: MIT, Anthony Fu. */";
 
 const options = { entryPoints: ["vendor/libraries.js"], bundle: true, format: "esm", minify: true, legalComments: "inline", write: false };
 const { outputFiles: [{ text }] } = await build({ ...options, banner: { js: ABOUT } });

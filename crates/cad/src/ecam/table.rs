@@ -6,6 +6,8 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
+/// Units of the last place below which a value is a rounding error of its column.
+const ROUNDED: f64 = 64.0;
 /// Relative difference of the two sides of a joint that counts as rounding.
 const SAME: f64 = 1e-9;
 
@@ -117,7 +119,7 @@ impl Table {
     }
 }
 
-/// The segments without rounding errors: a value below one unit of the last place of its column's largest one is 0, and values that differ by
+/// The segments without rounding errors: a value of some units of the last place of its column's maximum is 0, and values that differ by
 /// rounding on the two sides of a joint, or at the ends of a closed cycle, are the same.
 fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
     type Column = fn(&mut Node) -> &mut f64;
@@ -126,7 +128,7 @@ fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
         let values = segments.iter_mut().flatten().map(|n| column(n).abs());
         let most = values.fold(0.0, f64::max);
         for x in segments.iter_mut().flatten().map(column) {
-            if x.abs() < number.unit_of_last_place() * most {
+            if x.abs() < ROUNDED * number.unit_of_last_place() * most {
                 *x = 0.0;
             }
         }

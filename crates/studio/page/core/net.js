@@ -80,13 +80,13 @@ async function keep(data) {
 export const engine = {
   keep,
   bytes: (hash) => kept.get(hash),
-  async ask(route, question = {}, { signal } = {}) {
+  async ask(route, question = {}, /** @type {{signal?: AbortSignal}} */ { signal } = {}) {
     const answer = await ask(route, question, signal);
     if (route === "force") made(answer, answer.hash);
     if (route === "contacts" && answer.use_hash !== answer.hash) made(answer, answer.use_hash);
     return answer;
   },
-  download: (question, { signal } = {}) => ask("export", question, signal),
+  download: (question, /** @type {{signal?: AbortSignal}} */ { signal } = {}) => ask("export", question, signal),
   // This page in one file with a packed scene inside, where the page carries its engine.
   page: below.page,
   folder: below.folder && {

@@ -1,3 +1,4 @@
+// @ts-nocheck
 /* Made by `npm run vendor` from crates/studio/vendor/libraries.js. lit-html: BSD-3-Clause, Google LLC. fflate: MIT, Arjun Barrett. gifenc: MIT, Matt DesLauriers. uqr: MIT, Anthony Fu. */
 /**
  * @license

@@ -1,6 +1,9 @@
 // The engine in a worker: it is given the compiled module, then one question or file at a time.
 
+/** @type {any} */
 let engine = null;
+/** @type {any} */
+const post = postMessage;
 
 // What the module's libraries import for the page's own objects is never called while a cam is designed.
 function imports(module) {
@@ -27,13 +30,13 @@ function taken(at) {
 
 onmessage = async ({ data: { module, route, text, bytes } }) => {
   try {
-    if (module) engine = (await WebAssembly.instantiate(module, imports(module))).exports;
-    else if (bytes) postMessage({ hash: new TextDecoder().decode(taken(engine.keep(given(bytes)))) });
+    if (module) engine = new WebAssembly.Instance(module, imports(module)).exports;
+    else if (bytes) post({ hash: new TextDecoder().decode(taken(engine.keep(given(bytes)))) });
     else {
       const answer = taken(engine.ask(given(new TextEncoder().encode(`${route}\n${text}`))));
-      postMessage({ answer }, [answer.buffer]);
+      post({ answer }, [answer.buffer]);
     }
   } catch (error) {
-    postMessage({ broken: String(error) });
+    post({ broken: String(error) });
   }
 };
