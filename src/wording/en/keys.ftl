@@ -38,10 +38,10 @@ key-cam-bore = Diameter of the bore; an automatic base circle leaves a wall of a
 key-cam-keyway = Width of the keyway, DIN 6885-1; auto: the width for the bore. The keyway points to θ = 0; an automatic base circle leaves at least 3 mm outside it.
 key-cam-mark = Engraves a dot at θ = 0 on the solid (cam.step), in addition to the line in every drawing.
 key-cam-thickness = Thickness of the cam plate, which is also the length of the line contact.
-key-cam-material = Material of the cam: steel, cast-iron, bronze, aluminium, pom, pa66, pla, petg; any other text is a designation of steel. A table with young, poisson, allowable_pressure gives its own constants.
+key-cam-material = Material of the cam: steel, cast-iron, bronze, aluminium, pom, pa66, pla, petg. Any other text is a designation of steel. A table gives constants of your own.
 key-cam-material-young = Young's modulus of the cam.
 key-cam-material-poisson = Poisson's ratio of the cam.
-key-cam-material-allowable_pressure = Allowable contact pressure of the cam; without limits.hertz_pressure it is the limit.
+key-cam-material-allowable_pressure = Allowable contact pressure of the cam. It limits the Hertz pressure unless another limit is given.
 key-cam-follower_material = Material of the follower where it touches the cam.
 key-cam-follower_material-young = Young's modulus of the follower.
 key-cam-follower_material-poisson = Poisson's ratio of the follower.
@@ -104,7 +104,7 @@ key-machine-motor-no_load_speed = Speed of the motor without load, before its ge
 key-machine-motor-rated_torque = Rated torque of an induction motor by its nameplate, before the gear; the torque vanishes at the synchronous speed.
 key-machine-motor-rated_speed = Rated speed of the motor by its nameplate, before the gear.
 key-machine-motor-synchronous_speed = Speed of the motor without load, before the gear; auto: the next synchronous speed of 50 Hz or 60 Hz above the rated speed.
-key-machine-motor-inertia = Moment of inertia of the rotor, before the gear; it adds to machine.inertia by the square of the gear.
+key-machine-motor-inertia = Moment of inertia of the rotor, before the gear. At the camshaft it counts by the square of the gear ratio.
 key-machine-motor-curve = Torque of the motor as a function of its speed: a file with the columns speed_rad_per_s and torque_n_m, or pairs of speed and torque: "0 50 10 20 12 -4" (rad/s, N m).
 key-machine-motor-gear = Turns of the motor per turn of the cam.
 key-machine-motor-efficiency = Fraction of the torque that the gear transmits.

@@ -38,10 +38,10 @@ key-cam-bore = Diámetro del agujero; un círculo base automático deja una pare
 key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto: la anchura para el agujero. El chavetero apunta a θ = 0; un círculo base automático deja al menos 3 mm fuera de él.
 key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea de todos los dibujos.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
-key-cam-material = Material de la leva: steel (acero), cast-iron (fundición), bronze (bronce), aluminium (aluminio), pom, pa66, pla, petg; otro texto es una designación de acero. Una tabla con young, poisson, allowable_pressure da constantes propias.
+key-cam-material = Material de la leva: steel (acero), cast-iron (fundición), bronze (bronce), aluminium (aluminio), pom, pa66, pla, petg. Otro texto es una designación de acero. Una tabla da constantes propias.
 key-cam-material-young = Módulo de Young de la leva.
 key-cam-material-poisson = Coeficiente de Poisson de la leva.
-key-cam-material-allowable_pressure = Presión de contacto admisible de la leva; sin limits.hertz_pressure es el límite.
+key-cam-material-allowable_pressure = Presión de contacto admisible de la leva. Limita la presión de Hertz si no se da otro límite.
 key-cam-follower_material = Material del seguidor donde toca la leva.
 key-cam-follower_material-young = Módulo de Young del seguidor.
 key-cam-follower_material-poisson = Coeficiente de Poisson del seguidor.
@@ -104,7 +104,7 @@ key-machine-motor-no_load_speed = Velocidad del motor en vacío, antes de su red
 key-machine-motor-rated_torque = Par nominal de un motor asíncrono según su placa, antes del reductor; el par se anula a la velocidad síncrona.
 key-machine-motor-rated_speed = Velocidad nominal del motor según su placa, antes del reductor.
 key-machine-motor-synchronous_speed = Velocidad del motor en vacío, antes del reductor; auto: la velocidad síncrona de 50 Hz o 60 Hz siguiente a la nominal.
-key-machine-motor-inertia = Momento de inercia del rotor, antes del reductor; se suma a machine.inertia por el cuadrado de la relación.
+key-machine-motor-inertia = Momento de inercia del rotor, antes del reductor. En el eje de la leva cuenta por el cuadrado de la relación.
 key-machine-motor-curve = Par del motor en función de su velocidad: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas de velocidad y par: "0 50 10 20 12 -4" (rad/s, N m).
 key-machine-motor-gear = Vueltas del motor por vuelta de la leva.
 key-machine-motor-efficiency = Fracción del par que transmite el reductor.
