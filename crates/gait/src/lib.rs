@@ -31,6 +31,7 @@ mod source;
 mod stance;
 mod statistics;
 mod step_table;
+mod walk;
 pub mod wording;
 
 pub use curve::{ForceCurve, SAMPLES};
@@ -56,6 +57,7 @@ pub use recording::{
 pub use source::{force_curve, one_cycle};
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};
 pub use step_table::{StepRow, steps_csv};
+pub use walk::{FEWEST_STRIDES, Variability, Walk};
 
 /// Compiles and runs the program in the README as a doctest.
 #[cfg(doctest)]

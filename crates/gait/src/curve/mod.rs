@@ -16,6 +16,7 @@ use crate::population::Population;
 use crate::quantity::seconds;
 use crate::recording::Note;
 use crate::statistics::ends;
+use crate::walk::Walk;
 
 /// Number of samples in one cycle of a load model, and in a mean cycle.
 pub const SAMPLES: usize = 1024;
@@ -48,6 +49,9 @@ pub struct ForceCurve {
     pub mass_kg: Option<f64>,
     /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
+    /// Consecutive strides of the recording, on the same scale.
+    #[serde(skip)]
+    pub walk: Option<Walk>,
     /// Number of steps of a walker in the cycle, where a file states it.
     #[serde(skip)]
     pub steps: Option<usize>,
@@ -95,6 +99,7 @@ impl ForceCurve {
             spread_n: None,
             mass_kg: None,
             noise_n: None,
+            walk: None,
             steps: None,
             notes: Vec::new(),
             recording: None,
@@ -167,6 +172,7 @@ impl ForceCurve {
         ForceCurve {
             force_n: times(&self.force_n),
             spread_n: self.spread_n.as_ref().map(times),
+            walk: self.walk.clone().map(|w| w.scaled(factor)),
             ..self.clone()
         }
     }

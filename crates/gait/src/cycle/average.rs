@@ -13,7 +13,7 @@ const TAIL_S: f64 = 0.06;
 pub(super) const MARGIN: f64 = 0.12;
 
 /// Fraction of a stride near its ends that is blended with the adjacent strides.
-pub(super) const BLEND: f64 = 0.04;
+pub(crate) const BLEND: f64 = 0.04;
 
 /// Force between samples, N, by linear interpolation.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
@@ -97,7 +97,7 @@ pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f
 ///
 /// Within `half_s` of its ends, the cycle is blended with the force one cycle later or earlier. The row is then continuous at its ends, and every
 /// sample of the force has the same weight.
-pub(super) fn periodic(
+pub(crate) fn periodic(
     row: &mut [f64],
     start_s: f64,
     length_s: f64,

@@ -20,6 +20,7 @@ mod warnings;
 
 use std::f64::consts::SQRT_2;
 
+pub(crate) use average::{BLEND, periodic};
 use average::{Mean, MeanStance, place};
 use balance::mean_total;
 use mass_interval::mass_interval;
@@ -36,6 +37,7 @@ use crate::recording::{CycleSource, Feet, Foot, Kind, MassSource, Note, PeriodSo
 use crate::stance::{RejectReason, Rejected, Stance, Stances};
 use crate::statistics::{mean, sample_deviation};
 use crate::units::G;
+use crate::walk::Walk;
 use plausibility::{ADULT_KG, mean_of_weight, ranges};
 
 pub use in_span::stance_in_span;
@@ -95,6 +97,8 @@ struct Average {
     source: CycleSource,
     /// Note on the contacts that are excluded from the mean.
     note: Option<Note>,
+    /// Consecutive strides of both feet.
+    walk: Option<Walk>,
 }
 
 impl Average {
@@ -112,6 +116,7 @@ impl Average {
             averaged: durations.len(),
             source,
             note: None,
+            walk: None,
         }
     }
 
@@ -135,6 +140,7 @@ impl Average {
             averaged,
             source,
             note: None,
+            walk: None,
         }
     }
 }
@@ -225,6 +231,7 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
     let mut curve = ForceCurve::from_samples("", period.seconds, force_n)?;
     curve.spread_n.clone_from(&average.spread_n);
     curve.noise_n = Some(noise(recording, stances, average.averaged, feet));
+    curve.walk.clone_from(&average.walk);
     let repeatability_n = curve.spread_rms_n().map(|s| 1.96 * SQRT_2 * s);
     let total = matches!(average.source, CycleSource::TotalForce { .. });
     let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {

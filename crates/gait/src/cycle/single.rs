@@ -1,12 +1,14 @@
 //! A stride built from single stances: both feet half a stride apart, or one foot with its swing phase.
 
 use super::Average;
-use super::average::{MARGIN, mean_stance};
+use super::average::{MARGIN, at, mean_stance, whole_span};
+use super::stride::ODD_STRIDE;
 use super::stride_time::stride_time;
 use crate::cycle::plausibility::Ranges;
 use crate::error::{ForceError, Result};
 use crate::recording::{CycleSource, Foot, Recording};
 use crate::stance::{Stance, Stances, same_foot};
+use crate::walk::Walk;
 
 /// A stride of both feet built from single stances half a stride apart.
 pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Ranges) -> Average {
@@ -36,7 +38,52 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
             period: from,
         },
     };
-    Average::of_stances(period, &[(&first, 0.0), (&second, 0.5)], all.len(), source)
+    let walk = match source {
+        CycleSource::AnyFoot { .. } => one_foot_walk(recording, &all, period.seconds),
+        _ => None,
+    };
+    let stances = [(&first, 0.0), (&second, 0.5)];
+    Average {
+        walk,
+        ..Average::of_stances(period, &stances, all.len(), source)
+    }
+}
+
+/// Strides of one recorded foot; each stance is repeated by the other foot half a stride later. `None` for several channels or tables of stances,
+/// whose rows are not consecutive.
+fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Option<Walk> {
+    if recording.has_rows() || recording.live().count() != 1 {
+        return None;
+    }
+    let rate = recording.rate_hz;
+    let channel = |s: &Stance| &recording.channels[s.channel];
+    let strides: Vec<(&Stance, f64)> = stances
+        .windows(2)
+        .map(|w| (w[0], w[1].start_s - w[0].start_s))
+        .filter(|(_, length)| (length / usual_s - 1.0).abs() < ODD_STRIDE)
+        .collect();
+    let strikes: Vec<[f64; 3]> = strides
+        .iter()
+        .map(|(s, length)| [0.0, 0.5, 1.0].map(|part| s.start_s + part * length))
+        .collect();
+    let own = |stance: &Stance, t: f64| {
+        let (from, to) = whole_span(channel(stance), rate, stance.start_s, stance.end_s);
+        match t >= from && t <= to {
+            true => at(&channel(stance).force_n, t * rate),
+            false => 0.0,
+        }
+    };
+    Walk::of(&strikes, true, |k, t| {
+        let (stance, length) = strides[k];
+        let before = k.checked_sub(1).map(|k| strides[k]);
+        let before = before.filter(|(b, l)| (b.start_s + l - stance.start_s).abs() < 1e-9);
+        // The first stride of a run follows one like itself.
+        let (last, last_s, since) = match before {
+            Some((last, last_s)) => (last, last_s, t),
+            None => (stance, length, t + length),
+        };
+        own(stance, t) + own(stance, t - 0.5 * length) + own(last, since - 0.5 * last_s)
+    })
 }
 
 /// Stances without outliers; all stances if every one is an outlier.

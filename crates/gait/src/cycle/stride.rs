@@ -7,6 +7,7 @@ use crate::interpretation::{RecordedStride, StrideReject};
 use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::{mean, median};
+use crate::walk::Walk;
 
 /// Time from a heel strike to the next one of the same foot, with all contacts that have a force in this time.
 #[derive(Debug, Clone)]
@@ -22,7 +23,7 @@ pub(super) struct Stride {
 }
 
 /// Relative deviation from the median duration above which a stride is not averaged.
-const ODD_STRIDE: f64 = 0.25;
+pub(super) const ODD_STRIDE: f64 = 0.25;
 
 /// Strides for which every footfall is recorded.
 ///
@@ -64,7 +65,18 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
     let durations: Vec<f64> = kept.iter().map(|s| s.end_s - s.start_s).collect();
     let strides = kept.len();
     let source = CycleSource::WholeStrides { strides, from };
-    Average::of_cycles(average, &durations, PeriodSource::HeelStrikes, source)
+    let strikes: Vec<[f64; 3]> = kept
+        .iter()
+        .map(|s| [s.start_s, s.contacts[2].start_s, s.end_s])
+        .collect();
+    let spans: Vec<_> = kept.iter().map(|s| loaded_spans(recording, s)).collect();
+    let walk = Walk::of(&strikes, false, |k, t| {
+        force_of(&spans[k], recording.rate_hz, t)
+    });
+    Average {
+        walk,
+        ..Average::of_cycles(average, &durations, PeriodSource::HeelStrikes, source)
+    }
 }
 
 /// Strides of usual duration that begin with the same foot, and this foot.
@@ -136,22 +148,29 @@ pub(super) fn recorded_strides(
     .collect()
 }
 
+/// Force of a channel with the span of a contact, s.
+type Span<'a> = (&'a [f64], f64, f64);
+
+/// The contacts of a stride.
+fn loaded_spans<'a>(recording: &'a Recording, stride: &Stride) -> Vec<Span<'a>> {
+    let span = |f: &Footfall| {
+        let channel = &recording.channels[f.channel];
+        let (from, to) = whole_span(channel, recording.rate_hz, f.start_s, f.end_s);
+        (&channel.force_n[..], from, to)
+    };
+    stride.contacts.iter().map(span).collect()
+}
+
+/// Sum of the forces of contacts, N, at a time, s.
+fn force_of(spans: &[Span], rate_hz: f64, t: f64) -> f64 {
+    let loaded = spans.iter().filter(|s| t >= s.1 && t <= s.2);
+    loaded.map(|s| at(s.0, t * rate_hz)).sum()
+}
+
 /// Sum of the contacts of a stride at equal phases, with equal values at both ends.
 fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
-    let rate = recording.rate_hz;
-    let spans: Vec<(&[f64], f64, f64)> = stride
-        .contacts
-        .iter()
-        .map(|f| {
-            let channel = &recording.channels[f.channel];
-            let (from, to) = whole_span(channel, rate, f.start_s, f.end_s);
-            (&channel.force_n[..], from, to)
-        })
-        .collect();
-    let total = |t: f64| -> f64 {
-        let loaded = spans.iter().filter(|s| t >= s.1 && t <= s.2);
-        loaded.map(|s| at(s.0, t * rate)).sum()
-    };
+    let spans = loaded_spans(recording, stride);
+    let total = |t: f64| force_of(&spans, recording.rate_hz, t);
     let length = stride.end_s - stride.start_s;
     let half = (BLEND * length).min(stride.before_s);
     periodic(row, stride.start_s, length, half, total);

@@ -7,6 +7,7 @@ use crate::quantity::seconds;
 use crate::recording::{CycleSource, Note, PeriodSource, Recording};
 use crate::stance::{RejectReason, Rejected, Stances, footfalls};
 use crate::statistics::{mean, mean_and_deviation, ranked};
+use crate::walk::Walk;
 
 /// Relative variation of the total force below which the person is standing.
 const STEADY: f64 = 0.05;
@@ -138,6 +139,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     let mut average = Mean::new();
     let mut row = vec![0.0; SAMPLES];
     let mut durations: Vec<f64> = Vec::new();
+    let mut strikes: Vec<[f64; 3]> = Vec::new();
     for (pair, ends) in steps.windows(2).zip(rises.windows(3)).step_by(2) {
         if !pair.iter().all(regular) {
             continue;
@@ -148,14 +150,17 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         periodic(&mut row, ends[0], length, half, |t| at(force, t));
         average.add(&row);
         durations.push(pair[0] + pair[1]);
+        strikes.push([0, 1, 2].map(|k| ends[k] / recording.rate_hz));
     }
     // Three of four steps are regular, so that not every pair has one that is not.
     let strides = durations.len();
     let source = CycleSource::TotalForce { strides };
     let from = PeriodSource::TotalForce;
     let note = other_speeds(&steps, usual, n / recording.rate_hz);
+    let walk = Walk::of(&strikes, false, |_, t| at(force, t * recording.rate_hz));
     Some(Average {
         note,
+        walk,
         ..Average::of_cycles(average, &durations, from, source)
     })
 }

@@ -98,6 +98,7 @@ impl FourierForce {
             spread_n: None,
             mass_kg: None,
             noise_n: None,
+            walk: None,
             steps: None,
             notes: Vec::new(),
             recording: None,

@@ -21,6 +21,15 @@ gait-mean = media
 gait-warning = aviso
 gait-spread = dispers.
 gait-repeatability = repetib.
+gait-varies = varía
+gait-variability = { $strides } zancadas consecutivas{ $runs ->
+        [one] {""}
+       *[other] {" "}en { $runs } series
+    }: duración del paso ± { $time } %{ $single ->
+        [true] {" "}(la mitad de la zancada: se registró un solo pie)
+       *[other] {""}
+    }, amplitud a la frecuencia de paso ± { $amplitude } %, correlación de pasos consecutivos { $autocorrelation }
+gait-pace = el ritmo cambia: la duración de la zancada del último cuarto difiere en un { $change } % de la del primero; en resonancia cuenta como variabilidad
 gait-samples = muestras
 gait-doubt = abierto
 gait-unacceptable = El registro no se puede usar: { $list }. { $others ->

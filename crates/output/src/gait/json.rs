@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use gaitcam::force::{
     Channel, Cycle, ForceCurve, Interpretation, Note, Point, RecordedStride, Recording, Stance,
-    Stances, coded,
+    Stances, Walk, coded,
 };
 use gaitcam::units::G;
 
@@ -36,6 +36,7 @@ pub fn json(
     let more = json!({
         "format": r.format.to_string(), "rate_hz": r.rate_hz, "duration_s": r.duration_s,
         "notes": notes, "channels": channels, "stances": rows, "strides": strides, "cycle": mean,
+        "variability": cycle.and_then(|c| c.curve.walk.as_ref()).map(Walk::variability),
     });
     if let (Value::Object(out), Value::Object(more)) = (&mut out, more) {
         out.extend(more);
@@ -100,7 +101,7 @@ pub fn cycle_json(curve: &ForceCurve) -> Value {
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
         "mass_low_kg": null, "mass_high_kg": null,
         "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
-        "notes": notes, "warnings": [], "channels": [], "stances": [], "strides": [],
+        "notes": notes, "warnings": [], "channels": [], "stances": [], "strides": [], "variability": null,
         "cycle": {
             "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,
             "source": {"code": "as-given", "data": {}}, "spread_rms_n": curve.spread_rms_n(),

@@ -7,7 +7,7 @@ use serde_json::json;
 use super::WORDS;
 use gaitcam::force::{
     Contact, Cycle, Foot, ForceCurve, Format, Interpretation, Note, OpenQuestion, Point, Recording,
-    Stances,
+    Stances, Walk,
 };
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
@@ -223,6 +223,27 @@ impl Lines {
         self.mean(&c.curve, c.mass_kg);
         self.notes("gait-warning", &c.notes);
         self.spread(&c.curve, c.repeatability_n, c.mass_kg);
+        self.variability(c.curve.walk.as_ref());
+    }
+
+    /// Variability of consecutive strides, and a change of pace among them.
+    fn variability(&mut self, walk: Option<&Walk>) {
+        let Some(walk) = walk else {
+            return;
+        };
+        let of = walk.variability();
+        let percent = |x: f64| self.words.fixed(100.0 * x, 1);
+        let label = json!({"variability": {
+            "strides": of.strides, "runs": of.runs, "time": percent(of.step_time_cv), "amplitude": percent(of.amplitude_cv),
+            "autocorrelation": self.words.fixed(of.autocorrelation, 2), "single": walk.is_one_foot,
+        }});
+        let text = self.words.sentence("gait", &label);
+        self.row("gait-varies", text);
+        if walk.changes_pace() {
+            let label = json!({"pace": {"change": percent(of.drift)}});
+            let text = self.words.sentence("gait", &label);
+            self.row("gait-warning", text);
+        }
     }
 
     /// Writes the open questions: those that cannot be accepted, and the keys that answer the others.
