@@ -22,6 +22,7 @@ mod run;
 pub(crate) mod shaft;
 mod simulate;
 pub(crate) mod surface;
+mod walking;
 
 pub(crate) use flexible::Train;
 pub use floor::{Floor, FloorMode, FloorMotion};
@@ -34,6 +35,7 @@ pub(crate) use shaft::InTime;
 pub use shaft::Shaft;
 pub use simulate::simulate;
 pub use surface::Surface;
+pub use walking::{Bounds, Followed, Misfit, ProgrammeRun, RepeatedForce, SpeedProgramme};
 
 /// Cams of a thesis for tests. The unit tests of this crate compile them with its own types.
 #[cfg(test)]

@@ -81,6 +81,24 @@ pub enum DynamicsError {
         needed: Quantity,
         speed: Quantity,
     },
+    /// Too few rows of a speed programme.
+    FewProgrammeRows { rows: usize },
+    /// A row of a speed programme is out of order or has no positive speed.
+    ProgrammeRow { row: usize },
+    /// A speed programme needs a cam that turns.
+    ProgrammeTurns,
+    /// A programme cannot keep the limit of the acceleration.
+    ProgrammeAcceleration { most: Quantity },
+    /// The cam loses its contact or its smallest force at any speed of the programme.
+    ProgrammeContact { least: Quantity, limit: Quantity },
+    /// The motor does not reach a torque at a speed.
+    ProgrammeMotor {
+        torque: Quantity,
+        speed: Quantity,
+        at: Quantity,
+    },
+    /// The shaft stops under a commanded speed.
+    ProgrammeStops { at: Quantity },
     /// An undamped mode of the floor coincides with a harmonic of the force.
     FloorResonance {
         harmonic: usize,

@@ -82,6 +82,7 @@ pub use design::Design;
 pub use design::edge::{Edge, EdgePoint};
 pub use design::figures::{FIGURES, Figure, Figures};
 pub use design::resonance::AtFrequency;
+pub use design::walker::{AtResonance, OfWalker};
 pub use families::inverse::invert;
 pub use infeasible::reasons::in_units;
 pub use outcome::{Outcome, answer};

@@ -7,6 +7,8 @@ mod in_run;
 pub mod load_factors;
 pub mod machine;
 pub mod resonance;
+mod strides;
+pub mod walker;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

@@ -4,3 +4,4 @@ mod floor;
 mod on_shaft;
 mod polydyne;
 mod shaft;
+mod walking;

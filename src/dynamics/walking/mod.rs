@@ -1,0 +1,8 @@
+//! Walking as it is: the response of a mode to a recorded walk and to a cam, and the speed of the cam with which its force varies as recorded.
+
+mod mode;
+mod programme;
+mod spline;
+
+pub use mode::{Misfit, RepeatedForce};
+pub use programme::{Bounds, Followed, ProgrammeRun, SpeedProgramme};

@@ -1,0 +1,208 @@
+//! A mode of unit mass under a force that repeats without end, tuned about the step frequency.
+//!
+//! A force of period T has lines at k/T. With mean square Pₖ of line k at ω = 2πk/T, a mode of frequency ωₘ and damping ratio ζ has the mean square
+//! acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. Nothing is left out at the start, and no other window is chosen.
+
+use std::f64::consts::{PI, TAU};
+
+use serde::Serialize;
+
+use crate::force::Walk;
+use crate::poly::amplitudes;
+
+/// Number of equally spaced frequencies of the mode, and their range relative to the step frequency.
+const TUNINGS: usize = 401;
+const BAND: [f64; 2] = [0.9, 1.1];
+/// Number of harmonics of the stride frequency; the mode hardly responds to higher ones.
+const OF_STRIDE: usize = 48;
+
+/// The lines of a force that repeats.
+///
+/// ```
+/// use gaitcam::dynamics::RepeatedForce;
+///
+/// // At resonance a mode of 1 kg under 280 N sin ωt has the acceleration 280/(2ζ), of which the root mean square is 1/√2.
+/// let wave = |i: u32| 700.0 + 280.0 * (2.0 * std::f64::consts::TAU * f64::from(i) / 64.0).sin();
+/// let force = RepeatedForce::new(&(0..64).map(wave).collect::<Vec<_>>(), 1.0, 1);
+/// let peak = force.peak(0.005);
+/// assert!((peak / (280.0 / 0.01 / 2_f64.sqrt()) - 1.0).abs() < 1e-9);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepeatedForce {
+    /// Square of the angular frequency, and mean square, of each line.
+    squares: Vec<f64>,
+    means: Vec<f64>,
+    strides: usize,
+    /// Step frequency, Hz.
+    pub step_frequency_hz: f64,
+}
+
+impl RepeatedForce {
+    /// Damping ratios of the modes, as of footbridges of steel, of composite decks and of concrete.
+    pub const DAMPING_RATIOS: [f64; 3] = [0.003, 0.005, 0.01];
+
+    /// Lines of a force, N, at equal steps of its duration, s, which contains so many strides of two steps.
+    pub fn new(force: &[f64], duration_s: f64, strides: usize) -> RepeatedForce {
+        let lines = amplitudes(force);
+        let lines = lines.iter().enumerate().skip(1).take(OF_STRIDE * strides);
+        let (squares, means) = lines
+            .map(|(k, (a, b))| ((TAU * k as f64 / duration_s).powi(2), 0.5 * (a * a + b * b)))
+            .unzip();
+        RepeatedForce {
+            squares,
+            means,
+            strides,
+            step_frequency_hz: 2.0 * strides as f64 / duration_s,
+        }
+    }
+
+    /// Lines of the strides of a recording, repeated without end.
+    pub fn of(walk: &Walk) -> RepeatedForce {
+        RepeatedForce::new(&walk.force_n(), walk.duration_s, walk.strides())
+    }
+
+    /// Frequencies of the mode, Hz: 401 equally spaced ones from 0.9 to 1.1 of a step frequency.
+    pub fn tunings(step_frequency_hz: f64) -> Vec<f64> {
+        let part = |i: usize| i as f64 / (TUNINGS - 1) as f64;
+        let at = |i: usize| step_frequency_hz * (BAND[0] + part(i) * (BAND[1] - BAND[0]));
+        (0..TUNINGS).map(at).collect()
+    }
+
+    /// RMS acceleration, m/s², of a mode of 1 kg at the tunings about a step frequency, Hz.
+    pub fn about(&self, step_frequency_hz: f64, damping_ratio: f64) -> Vec<f64> {
+        let at = |frequency: f64| {
+            let mode = TAU * frequency;
+            let (own, damping) = (mode * mode, (2.0 * damping_ratio * mode).powi(2));
+            let lines = self.squares.iter().zip(&self.means);
+            let sum: f64 = lines
+                .map(|(w, p)| p * w * w / ((own - w) * (own - w) + damping * w))
+                .sum();
+            sum.sqrt()
+        };
+        let tunings = RepeatedForce::tunings(step_frequency_hz);
+        tunings.into_iter().map(at).collect()
+    }
+
+    /// RMS acceleration, m/s², of a mode of 1 kg at the tunings about its own step frequency.
+    pub fn response(&self, damping_ratio: f64) -> Vec<f64> {
+        self.about(self.step_frequency_hz, damping_ratio)
+    }
+
+    /// Highest RMS acceleration, m/s², of a mode of 1 kg tuned through 0.9 … 1.1 of the step frequency.
+    pub fn peak(&self, damping_ratio: f64) -> f64 {
+        self.response(damping_ratio).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Whether the lines are closer than the bandwidth π ζ f of the mode: 2π ζ N ≥ 1 for N strides.
+    pub fn resolves(&self, damping_ratio: f64) -> bool {
+        self.strides >= RepeatedForce::strides_for(damping_ratio)
+    }
+
+    /// Minimum number of strides of which the lines are closer than the bandwidth of a mode.
+    pub fn strides_for(damping_ratio: f64) -> usize {
+        (0.5 / (PI * damping_ratio)).ceil() as usize
+    }
+
+    /// Differences of the responses to another force from those to this one, about the step frequency of this one.
+    pub fn misfits(&self, other: &RepeatedForce) -> [Misfit; 3] {
+        RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {
+            let at = self.step_frequency_hz;
+            let (own, its) = (
+                self.about(at, damping_ratio),
+                other.about(at, damping_ratio),
+            );
+            let logs = own.iter().zip(&its).map(|(a, b)| (b / a).ln().abs());
+            let peak = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
+            Misfit {
+                damping_ratio,
+                misfit: logs.sum::<f64>() / TUNINGS as f64,
+                peak_ratio: peak(&its) / peak(&own),
+            }
+        })
+    }
+}
+
+/// Difference of the responses to two forces, about the step frequency of the first.
+///
+/// ```
+/// use gaitcam::dynamics::RepeatedForce;
+///
+/// // A force twice as large: ln 2 everywhere.
+/// let wave = |size: f64| move |i: u32| size * (2.0 * std::f64::consts::TAU * f64::from(i) / 64.0).sin();
+/// let [one, two] = [1.0, 2.0].map(|size| RepeatedForce::new(&(0..64).map(wave(size)).collect::<Vec<_>>(), 1.0, 1));
+/// for of in one.misfits(&two) {
+///     assert!((of.misfit - 2_f64.ln()).abs() < 1e-9 && (of.peak_ratio - 2.0).abs() < 1e-9);
+/// }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Misfit {
+    /// Damping ratio of the mode.
+    pub damping_ratio: f64,
+    /// Mean of |ln(response ratio)| over 0.9 … 1.1 of the step frequency.
+    pub misfit: f64,
+    /// Highest response to the second force, relative to that of the first.
+    pub peak_ratio: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Mean square acceleration of the last repeats of a mode of 1 kg under a force that is linear between its samples, integrated with the exact
+    /// step of a linear oscillator.
+    fn integrated(force: &[f64], duration_s: f64, mode_hz: f64, damping_ratio: f64) -> f64 {
+        let (w, z) = (TAU * mode_hz, damping_ratio);
+        let h = duration_s / force.len() as f64;
+        let wd = w * (1.0 - z * z).sqrt();
+        let (decay, (s, c)) = ((-z * w * h).exp(), (wd * h).sin_cos());
+        // Under F = f + g t the particular motion is f/w² − 2ζg/w³ + g t/w².
+        let (mut x, mut v) = (0.0, 0.0);
+        let repeats = (3.0 / (z * w * duration_s)).ceil() as usize * 3;
+        let (mut sum, mut count) = (0.0, 0);
+        for repeat in 0..=repeats {
+            for i in 0..force.len() {
+                let (f, next) = (force[i], force[(i + 1) % force.len()]);
+                let g = (next - f) / h;
+                let rest = |t: f64| (f + g * t) / (w * w) - 2.0 * z * g / w.powi(3);
+                let (a, b) = (x - rest(0.0), v - g / (w * w));
+                let k = (b + z * w * a) / wd;
+                x = decay * (a * c + k * s) + rest(h);
+                v = decay * ((k * wd - z * w * a) * c - (a * wd + z * w * k) * s) + g / (w * w);
+                if repeat == repeats {
+                    sum += (next - 2.0 * z * w * v - w * w * x).powi(2);
+                    count += 1;
+                }
+            }
+        }
+        (sum / count as f64).sqrt()
+    }
+
+    #[test]
+    fn the_lines_give_what_direct_integration_gives() {
+        // Twelve uneven strides of about 1.1 s.
+        let strides = 12;
+        let duration_s = 1.1 * strides as f64;
+        let n = 512 * strides;
+        let force: Vec<f64> = (0..n)
+            .map(|i| {
+                let x = TAU * i as f64 / n as f64;
+                let walk = 2.0 * strides as f64 * x + 0.5 * (3.0 * x).sin() + 0.3 * (7.0 * x).cos();
+                250.0 * (1.0 + 0.1 * (5.0 * x).cos()) * walk.sin() + 60.0 * (2.0 * walk).cos()
+            })
+            .collect();
+        let lines = RepeatedForce::new(&force, duration_s, strides);
+        for damping in RepeatedForce::DAMPING_RATIOS {
+            let response = lines.response(damping);
+            for i in [0, 100, 200, 230, 400] {
+                let mode = lines.step_frequency_hz * (0.9 + 0.2 * i as f64 / 400.0);
+                let direct = integrated(&force, duration_s, mode, damping);
+                assert!(
+                    (response[i] / direct - 1.0).abs() < 2e-3,
+                    "{damping} {i}: {} {direct}",
+                    response[i]
+                );
+            }
+        }
+        assert!(lines.resolves(0.02) && !lines.resolves(0.01));
+    }
+}

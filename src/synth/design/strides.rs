@@ -1,0 +1,78 @@
+//! The law of several consecutive recorded strides, for a servo axis that repeats them instead of one mean stride.
+
+use std::f64::consts::TAU;
+
+use super::Design;
+use crate::LimitKind;
+use crate::criterion::Criterion;
+use crate::drive::DriveKind;
+use crate::error::Result;
+use crate::force::{ForceCurve, Walk};
+use crate::scene::{CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Scene};
+
+/// Limits of the motion and the force, which hold for a servo axis too; the others are of a profile or of a shaft.
+const OF_MOTION: [LimitKind; 6] = [
+    LimitKind::Stroke,
+    LimitKind::Velocity,
+    LimitKind::Acceleration,
+    LimitKind::Jerk,
+    LimitKind::ForceMin,
+    LimitKind::ForceMax,
+];
+/// Minimum number of spans for each stride.
+const SPANS: usize = 24;
+/// Accepted force error relative to the mean, where the design has no limit.
+const ACCEPTED: f64 = 0.005;
+
+impl Design {
+    /// The design of so many consecutive recorded strides in one cycle, with these strides; `None` if fewer are recorded.
+    ///
+    /// `scene` is that of this design. Its limits of lift, velocity, acceleration, jerk and force hold over all strides. The law closes without a step:
+    /// the strides are blended where they meet again.
+    ///
+    /// # Errors
+    /// Faults of the scene.
+    pub fn of_strides(&self, scene: &Scene, strides: usize) -> Result<Option<(Design, Walk)>> {
+        let Some(part) = self.walk().and_then(|walk| walk.typical(strides)) else {
+            return Ok(None);
+        };
+        let own = &self.problem.drive;
+        let mut drive = scene.drive.clone();
+        drive.speed = Some(TAU / part.duration_s);
+        drive.mass = Some(own.mass)
+            .filter(|mass| *mass > 0.0 && drive.mass.is_none())
+            .or(drive.mass);
+        let check = self.checks.iter().find(|c| c.name == Criterion::RmsError);
+        let rms = check.map_or(ACCEPTED, |c| c.limit / self.force.target_mean_n.abs());
+        let scale = match own.kind {
+            DriveKind::MovingAxis => ForceScale::ToMass,
+            DriveKind::FixedAxis | DriveKind::Hydraulic => ForceScale::None,
+        };
+        let limits = OF_MOTION
+            .into_iter()
+            .fold(Limits::default(), |limits, kind| match scene.limits[kind] {
+                Some(bound) => limits.with(kind, bound),
+                None => limits,
+            });
+        let scene = Scene {
+            name: format!("{}_{strides}_strides", self.problem.name),
+            gait: Some(Gait {
+                scale,
+                ..Gait::given()
+            }),
+            drive,
+            law: LawSpec {
+                degree: scene.law.degree,
+                spans: Some(strides * self.cam.law.poly().pieces().max(SPANS)),
+                ..LawSpec::of(Family::Spline)
+            },
+            cam: CamSpec::default(),
+            limits,
+            machine: MachineSpec::default(),
+            rms: Some(rms.max(ACCEPTED)),
+        };
+        let name = scene.name.clone();
+        let force = ForceCurve::from_samples(&name, part.duration_s, part.force_n())?;
+        Ok(Some((scene.design_for(&force)?, part)))
+    }
+}

@@ -1,0 +1,110 @@
+//! The recorded walk against the cam at constant speed: the response of a mode tuned about the step frequency.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::Design;
+use crate::dynamics::RepeatedForce;
+use crate::force::Walk;
+
+/// Number of equal angles of the cam's force.
+const SAMPLES: usize = 1024;
+
+/// The recorded walk and the cam at resonance.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, force_curve};
+/// use gaitcam::scene;
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_long_walk.csv"));
+/// let force = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let design = scene::built_in("measured_walk")?.scene()?.design_for(&force)?;
+/// let walker = design.walker().unwrap();
+/// assert_eq!(walker.strides, 48);
+/// // A cam that repeats one stride is more severe at resonance than a person whose steps vary by 2.5 %.
+/// assert!(walker.resonance[1].ratio > 1.1);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OfWalker {
+    /// Number of recorded strides.
+    pub strides: usize,
+    /// Mean step frequency of the recorded strides, Hz.
+    pub step_frequency_hz: f64,
+    /// Comparison for each damping ratio.
+    pub resonance: Vec<AtResonance>,
+}
+
+/// Highest responses of a mode of 1 kg tuned through 0.9 … 1.1 of the step frequency.
+///
+/// ```
+/// use gaitcam::synth::AtResonance;
+///
+/// let at = AtResonance { damping_ratio: 0.005, recorded: 6216.0, mean_stride: 8726.0, ratio: 8726.0 / 6216.0, resolved: true };
+/// assert!((at.ratio - 1.404).abs() < 1e-3);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AtResonance {
+    /// Damping ratio of the mode.
+    pub damping_ratio: f64,
+    /// RMS acceleration under the recorded strides, repeated without end, m/s².
+    pub recorded: f64,
+    /// RMS acceleration under the cam at constant speed, m/s².
+    pub mean_stride: f64,
+    /// Response to the cam relative to that to the recorded walk.
+    pub ratio: f64,
+    /// Whether the recorded strides suffice for this damping ratio: 2π ζ N ≥ 1 for N strides. Fewer make the recorded response too large.
+    pub resolved: bool,
+}
+
+impl Design {
+    /// The recorded strides on the scale of the target, N; `None` without a cam that turns once in a stride, or without eight consecutive strides of
+    /// one walker.
+    pub fn walk(&self) -> Option<Walk> {
+        let law = &self.cam.law;
+        let turns = law.is_closed() && law.extent() == (0.0, TAU);
+        let is_alone = self.population.is_none() && self.infeasible.is_none();
+        let target = self.target().filter(|_| turns && is_alone)?;
+        let walk = target.walk.clone()?;
+        Some(walk.scaled(1.0 / self.problem.drive.lever))
+    }
+
+    /// The force of the cam at constant speed, N, at equal angles of a turn.
+    fn steady_force(&self) -> Vec<f64> {
+        let drive = &self.problem.drive;
+        let force = drive.force_curve(self.pressing());
+        let at = |i: usize| drive.newtons(force.eval(TAU * i as f64 / SAMPLES as f64));
+        (0..SAMPLES).map(at).collect()
+    }
+
+    /// The recorded walk, its lines and those of this cam at constant speed, where there is a [`Design::walk`].
+    pub fn repeated(&self) -> Option<(Walk, [RepeatedForce; 2])> {
+        let walk = self.walk()?;
+        let recorded = RepeatedForce::of(&walk);
+        let period = TAU / self.problem.drive.speed.abs();
+        let cam = RepeatedForce::new(&self.steady_force(), period, 1);
+        Some((walk, [recorded, cam]))
+    }
+
+    /// Highest responses to the recorded walk and to this cam at constant speed, where [`Design::repeated`] has both.
+    pub fn walker(&self) -> Option<OfWalker> {
+        let (walk, [recorded, cam]) = self.repeated()?;
+        let resonance = RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {
+            let (recorded_peak, mean_stride) =
+                (recorded.peak(damping_ratio), cam.peak(damping_ratio));
+            AtResonance {
+                damping_ratio,
+                recorded: recorded_peak,
+                mean_stride,
+                ratio: mean_stride / recorded_peak,
+                resolved: recorded.resolves(damping_ratio),
+            }
+        });
+        Some(OfWalker {
+            strides: walk.strides(),
+            step_frequency_hz: walk.step_frequency_hz(),
+            resonance: resonance.to_vec(),
+        })
+    }
+}
