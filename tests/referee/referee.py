@@ -26,6 +26,7 @@ import on_shaft  # noqa: F401
 import proof  # noqa: F401
 import simulated  # noqa: F401
 import walkers
+import walking  # noqa: F401
 from result import FIELDS, Result, Unknown, model_of, size_of
 
 # Records of the run itself. They do not follow from the design.

@@ -19,6 +19,7 @@ import recut
 import speeds
 from referee import Result, judge, judge_rows, self_test
 
+REPOSITORY = Path(__file__).resolve().parents[2]
 # Fields without recomputation, by case: pattern of the field, and reason. This list may only become shorter.
 OPEN = {
     "heel_tester_fitted": {
@@ -121,6 +122,16 @@ def electronic(gaitcam, folder):
     return count, changes, faults
 
 
+def walks(gaitcam, folder):
+    """The same of a recorded walk at resonance; the recording itself is read by no independent program."""
+    out, recording = folder / "walk", REPOSITORY / "data/recordings/made_walk.csv"
+    subprocess.run([gaitcam, "synth", "measured_walk", "--set", f"gait.file={recording}", "--out", str(out), "--no-png"], check=True, capture_output=True)
+    rows = [row for row in judge(Result(out))[0] if row[0].startswith("walker.")]
+    missed, changes = self_test(out, r"walker\.")
+    faults = [f"{path}: stated {stated}, recomputed {own}" for path, stated, own, note in rows if note]
+    return len(rows), changes, faults + [f"a change of {what} is not noticed" for what in missed]
+
+
 def identifications(gaitcam, folder):
     """Numbers of values and changes, and lines of faults, for parameters identified from logs of a design's machine."""
     result = Result(folder)
@@ -163,6 +174,7 @@ def main():
             "ecam": lambda: electronic(gaitcam, design),
             "identify": lambda: identifications(gaitcam, design),
             "recut": lambda: recut.judge(gaitcam, design),
+            "walk": lambda: walks(gaitcam, Path(folder)),
         } | {
             f"speeds_{name}": lambda name=name: speeds.judge(gaitcam, Path(folder) / name)
             for name in AT_SPEEDS if name in cases

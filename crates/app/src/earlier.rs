@@ -12,13 +12,14 @@ pub(crate) const SCENE: &str = "scene.toml";
 /// File name of the resolved scene if the input is named `scene.toml`.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// Files that `simulate` adds to the folder of a design.
-pub const OF_RUN: [&str; 6] = [
+pub const OF_RUN: [&str; 7] = [
     "dynamics.csv",
     "dynamics.xlsx",
     "simulation.json",
     "speeds.csv",
     "speeds.svg",
     "speeds.png",
+    "programme.csv",
 ];
 
 /// Files that `inspect` adds to the folder of a design.

@@ -34,6 +34,8 @@ enum Of {
     Floors,
     /// Designs for several walkers.
     Populations,
+    /// Designs for a recording of eight or more consecutive strides.
+    Walks,
 }
 
 /// Option of [`Contents`] that requests a file, and the function that makes the file.
@@ -54,7 +56,7 @@ pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
     contents: &'a Contents,
-    pictures: [OnceCell<Picture>; 5],
+    pictures: [OnceCell<Picture>; 6],
 }
 
 /// A file that a design may have.
@@ -87,10 +89,10 @@ const fn piece(group: Group, name: &'static str, of: Of, piece: Piece) -> File {
 }
 
 /// All files that a design may have except its scene, in the order in which they are written.
-pub const ALL: [File; 35] = {
+pub const ALL: [File; 38] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Maker::{Always, Finish, Png};
-    use Of::{All, Barrels, Cams, Discs, Floors, Pairs, Plates, Populations, Profiles};
+    use Of::{All, Barrels, Cams, Discs, Floors, Pairs, Plates, Populations, Profiles, Walks};
     [
         file(
             Report,
@@ -127,6 +129,12 @@ pub const ALL: [File; 35] = {
             "floor.csv",
             Floors,
             Always(|s| Ok((csv::floor(s.design).map(String::into_bytes), Vec::new()))),
+        ),
+        file(
+            Tables,
+            "strides.csv",
+            Walks,
+            Always(|s| Ok((csv::strides(s.design).map(String::into_bytes), Vec::new()))),
         ),
         // Made by [`design::summary`](crate::design::summary), which knows the scene.
         file(Tables, "summary.json", All, Finish),
@@ -166,6 +174,18 @@ pub const ALL: [File; 35] = {
             "floor.png",
             Floors,
             Png(|s| made(s.floor().png())),
+        ),
+        file(
+            Pictures,
+            "resonance.svg",
+            Walks,
+            Always(|s| made(s.resonance().svg())),
+        ),
+        file(
+            Pictures,
+            "resonance.png",
+            Walks,
+            Png(|s| made(s.resonance().png())),
         ),
         piece(Workshop, "drawing.pdf", Discs, Piece::Sheet),
         piece(Workshop, "profile.stl", Plates, Piece::Stl),
@@ -238,6 +258,10 @@ impl<'a> Source<'a> {
         self.pictures[4].get_or_init(|| plots::walkers(self.design, self.contents.language))
     }
 
+    fn resonance(&self) -> &Picture {
+        self.pictures[5].get_or_init(|| plots::resonance(self.design, self.contents.language))
+    }
+
     fn floor(&self) -> &Picture {
         self.pictures[3].get_or_init(|| plots::floor(self.design, self.contents.language))
     }
@@ -276,6 +300,7 @@ impl File {
             Of::Barrels => cam && barrel,
             Of::Floors => cam && design.floor.is_some(),
             Of::Populations => cam && design.population.is_some(),
+            Of::Walks => design.walk().is_some(),
         }
     }
 

@@ -3,8 +3,12 @@
 use crate::words::{self, Words};
 use gaitcam::cam::{Measures, Unit};
 use gaitcam::drive::DriveKind;
+use gaitcam::dynamics::RepeatedForce;
 use gaitcam::synth::{Design, Figure, Figures};
 use gaitcam::wording::{Language, rounded};
+
+/// Damping ratio of the sentence on resonance.
+const SHOWN_DAMPING: f64 = 0.005;
 
 /// Visibility of a fact on the console. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,6 +105,35 @@ pub fn line(design: &Design, group: Group, language: Language) -> Option<String>
 pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     let label = |f: &Figure| f.label_on(&design.cam.follower, words.language());
     Figure::of_column(column).map_or(String::new(), label)
+}
+
+/// Severity of the cam at constant speed at resonance, compared with the recorded walk; `None` without eight or more recorded strides.
+pub fn resonance(design: &Design, language: Language) -> Option<String> {
+    let walker = design.walker()?;
+    let at = walker
+        .resonance
+        .iter()
+        .find(|r| r.damping_ratio == SHOWN_DAMPING)?;
+    let words = words::words(language);
+    let (damping, ratio) = (
+        words.number(100.0 * at.damping_ratio),
+        words.fixed(at.ratio, 2),
+    );
+    let (strides, needed) = (
+        walker.strides.to_string(),
+        RepeatedForce::strides_for(at.damping_ratio).to_string(),
+    );
+    let key = match at.resolved {
+        true => "resonance-severity",
+        false => "resonance-severity-few",
+    };
+    let arguments = [
+        ("damping", &*damping),
+        ("ratio", &ratio),
+        ("strides", &strides),
+        ("needed", &needed),
+    ];
+    Some(words.fill(key, &arguments))
 }
 
 /// Formats a force of a design, or a moment on its arm, as a figure.

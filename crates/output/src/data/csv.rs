@@ -2,6 +2,7 @@
 
 use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
+use gaitcam::force::Walk;
 use gaitcam::sweep::{Field, Records};
 use gaitcam::synth::Design;
 
@@ -67,6 +68,19 @@ pub fn floor(design: &Design) -> Option<String> {
     });
     let names = "step_frequency_hz,acceleration_peak_m_per_s2,acceleration_rms_m_per_s2,comfort,cam_acceleration_peak_m_per_s2\n";
     Some([names.to_string()].into_iter().chain(rows).collect())
+}
+
+/// `strides.csv`: the recorded strides that the cam is compared with, one after the other, at equal steps of time; they repeat without end.
+pub fn strides(design: &Design) -> Option<String> {
+    design.repeated().map(|(walk, _)| strides_of(&walk))
+}
+
+/// The force of consecutive strides over time.
+pub fn strides_of(walk: &Walk) -> String {
+    let force = walk.force_n();
+    let step = walk.duration_s / force.len() as f64;
+    let time = (0..force.len()).map(|i| step * i as f64).collect();
+    text(&vec![("time_s", time), ("force_n", force)])
 }
 
 /// `walkers.csv`: force error of each cycle of a population.

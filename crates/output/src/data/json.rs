@@ -73,6 +73,9 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     if let Some(floor) = &design.floor {
         put("floor", json!(floor));
     }
+    if let Some(walker) = design.walker() {
+        put("walker", json!(walker));
+    }
     put("out_of_time", json!(design.out_of_time));
     put("remarks", json!(design.remarks(Language::En)));
     put("solver", solver(design, time));

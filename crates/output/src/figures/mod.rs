@@ -10,6 +10,7 @@ pub mod inspection;
 pub mod law;
 pub mod overlay;
 pub mod recording;
+pub mod resonance;
 pub mod run;
 pub mod speeds;
 pub mod sweep;

@@ -2,13 +2,14 @@
 
 use std::fmt::Write;
 
-use super::{heading, paragraph};
-use crate::facts::{force as force_text, label};
+use super::{heading, paragraph, tables};
+use crate::facts::{self, force as force_text, label};
 use crate::figures::cam::cam_in;
 use crate::figures::curvature::geometry_in;
 use crate::figures::force::{force_frame, force_in};
 use crate::figures::law::svaj_in;
 use crate::figures::recording::{figure_layout, recording_in};
+use crate::figures::resonance::resonance_in;
 use crate::plot::layout::Layout;
 use crate::plot::picture::Picture;
 use crate::plot::sheet::Frame;
@@ -22,6 +23,7 @@ use gaitcam_base::text::escaped;
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     force(out, synthesis, words);
     recording(out, synthesis, words);
+    resonance(out, synthesis, words);
     let taller = Layout::figure(660);
     heading(out, &words.text("report-law-section"));
     let alt = law_words(synthesis, words);
@@ -106,6 +108,40 @@ fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     let alt = words.fill("report-alt-recording", &arguments);
     let picture = recording_in(understood, None, figure_layout(understood, words), words);
     figure(out, "recording", None, &alt, &picture, words);
+}
+
+/// The recorded walk and the cam at resonance: sentence, picture and figures.
+fn resonance(out: &mut String, synthesis: &Design, words: &Words) {
+    let Some((sentence, walker)) =
+        facts::resonance(synthesis, words.language()).zip(synthesis.walker())
+    else {
+        return;
+    };
+    heading(out, &words.text("report-resonance-section"));
+    paragraph(out, &sentence);
+    let picture = resonance_in(synthesis, Layout::figure(430), words);
+    figure(out, "resonance", None, &sentence, &picture, words);
+    let columns = ["damping", "recorded", "cam", "ratio"];
+    let columns = columns.map(|name| words.text(&format!("report-resonance-{name}")));
+    tables::open(out, &columns, 1);
+    for at in &walker.resonance {
+        let damping = format!("{} %", words.number(100.0 * at.damping_ratio));
+        tables::row(out, &damping);
+        let ratio = words.fixed(at.ratio, 2);
+        let ratio = match at.resolved {
+            true => ratio,
+            false => format!("≥ {ratio}"),
+        };
+        let [recorded, cam] = [at.recorded, at.mean_stride].map(|x| words.number(x));
+        tables::cells(out, &[recorded, cam, ratio]);
+    }
+    tables::close(out);
+    let (strides, frequency) = (
+        walker.strides.to_string(),
+        words.number(walker.step_frequency_hz),
+    );
+    let arguments = [("strides", &*strides), ("frequency", &frequency)];
+    paragraph(out, &words.fill("report-resonance-note", &arguments));
 }
 
 fn force_words(synthesis: &Design, words: &Words) -> String {

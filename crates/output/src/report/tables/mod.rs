@@ -77,7 +77,7 @@ pub fn close(out: &mut String) {
 }
 
 /// Opens a row with its name.
-fn row(out: &mut String, name: &str) {
+pub fn row(out: &mut String, name: &str) {
     let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
 }
 

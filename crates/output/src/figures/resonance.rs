@@ -1,0 +1,122 @@
+//! The picture of a walk at resonance: the response of a mode over its frequency.
+
+use plotters::style::{Color, RGBAColor};
+
+use crate::figures::force::force_frame;
+use crate::plot::axes::{padded, ticks};
+use crate::plot::layout::Layout;
+use crate::plot::palette::{BLUE, GREEN, ORANGE, QUIET};
+use crate::plot::picture::Picture;
+use crate::words::{self, Words};
+use gaitcam::dynamics::RepeatedForce;
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+
+/// Damping ratio of the mode of the picture.
+const DAMPING: f64 = 0.005;
+/// Number of recorded strides that an electronic cam repeats in the picture.
+const STRIDES: usize = 16;
+
+/// A force with the response of a mode to it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Response {
+    /// What causes the response.
+    pub of: Responding,
+    /// The force.
+    pub force: RepeatedForce,
+}
+
+/// What causes a response.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Responding {
+    /// The recorded walk.
+    Recorded,
+    /// The cam at constant speed.
+    Cam,
+    /// So many recorded strides, repeated.
+    Strides(usize),
+    /// The cam under a speed programme.
+    Programme,
+}
+
+/// Response to the recorded walk, to this cam at constant speed and to some recorded strides, repeated; only the frame without a recording.
+pub fn resonance(design: &Design, language: Language) -> Picture {
+    resonance_in(design, Layout::ALONE, &words::words(language))
+}
+
+/// The same in a layout.
+pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
+    let mut all = Vec::new();
+    if let Some((walk, [recorded, cam])) = design.repeated() {
+        let response = |of, force| Response { of, force };
+        all.push(response(Responding::Recorded, recorded));
+        all.push(response(Responding::Cam, cam));
+        if let Some(part) = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES) {
+            all.push(response(
+                Responding::Strides(STRIDES),
+                RepeatedForce::of(&part),
+            ));
+        }
+    }
+    drawn(&design.problem.name, &all, layout, words)
+}
+
+/// Responses of a mode to forces about the step frequency of the first.
+pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
+    drawn(name, all, Layout::ALONE, &words::words(language))
+}
+
+fn look(of: Responding) -> (RGBAColor, f64) {
+    match of {
+        Responding::Recorded => (ORANGE.mix(0.55), 8.0),
+        Responding::Cam => (BLUE, 2.2),
+        Responding::Strides(_) => (QUIET, 2.2),
+        Responding::Programme => (GREEN, 2.2),
+    }
+}
+
+fn drawn(name: &str, all: &[Response], layout: Layout, words: &Words) -> Picture {
+    let step_frequency = all.first().map_or(1.0, |r| r.force.step_frequency_hz);
+    let at = RepeatedForce::tunings(step_frequency);
+    let curve = |r: &Response| -> Vec<(f64, f64)> {
+        let response = r.force.about(step_frequency, DAMPING);
+        at.iter().copied().zip(response).collect()
+    };
+    let curves: Vec<_> = all.iter().map(curve).collect();
+    layout.picture(words.language(), |f| {
+        let damping = words.number(100.0 * DAMPING);
+        f.title(
+            name,
+            &words.fill("figure-resonance", &[("damping", &damping)]),
+        )?;
+        let most = curves.iter().flatten().map(|p| p.1).fold(0.0, f64::max);
+        let x = [at[0], at[at.len() - 1]];
+        let y = padded([0.0, most].into_iter(), 0.12);
+        let frame = force_frame(layout);
+        let panel = f.panel(frame, x, ticks(x[0], x[1], 8.0), [0.0, y[1]])?;
+        for (response, curve) in all.iter().zip(&curves) {
+            let (colour, width) = look(response.of);
+            panel.curve(curve, colour, width)?;
+        }
+        let names: Vec<String> = all
+            .iter()
+            .map(|r| match r.of {
+                Responding::Recorded => words.text("figure-resonance-recorded"),
+                Responding::Cam => words.text("figure-resonance-cam"),
+                Responding::Strides(count) => {
+                    words.fill("figure-resonance-strides", &[("count", &count.to_string())])
+                }
+                Responding::Programme => words.text("figure-resonance-programme"),
+            })
+            .collect();
+        let entries: Vec<_> = (all.iter().zip(&names))
+            .map(|(r, name)| {
+                let (colour, width) = look(r.of);
+                (colour, width, name.as_str())
+            })
+            .collect();
+        f.key([frame.left, frame.top - 1.1 * f.e], f.e, &entries)?;
+        panel.quantity(&words.text("figure-resonance-acceleration"))?;
+        panel.across(&words.text("figure-resonance-frequency"))
+    })
+}
