@@ -1,18 +1,25 @@
 //! `gaitcam ecam`: writes a design as the program text or table of a motion controller and computes the force error with this controller.
 
+use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde_json::json;
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::made::Made;
 use crate::input::{self, SceneArgs};
-use gaitcam::error::Result;
+use crate::walk::{dampings, list};
+use gaitcam::cam::Verdict;
+use gaitcam::dynamics::{Misfit, RepeatedForce};
+use gaitcam::error::{Placed, Result};
+use gaitcam::force::Walk;
+use gaitcam::synth::Design;
 use gaitcam_app::folder::write_whole;
 use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
@@ -24,7 +31,8 @@ const LEAST_SHARE: f64 = 1e-3;
 const EXAMPLES: &str = "Examples:
   gaitcam ecam out/footbridge --dialect codesys
   gaitcam ecam out/footbridge --dialect codesys --name heel --out heel.st
-  gaitcam ecam out/footbridge --dialect rockwell --points 120";
+  gaitcam ecam out/footbridge --dialect rockwell --points 120
+  gaitcam ecam out/walk --dialect codesys --strides 16";
 
 /// Arguments of `gaitcam ecam`.
 #[derive(Args, Debug)]
@@ -45,6 +53,9 @@ pub struct EcamArgs {
     /// Name of the cam in the controller's program, for a second cam in one project (default: gaitcam)
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// The law of so many consecutive recorded strides for a servo axis, instead of one mean stride
+    #[arg(long, value_name = "N")]
+    strides: Option<usize>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -69,17 +80,34 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
         report(words::fill("ecam-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
     }
-    let cam = ecam::make(&design, args.dialect, args.points)?;
+    let several = args.strides.map(|count| of_strides(&made, &design, count));
+    let several = several.transpose()?;
+    if let Some(Several { design, .. }) = &several
+        && design.verdict == Verdict::Unacceptable
+    {
+        let why = design.reason(language::current());
+        report(words::fill("ecam-no-strides", &json!({"why": why})));
+        return Ok(NO_SUCH_CAM);
+    }
+    let carried = several.as_ref().map_or(&design, |s| &s.design);
+    let cam = ecam::make(carried, args.dialect, args.points)?;
     let cam = match &args.name {
         Some(name) => cam.named(name)?,
         None => cam,
     };
     let file = written(args, &made, &cam)?;
     if args.json {
-        print_json(&ecam_json(&cam, &file));
+        let mut out = ecam_json(&cam, &file);
+        if let Some(several) = &several {
+            out["strides"] = json!({"count": args.strides, "duration_s": several.duration_s, "misfit": several.misfits});
+        }
+        print_json(&out);
         return Ok(BUILT);
     }
     print(&sentence(&cam));
+    if let Some(several) = &several {
+        print(&several.sentence());
+    }
     print(&words::fill("ecam-file", &json!({"file": file})));
     Ok(BUILT)
 }
@@ -99,6 +127,44 @@ fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> 
     let file = folder.path().join(cam.dialect.file()).display().to_string();
     folder.commit(&[])?;
     Ok(file)
+}
+
+/// Several recorded strides in one cycle.
+struct Several {
+    design: Design,
+    duration_s: f64,
+    misfits: [Misfit; 3],
+}
+
+/// The design of so many consecutive recorded strides, and its response against that of all.
+fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
+    let walk = design.walk();
+    let recorded = walk.as_ref().map_or(0, Walk::strides);
+    let few = || CliError::StridesMissing { count, recorded }.at_argument("--strides");
+    let several = design.of_strides(&made.input.scene, count)?;
+    let ((several, part), walk) = several.zip(walk).ok_or_else(few)?;
+    let force = several.force_curve();
+    let drive = &several.problem.drive;
+    let samples = part.samples();
+    let at = |i: usize| drive.newtons(force.eval(TAU * i as f64 / samples as f64));
+    let force: Vec<f64> = (0..samples).map(at).collect();
+    let own = RepeatedForce::new(&force, part.duration_s, count);
+    Ok(Several {
+        misfits: RepeatedForce::of(&walk).misfits(&own),
+        duration_s: part.duration_s,
+        design: several,
+    })
+}
+
+impl Several {
+    fn sentence(&self) -> String {
+        let of = &self.misfits;
+        words::fill(
+            "ecam-strides",
+            &json!({"duration": words::number(self.duration_s), "dampings": dampings(of), "misfit": list(of, |m| m.misfit),
+                "peak": list(of, |m| m.peak_ratio)}),
+        )
+    }
 }
 
 /// Sentence on the force error with the controller.

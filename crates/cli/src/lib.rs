@@ -19,6 +19,7 @@ mod simulate;
 mod studio;
 mod sweep;
 mod synth;
+mod walk;
 
 use std::ffi::OsString;
 
@@ -56,6 +57,8 @@ enum Command {
     Cover(gait::cover::CoverArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
+    /// Compute the speed programme with which a cam has the step times of a recorded walk
+    Walk(walk::WalkArgs),
     /// Fit measured points of a manufactured cam to its design: deviations and force of this cam
     Inspect(inspect::InspectArgs),
     /// Identify the machine from logs of its runs: mass, stiffness, damping, friction, with intervals
@@ -136,6 +139,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Simulate(args) => simulate::run(&args),
         Command::Gait(args) => gait::run(&args),
         Command::Cover(args) => gait::cover::run(&args),
+        Command::Walk(args) => walk::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Identify(args) => identify::identify(&args),
         Command::Recut(args) => identify::recut(&args),
@@ -183,6 +187,7 @@ impl Command {
             Command::Simulate(args) => args.json,
             Command::Gait(args) => args.json,
             Command::Cover(args) => args.json,
+            Command::Walk(args) => args.json,
             Command::Inspect(args) => args.json,
             Command::Identify(args) => args.json,
             Command::Recut(args) => args.json,

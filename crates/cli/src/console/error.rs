@@ -69,6 +69,11 @@ pub enum CliError {
     FlagCount,
     Arguments { fault: String },
     NegativeBall { typed: String },
+    NoWalk,
+    StridesMissing { count: usize, recorded: usize },
+    FewStrides { strides: usize, needed: usize },
+    ClippedWalk,
+    ProgrammeColumn { column: String },
 }
 
 /// Reasons why a scene's name cannot be a folder name.

@@ -17,6 +17,7 @@ use crate::console::words;
 use crate::input::made::{Flag, Made};
 use crate::input::{self, SceneArgs};
 use crate::synth::{files_in, no_cam};
+use crate::walk::programme;
 use gaitcam::dynamics::{Model, Outcome, Run, simulate};
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::scene::Scene;
@@ -32,6 +33,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
   gaitcam simulate out/footbridge --speed '96 rpm'
   gaitcam simulate out/footbridge --speeds '1.4 Hz:2.3 Hz:10'
+  gaitcam simulate out/walk --speed-programme speed.csv
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
@@ -47,6 +49,9 @@ pub struct SimulateArgs {
     /// Simulate the cam as manufactured at several speeds (first, last, number): --speeds '1.4 Hz:2.3 Hz:10'
     #[arg(long, value_name = "RANGE", conflicts_with = "speed")]
     speeds: Option<String>,
+    /// Simulate the cam as designed at a speed that varies over time, with the motor if the scene has one: speed.csv with time_s,speed_rad_per_s
+    #[arg(long, value_name = "SPEED.csv", conflicts_with_all = ["speed", "speeds"])]
+    speed_programme: Option<PathBuf>,
     /// Dynamic model: auto (the simplest sufficient model), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
@@ -116,6 +121,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let made = Made::read(&args.scene, &args.machine())?;
+    if let Some(path) = &args.speed_programme {
+        return programme::run(&made, path, &folder(args, &made)?, args.json);
+    }
     let input = &made.input;
     let folder = ResultFolder::open(&folder(args, &made)?, PATIENCE)?;
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();

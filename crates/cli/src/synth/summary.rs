@@ -41,6 +41,8 @@ pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
     out.extend(shaft(design));
     out.extend(population(design));
     out.extend(floor(design));
+    let resonance = facts::resonance(design, language);
+    out.extend(resonance.map(|text| row("resonance", &text)));
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
     out.extend(sensitivities(design));
@@ -56,9 +58,24 @@ pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
 }
 
 /// Labels of the rows, without `label-`.
-const LABELS: [&str; 16] = [
-    "failed", "ok", "force", "law", "drive", "cam", "machine", "shaft", "floor", "walkers",
-    "active", "relaxing", "note", "solved", "optimum", "sequence",
+const LABELS: [&str; 17] = [
+    "failed",
+    "ok",
+    "force",
+    "law",
+    "drive",
+    "cam",
+    "machine",
+    "shaft",
+    "floor",
+    "walkers",
+    "resonance",
+    "active",
+    "relaxing",
+    "note",
+    "solved",
+    "optimum",
+    "sequence",
 ];
 
 /// Row with its label. An empty label continues the previous row.

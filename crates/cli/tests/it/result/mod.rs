@@ -5,3 +5,4 @@ mod ecam;
 mod front_and_compare;
 mod identify;
 mod inspect;
+mod walk;

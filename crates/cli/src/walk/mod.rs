@@ -1,0 +1,287 @@
+//! `gaitcam walk`: the speed programme with which a cam has the step times of a recorded walk.
+
+pub mod programme;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words::{self, fixed, number};
+use crate::input::made::Made;
+use crate::input::{self, SceneArgs};
+use gaitcam::LimitKind;
+use gaitcam::drive::DriveKind;
+use gaitcam::dynamics::{
+    Bounds, Followed, Misfit, ProgrammeRun, RepeatedForce, Run, SpeedProgramme,
+};
+use gaitcam::error::{Placed, Result};
+use gaitcam::force::{
+    FEWEST_STRIDES, Feet, Interpretation, OpenQuestion, ReadOptions, RecordedStride, Walk,
+    force_curve,
+};
+use gaitcam::scene::content;
+use gaitcam::synth::Design;
+use gaitcam::units::Dimension;
+use gaitcam_app::disk::metadata;
+use gaitcam_app::folder::write_whole;
+use gaitcam_app::{Disk, inputs};
+use gaitcam_output::csv;
+use gaitcam_output::plots::{Responding, Response, responses};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam walk out/walk walk.mot
+  gaitcam walk out/walk walk.mot --out speed.csv --max-acceleration '10 rad/s^2'
+  gaitcam simulate out/walk --speed-programme speed.csv";
+
+/// Difference, s, up to which the end of a stride is the start of the next one.
+const SAME_S: f64 = 1e-6;
+
+/// Which design, and which walk.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct WalkArgs {
+    /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
+    #[arg(value_name = "RESULT")]
+    design: PathBuf,
+    /// A recording with eight or more consecutive strides (default: that of the design)
+    #[arg(value_name = "RECORDING")]
+    recording: Option<PathBuf>,
+    /// Write the programme here, with a picture of the response (svg, png) beside it
+    #[arg(long, value_name = "SPEED.csv", default_value = "speed.csv")]
+    out: PathBuf,
+    /// Largest angular acceleration of the camshaft: "10 rad/s^2"
+    #[arg(long, value_name = "ACCELERATION")]
+    max_acceleration: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Computes and writes the programme; exit code 3 where the design has no cam.
+pub fn run(args: &WalkArgs) -> Result<u8> {
+    let most = args.max_acceleration.as_deref();
+    let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;
+    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
+    let design = made.design()?.0.built()?;
+    if let Some(why) = design.no_cam(language::current()) {
+        report(words::fill("walk-no-cam", &json!({"why": why})));
+        return Ok(NO_SUCH_CAM);
+    }
+    let walk = match &args.recording {
+        Some(path) => recorded(path)?,
+        None => design
+            .walk()
+            .ok_or_else(|| CliError::NoWalk.at_argument("RECORDING"))?,
+    };
+    let walk = on_cam(walk, &design);
+    let drive = &design.problem.drive;
+    let force_min = made.running.limits[LimitKind::ForceMin].unwrap_or(0.0);
+    let bounds = Bounds {
+        acceleration: acceleration.unwrap_or(f64::INFINITY),
+        force_min,
+    };
+    let run = design.emitted(&made.running.machine, *drive)?;
+    let steps = design.problem.steps_per_turn.unwrap_or(2);
+    let middle = design.walk().map_or(0.5, |own| own.middle());
+    let found = Followed::new(&run, &walk, steps, -design.problem.phase, middle, bounds)?;
+    let even = steady(&run, &walk, steps)?;
+    write_whole(&args.out, table(&found).as_bytes())?;
+    picture(&design, &walk, &found, &even, &args.out)?;
+    let facts = json(&walk, &found, &even);
+    if args.json {
+        print_json(&facts);
+        return Ok(BUILT);
+    }
+    lines(&walk, &found, &even)
+        .iter()
+        .for_each(|line| print(line));
+    let file = args.out.display().to_string();
+    print(&words::fill("walk-file", &json!({"file": file})));
+    Ok(BUILT)
+}
+
+/// The walk of a recording.
+fn recorded(path: &Path) -> Result<Walk> {
+    inputs::note(path);
+    let bytes = content(&Disk::default(), path)?;
+    let options = ReadOptions {
+        metadata: metadata(path),
+        ..ReadOptions::default()
+    };
+    let curve = force_curve(path, &bytes, &options, Feet::Both)?;
+    let understood = curve.recording.as_deref();
+    if understood.is_some_and(|u| u.doubts().contains(&OpenQuestion::Clipped)) {
+        return Err(CliError::ClippedWalk.in_file(path));
+    }
+    let strides = understood.map_or(0, longest_run);
+    curve.walk.ok_or_else(|| {
+        let needed = FEWEST_STRIDES;
+        CliError::FewStrides { strides, needed }.in_file(path)
+    })
+}
+
+/// Number of consecutive strides of the longest unbroken run in the mean cycle.
+fn longest_run(understood: &Interpretation) -> usize {
+    let used = || understood.strides.iter().filter(|s| s.rejected.is_none());
+    let follows = |(a, b): (&RecordedStride, &RecordedStride)| (b.from_s - a.to_s).abs() < SAME_S;
+    let mut longest = usize::from(used().next().is_some());
+    let mut run = longest;
+    for pair in used().zip(used().skip(1)) {
+        run = if follows(pair) { run + 1 } else { 1 };
+        longest = longest.max(run);
+    }
+    longest
+}
+
+/// The walk with the mean force of the cam, where the cam's mean force is its weight.
+fn on_cam(walk: Walk, design: &Design) -> Walk {
+    let drive = &design.problem.drive;
+    if drive.kind != DriveKind::MovingAxis {
+        return walk;
+    }
+    let force = walk.force_n();
+    let mean = force.iter().sum::<f64>() / force.len() as f64;
+    walk.scaled(drive.newtons(drive.rest_force) / mean)
+}
+
+/// Differences of the response to the cam at constant speed from that to the walk.
+fn steady(run: &Run, walk: &Walk, steps: usize) -> Result<(RepeatedForce, [Misfit; 3])> {
+    let mut still = run.clone();
+    still.machine.motor = None;
+    let turns = 2.0 * walk.strides() as f64 / steps as f64;
+    let speed = std::f64::consts::TAU * turns / walk.duration_s;
+    let count = walk.samples();
+    let time = (0..=count).map(|i| walk.duration_s * i as f64 / count as f64);
+    let even = SpeedProgramme::new(time.collect(), vec![speed; count + 1])?;
+    let even = ProgrammeRun::new(&still, &even, 0.0)?;
+    let force = RepeatedForce::new(&even.force_n[..count], walk.duration_s, walk.strides());
+    let off = RepeatedForce::of(walk).misfits(&force);
+    Ok((force, off))
+}
+
+/// `speed.csv`: the programme with the cam angle and the recorded force.
+fn table(found: &Followed) -> String {
+    csv::text(&vec![
+        ("time_s", found.programme.time_s.clone()),
+        ("speed_rad_per_s", found.programme.speed.clone()),
+        ("angle_rad", found.run.angle.clone()),
+        ("recorded_n", found.recorded_n.clone()),
+    ])
+}
+
+fn picture(
+    design: &Design,
+    walk: &Walk,
+    found: &Followed,
+    even: &(RepeatedForce, [Misfit; 3]),
+    place: &Path,
+) -> Result<()> {
+    let count = walk.samples();
+    let force = &found.run.force_n[..count];
+    let programme = RepeatedForce::new(force, walk.duration_s, walk.strides());
+    let all = [
+        (Responding::Recorded, RepeatedForce::of(walk)),
+        (Responding::Cam, even.0.clone()),
+        (Responding::Programme, programme),
+    ];
+    let all = all.map(|(of, force)| Response { of, force });
+    let picture = responses(&design.problem.name, &all, language::current());
+    write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
+    write_whole(&place.with_extension("png"), &picture.png())
+}
+
+/// Smallest and largest value.
+pub fn ends(values: &[f64]) -> [f64; 2] {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    values
+        .iter()
+        .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
+}
+
+/// Largest absolute value.
+pub fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, x| most.max(x.abs()))
+}
+
+fn json(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> Value {
+    let run = &found.run;
+    let ([low, high], [least, most]) = (ends(&run.speed), ends(&run.force_n));
+    json!({
+        "strides": walk.strides(), "runs": walk.runs.len(), "duration_s": walk.duration_s,
+        "step_frequency_hz": walk.step_frequency_hz(),
+        "variability": walk.variability(), "changes_pace": walk.changes_pace(),
+        "misfit": found.misfits, "constant_speed": even.1,
+        "step_error_s": found.step_error_s,
+        "force": {"min": least, "max": most, "rms_error_n": found.rms_error_n},
+        "amplitude_cv": amplitude_cv(walk, found),
+        "speed": {"min_rad_per_s": low, "max_rad_per_s": high, "acceleration_max_rad_per_s2": largest(&run.acceleration)},
+        "torque_max_n_m": largest(&run.torque),
+        "contact_lost": run.contact_lost,
+    })
+}
+
+/// Coefficient of variation of the amplitude at the step frequency, of the cam with its programme.
+fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
+    let own = walk.with_force(&found.run.force_n[..walk.samples()]);
+    own.variability().amplitude_cv
+}
+
+/// Misfits or ratios of the peaks, one after the other.
+pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
+    let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
+    all.join("  ")
+}
+
+/// Damping ratios, in percent.
+pub fn dampings(of: &[Misfit]) -> String {
+    let all: Vec<String> = of.iter().map(|m| number(100.0 * m.damping_ratio)).collect();
+    all.join("  ")
+}
+
+fn lines(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> Vec<String> {
+    let run = &found.run;
+    let ([low, high], [least, most]) = (ends(&run.speed), ends(&run.force_n));
+    let percent = |x: f64| fixed(100.0 * x, 1);
+    let of = walk.variability();
+    let mut out = vec![
+        words::fill(
+            "walk-strides",
+            &json!({"strides": of.strides, "duration": number(walk.duration_s), "time": percent(of.step_time_cv),
+                "error": number(1e3 * found.step_error_s)}),
+        ),
+        words::fill(
+            "walk-misfit",
+            &json!({"dampings": dampings(&found.misfits), "misfit": list(&found.misfits, |m| m.misfit),
+                "peak": list(&found.misfits, |m| m.peak_ratio)}),
+        ),
+        words::fill(
+            "walk-constant",
+            &json!({"misfit": list(&even.1, |m| m.misfit), "peak": list(&even.1, |m| m.peak_ratio)}),
+        ),
+        words::fill(
+            "walk-motion",
+            &json!({"low": number(low), "high": number(high), "acceleration": number(largest(&run.acceleration)),
+                "torque": number(largest(&run.torque))}),
+        ),
+        words::fill(
+            "walk-force",
+            &json!({"low": number(least), "high": number(most), "error": number(found.rms_error_n)}),
+        ),
+        words::fill(
+            "walk-amplitude",
+            &json!({"own": percent(amplitude_cv(walk, found)), "recorded": percent(of.amplitude_cv)}),
+        ),
+    ];
+    if walk.changes_pace() {
+        out.push(words::fill(
+            "walk-pace",
+            &json!({"change": percent(of.drift)}),
+        ));
+    }
+    out
+}
