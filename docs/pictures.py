@@ -35,6 +35,7 @@ PICTURES = {
         "motor": "out/plain-motor/report.html#run",
     },
     ("walkers", "caminantes"): {"band": "out/worst/walkers.svg", "cover": "out/bridges/cover.svg"},
+    ("walking", "caminar"): {"resonance": "speed.svg"},
     ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
     ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
     ("run", "marcha"): {
