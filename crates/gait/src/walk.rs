@@ -286,10 +286,10 @@ impl Walk {
         for i in 0..PHASES {
             let part = i as f64 / PHASES as f64;
             let force = self.at(stride[0] + part * (stride[1] - stride[0]));
-            for h in 0..HARMONICS {
-                let (s, c) = (2.0 * (h + 1) as f64 * TAU * part).sin_cos();
-                cosine[h] += force * c;
-                sine[h] += force * s;
+            for (h, (a, b)) in (1..).zip(cosine.iter_mut().zip(&mut sine)) {
+                let (s, c) = (2.0 * f64::from(h) * TAU * part).sin_cos();
+                *a += force * c;
+                *b += force * s;
             }
         }
         std::array::from_fn(|h| 2.0 * cosine[h].hypot(sine[h]) / PHASES as f64)

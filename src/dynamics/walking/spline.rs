@@ -48,9 +48,9 @@ impl Periodic {
         }
         let bends = matrix.solve(&second);
         let mut smooth = values.to_vec();
-        for k in 0..n {
+        for (k, bend) in bends.iter().enumerate() {
             for (w, i) in weights(k).into_iter().zip(near(k)) {
-                smooth[i] -= lambda * w * bends[k];
+                smooth[i] -= lambda * w * bend;
             }
         }
         Periodic {
@@ -165,12 +165,12 @@ impl Cyclic {
             }
         }
         for x in columns {
-            for i in 0..m {
+            for (i, [one, two]) in lower.iter().enumerate() {
                 if i > 0 {
-                    x[i] -= lower[i][0] * x[i - 1];
+                    x[i] -= one * x[i - 1];
                 }
                 if i > 1 {
-                    x[i] -= lower[i][1] * x[i - 2];
+                    x[i] -= two * x[i - 2];
                 }
             }
             for i in (0..m).rev() {
