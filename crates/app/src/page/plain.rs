@@ -30,7 +30,7 @@ pub fn plain(text: &str, section: &str, language: Language) -> String {
 /// Label of a key in the form.
 pub fn label(path: &str, language: Language) -> String {
     let Some(key) = keys::find(path) else {
-        return path.to_string();
+        return section_label(path, language).unwrap_or_else(|| path.to_string());
     };
     let own = text_of(
         &format!(

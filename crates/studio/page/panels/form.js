@@ -75,6 +75,7 @@ export function focus(key) {
 
 // The fields of the scene; over them the values of the version that no design has.
 export function render(version, { fields }) {
+  slider.follow(version);
   slider.seek(version, fields);
   const rows = keys.map((key) => row(key, version, fields));
   const isFound = rows.some((r) => r.isShown);

@@ -29,7 +29,12 @@ export function begin() {
   gesture += 1;
 }
 export function type(key, text) {
-  hand = { key, text };
+  hand = { key, text, typed: gestureOf(key) };
+}
+
+// A text belongs to the change that it made: another change takes its place.
+export function follow(version) {
+  if (hand?.typed && version && version.gesture !== hand.typed) hand = null;
 }
 
 export function release() {

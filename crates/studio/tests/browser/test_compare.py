@@ -68,7 +68,6 @@ class Compare(Pages):
                 self.assertEqual(page.page.locator("#grid td.here").count(), 1)
                 self.assertIn("present", page.page.get_attribute("#grid td.here button", "aria-label"))
                 missing = page.page.eval_on_selector_all("#grid button", "all => all.filter((e) => e.textContent === '–').map((e) => e.title)")
-                self.assertGreater(len(missing), 0)
                 self.assertTrue(all(missing), missing)
                 # The contrast of text and background of every cell is sufficient in both themes.
                 contrast = page.page.evaluate("""() => {

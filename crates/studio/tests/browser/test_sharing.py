@@ -5,12 +5,21 @@ import random
 import re
 import unittest
 
+from playwright.sync_api import Error
 from studio import DIST, ROOT, Page, Pages
 from walks import ASKS_CLOCK, ASKS_MASS, BINARY, LONG, LONG_ASKS_CLOCK, SMALL
 
 STEPS = int(os.environ.get("GAITCAM_SHARING_STEPS", "24"))
 SEED = int(os.environ.get("GAITCAM_SEED", "1"))
 DIGITS = 1e-9
+
+
+def data(response):
+    """The data of an answer; nothing of one before the last navigation."""
+    try:
+        return response.json()
+    except Error:
+        return {}
 
 
 class Sharing(Pages):
@@ -52,7 +61,7 @@ class Sharing(Pages):
         accepted = page.page.eval_on_selector_all("[data-accepted]", "all => all.map((e) => e.dataset.accepted)")
         numbers = {}
         if not DIST:
-            last = [a for a in (r.json() for r in page.answers[-8:]) if "numbers" in a and not a["quick"]]
+            last = [a for a in (data(r) for r in page.answers[-8:]) if "numbers" in a and not a["quick"]]
             numbers = last[-1]["numbers"] if last else {}
         return page.verdict(), accepted, figures, numbers
 
