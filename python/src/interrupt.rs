@@ -14,7 +14,7 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Longest time limit, s; longer ones are ignored.
 const LONGEST_S: f64 = 1e9;
 
-/// Callback of the checks of Python's signals.
+/// Callback that is called whenever Python's signals are checked. An error ends the search.
 type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
 
 /// End condition of a search: a time limit, or an exception of a signal handler or callback.

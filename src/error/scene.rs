@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Errors in a scene file. Text fields quote the user.
+/// Errors in a scene file. Text fields contain the text that the user typed.
 ///
 /// ```
 /// use gaitcam::error::SceneError;
@@ -188,7 +188,7 @@ pub enum SceneError {
     MotorLine,
     /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
-    /// A unit for points that Fusion reads in its own.
+    /// A unit was given for points for Fusion, which always reads centimetres.
     PointsOfFusion,
     /// A nameplate without rated torque or rated speed.
     HalfNameplate,

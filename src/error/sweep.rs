@@ -3,7 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-/// Errors of a sweep. Text fields quote the user.
+/// Errors of a sweep. Text fields contain the text that the user typed.
 ///
 /// ```
 /// use gaitcam::error::SweepError;

@@ -36,6 +36,13 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let Some((last, path)) = parts.split_last() else {
         return Ok(());
     };
+    // A table of constants takes the place of the name of a material.
+    if let ["cam", material @ ("material" | "follower_material")] = path
+        && let Some(cam) = table.get_mut("cam").and_then(Value::as_table_mut)
+        && cam.get(*material).is_some_and(Value::is_str)
+    {
+        cam.remove(*material);
+    }
     let at = inside(table, path).map_err(|e| e.at_key(key))?;
     let replaced: &[&str] = match key {
         "gait.file" => &["model", "harmonics", "step_frequency", "body_weight"],

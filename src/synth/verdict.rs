@@ -139,7 +139,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// Suggestion for a radius that is too small.
+/// Suggested change of the base circle (or travel) if the radius of curvature of the profile is too small.
 fn larger(problem: &Problem, cam: &Cam) -> Reason {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
         return Reason::LengthenTravel;

@@ -130,6 +130,7 @@ fn every_criterion_has_a_name_in_both_languages() {
         C::Monotone,
         C::Peak,
         C::SecondCurvature,
+        C::SecondDiameter,
         C::SecondConcave,
         C::SecondInterference,
         C::SecondPressureAngleRise,

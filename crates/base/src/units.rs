@@ -401,7 +401,7 @@ mod tests {
         assert!(message("3 nm", Dimension::Length).contains("did you mean"));
         assert!(!message("4 0 mm", Dimension::Length).contains("did you mean"));
         assert!(message("abc", Dimension::Length).contains("does not start with a number"));
-        assert!(message("1e999 mm", Dimension::Length).contains("larger than 1e30"));
+        assert!(message("1e999 mm", Dimension::Length).contains("exceeds 1e30"));
         assert_eq!(parse("0", Dimension::Length), Ok(0.0));
         let share = message("0.5", Dimension::Percent);
         assert!(

@@ -31,7 +31,8 @@ pub struct PointsArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// The CAD program
+    /// The CAD program: solidworks (x y z with tabs), inventor (workbook with the unit in its first cell), fusion (centimetres), plain (with a
+    /// header)
     #[arg(long, value_enum)]
     cad: Program,
     /// Unit of the coordinates (default: mm; fusion reads cm)
@@ -48,24 +49,24 @@ pub struct PointsArgs {
 /// CAD programs by what their "curve through points" reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Program {
-    /// "Curve through XYZ points": x y z separated by tabs, no header
+    // "Curve through XYZ points": x y z separated by tabs, no header
     Solidworks,
-    /// "Import points": a workbook with the unit in its first cell
+    // "Import points": a workbook with the unit in its first cell
     Inventor,
-    /// "Import spline CSV": x,y,z in centimetres, no header
+    // "Import spline CSV": x,y,z in centimetres, no header
     Fusion,
-    /// x,y,z with a header
+    // x,y,z with a header
     Plain,
 }
 
 /// Units of the coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Unit {
-    /// Millimetres
+    // Millimetres
     Mm,
-    /// Metres
+    // Metres
     M,
-    /// Inches
+    // Inches
     Inch,
 }
 

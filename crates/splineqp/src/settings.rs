@@ -101,7 +101,7 @@ settings! {
         kept: f64 = 0.3,
         /// Fraction of the gap below which a step is accepted if its rows are those of its law.
         proved: f64 = 0.3,
-        /// Relative excess over the other limits below which laws are compared by their peaks.
+        /// Maximum relative violation of the other limits for which a law may be accepted by its peak alone.
         compared: f64 = 1e-4,
         /// Maximum number of iterations of rows and centres; 20 are usual.
         rounds: usize = 150,

@@ -148,7 +148,7 @@ pub struct Bounds {
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
 /// let force = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
-/// let scene = scene::built_in("measured_walk")?.scene()?;
+/// let scene = scene::parse("gait.file = \"walk.csv\"")?;
 /// let design = scene.design_for(&force)?;
 /// let walk = design.walk().unwrap();
 /// let run = design.emitted(&scene.machine, design.problem.drive)?;

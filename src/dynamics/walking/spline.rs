@@ -13,7 +13,7 @@ pub struct Periodic {
 }
 
 impl Periodic {
-    /// The spline of values at five or more increasing knots from 0 to below the period.
+    /// Smoothing spline of values at five or more increasing knots in [0, period). `lambda` is the weight of ∫ p″²; 0 interpolates.
     pub fn smoothed(knots: &[f64], values: &[f64], period: f64, lambda: f64) -> Periodic {
         let n = knots.len();
         let after = |k: usize| (k + 1) % n;

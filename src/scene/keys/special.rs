@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::field::Access;
+use super::field::{Access, Field};
 use super::value::{Value, written};
-use crate::cam::Stock;
+use crate::cam::{StatedMaterial, Stock};
 use crate::scene::{Harmonic, LimitKind, Limits, Source};
 use crate::units::Dimension;
 use crate::wording::called_in_spanish;
@@ -127,11 +127,46 @@ pub(super) const MATERIAL: Access = Access {
         let typed = v.text();
         let names: Vec<&'static str> = Stock::ALL.iter().map(|stock| stock.name()).collect();
         let spanish = || called_in_spanish(&typed, &names).and_then(Stock::named);
-        s.cam.making.stated.stock = Stock::named(&typed).or_else(spanish);
+        s.cam.making.stated = StatedMaterial {
+            stock: Stock::named(&typed).or_else(spanish),
+            ..StatedMaterial::default()
+        };
         s.cam.making.material = Some(typed).filter(|text| !text.trim().is_empty());
         Ok(())
     },
 };
+
+/// Access to `cam.follower_material`: a known material replaces constants.
+pub(super) const FOLLOWER_MATERIAL: Access = Access {
+    get: |s, _| s.cam.follower_material.stock.value(),
+    set: |s, _, v| {
+        s.cam.follower_material = StatedMaterial::default();
+        s.cam.follower_material.stock.assign(v)
+    },
+};
+
+/// Access to a constant of the material of cam or follower, which replaces the name of the material.
+macro_rules! constant {
+    (material . $field:ident) => {
+        Access {
+            get: |s, _| s.cam.making.stated.$field.value(),
+            set: |s, _, v| {
+                s.cam.making.material = None;
+                s.cam.making.stated.stock = None;
+                s.cam.making.stated.$field.assign(v)
+            },
+        }
+    };
+    (follower_material . $field:ident) => {
+        Access {
+            get: |s, _| s.cam.follower_material.$field.value(),
+            set: |s, _, v| {
+                s.cam.follower_material.stock = None;
+                s.cam.follower_material.$field.assign(v)
+            },
+        }
+    };
+}
 
 /// Access to `limits.force_min`. The word "none" also switches the default off.
 pub(super) const FORCE_MIN: Access = Access {
@@ -212,4 +247,4 @@ macro_rules! limit {
     };
 }
 
-pub(super) use {limit, one_side};
+pub(super) use {constant, limit, one_side};

@@ -8,8 +8,8 @@ use super::kind::Relax::{Down, Up};
 use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
-    ACCURACY, FILE, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE, OFFSET,
-    PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, limit, one_side,
+    ACCURACY, FILE, FOLLOWER_MATERIAL, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE,
+    OFFSET, PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, constant, limit, one_side,
 };
 use crate::cam::{FollowerKind, Stock};
 use crate::drive::DriveKind;
@@ -80,13 +80,13 @@ pub static KEYS: &[Key] = &[
     row("cam.mark",                    FLAG,                                "false",            field!(cam.mark)).only(is_disc),
     row("cam.thickness",               number(Length, Positive),            "10 mm",            field!(cam.thickness)),
     row("cam.material",                TEXT,                                "",                 MATERIAL),
-    row("cam.material.young",              number(Pressure, Positive),      "",      field!(cam.making.stated.young)),
-    row("cam.material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     field!(cam.making.stated.poisson)),
-    row("cam.material.allowable_pressure", number(Pressure, Positive),      "",      field!(cam.making.stated.allowable_pressure)),
-    row("cam.follower_material",                    words::<Stock>(),               "steel", field!(cam.follower_material.stock)),
-    row("cam.follower_material.young",              number(Pressure, Positive),      "",      field!(cam.follower_material.young)),
-    row("cam.follower_material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     field!(cam.follower_material.poisson)),
-    row("cam.follower_material.allowable_pressure", number(Pressure, Positive),      "",      field!(cam.follower_material.allowable_pressure)),
+    row("cam.material.young",              number(Pressure, Positive),      "",      constant!(material.young)),
+    row("cam.material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     constant!(material.poisson)),
+    row("cam.material.allowable_pressure", number(Pressure, Positive),      "",      constant!(material.allowable_pressure)),
+    row("cam.follower_material",                    words::<Stock>(),               "", FOLLOWER_MATERIAL),
+    row("cam.follower_material.young",              number(Pressure, Positive),      "",      constant!(follower_material.young)),
+    row("cam.follower_material.poisson",            number(Ratio, Between(0.0, 0.5)), "",     constant!(follower_material.poisson)),
+    row("cam.follower_material.allowable_pressure", number(Pressure, Positive),      "",      constant!(follower_material.allowable_pressure)),
     row("cam.hardness",                TEXT,                                "",                 field!(cam.making.hardness)),
     row("cam.roughness",               number(Length, Positive),            "",                 field!(cam.making.roughness)).only(is_disc),
     row("cam.tolerance",               number(Length, Positive),            "",                 field!(cam.making.tolerance)).only(is_disc),

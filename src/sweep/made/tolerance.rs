@@ -436,7 +436,7 @@ mod tests {
             Tolerance::parse("colour=3 mm")
                 .unwrap_err()
                 .to_string()
-                .contains("parts with a tolerance")
+                .contains("parts have a tolerance")
         );
     }
 }

@@ -31,7 +31,7 @@ fn the_last_axis_runs_fastest_and_rows_follow_from_their_number() {
 #[test]
 fn keys_that_cannot_vary_are_named() {
     let fault = |v: &[&str]| plan(v).validate().unwrap_err().to_string();
-    assert!(fault(&["name=a,b"]).contains("\"name\" cannot vary"));
+    assert!(fault(&["name=a,b"]).contains("\"name\" cannot be varied"));
     for name in ["limits.torque,", "gait.phase,", "law.family,"] {
         assert!(fault(&["name=a,b"]).contains(name), "{name}");
     }

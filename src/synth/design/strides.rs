@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::Design;
-use crate::LimitKind;
 use crate::criterion::Criterion;
+use crate::criterion::LimitKind;
 use crate::drive::DriveKind;
 use crate::error::Result;
 use crate::force::{ForceCurve, Walk};

@@ -19,7 +19,7 @@ const SAMPLES: usize = 1024;
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_long_walk.csv"));
 /// let force = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
-/// let design = scene::built_in("measured_walk")?.scene()?.design_for(&force)?;
+/// let design = scene::parse("gait.file = \"walk.csv\"")?.design_for(&force)?;
 /// let walker = design.walker().unwrap();
 /// assert_eq!(walker.strides, 48);
 /// // A cam that repeats one stride is more severe at resonance than a person whose steps vary by 2.5 %.

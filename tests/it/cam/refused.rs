@@ -39,7 +39,7 @@ fn a_conjugate_that_cannot_exist_says_from_where_on_it_can() {
         .unwrap_err()
         .to_string();
     let from = none
-        .split("from ")
+        .split("at least ")
         .nth(1)
         .unwrap()
         .split('°')

@@ -126,12 +126,18 @@ fn complete_motor(table: &mut Table) {
     let Some(motor) = machine.get_mut("motor").and_then(|m| m.as_table_mut()) else {
         return;
     };
-    let lines = ["slope", "stall_torque", "curve"];
+    let lines = ["rated_torque", "slope", "stall_torque", "curve"];
     let kept = lines.into_iter().find(|line| motor.contains_key(*line));
     let is_other = |key: &str| lines.contains(&key) && Some(key) != kept;
     motor.retain(|key, _| !is_other(key));
     if kept != Some("stall_torque") {
         motor.remove("no_load_speed");
+    }
+    for key in ["rated_speed", "synchronous_speed"] {
+        motor.remove(key);
+    }
+    if kept == Some("rated_torque") {
+        motor.insert("rated_speed".into(), toml::Value::String("1395 rpm".into()));
     }
     let inertia = || toml::Value::String("0.5 kg m^2".to_string());
     machine.entry("inertia").or_insert_with(inertia);

@@ -72,6 +72,10 @@ fn section_label(path: &str, language: Language) -> Option<String> {
 /// Path of a key by its last word.
 fn path_of(name: &str, section: &str) -> Option<&'static str> {
     let in_section = |section: &str| {
+        let exact = format!("{section}.{name}");
+        if let Some(key) = KEYS.iter().find(|key| key.path == exact) {
+            return Some(key.path);
+        }
         let mut all = KEYS.iter().filter(|key| key.section() == section);
         all.find(|key| key.name() == name).map(|key| key.path)
     };

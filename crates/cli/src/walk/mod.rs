@@ -149,7 +149,7 @@ fn on_cam(walk: Walk, design: &Design) -> Walk {
     walk.scaled(drive.newtons(drive.rest_force) / mean)
 }
 
-/// Differences of the response to the cam at constant speed from that to the walk.
+/// Force of the cam at constant speed, and the misfits of its response relative to the recorded walk.
 fn steady(run: &Run, walk: &Walk, steps: usize) -> Result<(RepeatedForce, [Misfit; 3])> {
     let mut still = run.clone();
     still.machine.motor = None;

@@ -62,7 +62,7 @@ struct Crowd {
     force: f64,
     /// Median period of most cycles, s.
     period: f64,
-    /// Whether the forces of most walkers with a mass are those of both feet.
+    /// Whether most walkers of known mass have the total force of both feet.
     both_feet: bool,
     /// Whether most cycles are of one foot, determined by the mean force or, without a mass, by a force that reaches zero.
     one_foot: bool,

@@ -168,7 +168,10 @@ fn landings_from_a_height_are_refused_as_jumps_on_one_plate_and_on_two() {
                 let refused = open(&text).1.unwrap_err();
                 let case = format!("{peak} {leaves} {sway} {head}: {refused}");
                 assert_eq!(refused.code(), "force-not-walking", "{case}");
-                assert!(refused.to_string().contains("land together"), "{case}");
+                assert!(
+                    refused.to_string().contains("land at the same time"),
+                    "{case}"
+                );
                 built += 1;
             }
         }

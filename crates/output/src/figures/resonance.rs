@@ -22,7 +22,7 @@ const STRIDES: usize = 16;
 pub struct Response {
     /// What causes the response.
     pub of: Responding,
-    /// The force.
+    /// Periodic force from which the response of a mode is computed.
     pub force: RepeatedForce,
 }
 

@@ -121,8 +121,13 @@ fn resonance(out: &mut String, synthesis: &Design, words: &Words) {
     paragraph(out, &sentence);
     let picture = resonance_in(synthesis, Layout::figure(430), words);
     figure(out, "resonance", None, &sentence, &picture, words);
-    let columns = ["damping", "recorded", "cam", "ratio"];
-    let columns = columns.map(|name| words.text(&format!("report-resonance-{name}")));
+    let columns = [
+        "report-resonance-damping",
+        "report-resonance-recorded",
+        "report-resonance-cam",
+        "report-resonance-ratio",
+    ];
+    let columns = columns.map(|name| words.text(name));
     tables::open(out, &columns, 1);
     for at in &walker.resonance {
         let damping = format!("{} %", words.number(100.0 * at.damping_ratio));

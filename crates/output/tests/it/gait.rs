@@ -206,7 +206,7 @@ fn a_clipped_column_is_left_out_only_beside_another() {
         ..ReadOptions::default()
     };
     let refused = "The recording cannot be used";
-    let advised = "leave the clipped column out (--force)";
+    let advised = "exclude the clipped column (--force)";
     for (columns, options, says) in [
         ([true, false], &all, true),
         ([true, true], &all, false),
@@ -229,7 +229,7 @@ fn a_question_beside_a_clipped_column_is_asked_only_where_a_column_is_left() {
     };
     let refusal =
         "The recording cannot be used: readings that are clipped below the peaks of the force.";
-    let question = "Check the mass and the unit of force; then give the option named, or accept with gait.accept = \"mass\".";
+    let question = "Check the mass and the unit of force. Then give the named option, or accept with gait.accept = \"mass\".";
     for (columns, refused, asked) in [
         ([false, false], false, true),
         ([true, false], true, true),

@@ -11,7 +11,7 @@ const CONTRACT: &str = r#"{"name": "", "outcome": "built|infeasible", "verdict":
  "drive": {"kind": "", "mass_kg": 0, "speed_rad_per_s": 0},
  "law": {"family": "", "pieces": 0, "degree": 0, "coefficients": [], "stroke_m": 0, "v_max_m_per_rad": 0, "v_min_m_per_rad": 0,
          "a_max_m_per_rad2": 0, "a_min_m_per_rad2": 0, "j_max_m_per_rad3": 0, "j_min_m_per_rad3": 0},
- "cam": {"follower": "", "base_radius_m": 0, "prime_radius_m": 0, "offset_m": 0, "rho_min_m": 0, "rho_min_at_rad": 0,
+ "cam": {"follower": "", "base_radius_m": 0, "prime_radius_m": 0, "radius_min_m": 0, "radius_max_m": 0, "offset_m": 0, "rho_min_m": 0, "rho_min_at_rad": 0,
          "pressure_angle_max_rad": 0, "pressure_angle_min_rad": 0, "face_width_m": 0},
  "checks": [{"name": "", "worst": 0, "limit": 0, "at_rad": 0, "pass": true}],
  "binding": [{"limit": "", "multiplier": 0, "at_rad": 0}],

@@ -31,7 +31,7 @@ const BARS: usize = 12;
 pub struct Vary {
     /// TOML text of the scene.
     pub scene: String,
-    /// Column of the observed figure.
+    /// Column name of the quantity whose sensitivity is computed.
     pub quantity: String,
     /// Relative variation of each number.
     pub share: f64,

@@ -115,7 +115,7 @@ fn a_conjugate_that_cannot_exist_is_told_from_where_on_it_can() {
     says(
         synth(&text, &changes),
         3,
-        &["cam.conjugate", "145 mm", "from"],
+        &["cam.conjugate", "145 mm", "at least"],
     );
 }
 

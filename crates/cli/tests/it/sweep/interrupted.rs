@@ -171,7 +171,7 @@ fn a_stopped_sweep_is_neither_overwritten_nor_mixed_with_another() {
         &[&SLOW[..], &["--resume", "--set", "cam.bore=14 mm"]].concat(),
     );
     assert!(
-        stderr(&output).contains("only this run has \"bore = \"14 mm\"\""),
+        stderr(&output).contains("only this run contains \"bore = \"14 mm\"\""),
         "{}",
         stderr(&output)
     );

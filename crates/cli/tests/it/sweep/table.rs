@@ -132,7 +132,7 @@ fn a_folder_of_recordings_fills_a_scene_that_names_none() {
     );
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(
-        stderr(&output).contains("4 file(s) beside"),
+        stderr(&output).contains("4 file(s) in the folder are not recordings"),
         "{}",
         stderr(&output)
     );

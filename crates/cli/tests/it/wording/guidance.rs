@@ -212,7 +212,7 @@ fn a_missing_recording_is_named_with_scene_and_key() {
     let run = run_in(folder.path(), &["synth", "a.toml"]);
     assert_eq!(
         stderr(&run),
-        "gaitcam: a.toml: gait.file: there is no file \"nix.csv\"\n"
+        "gaitcam: a.toml: gait.file: the file \"nix.csv\" does not exist\n"
     );
 }
 
