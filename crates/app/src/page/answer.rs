@@ -117,7 +117,7 @@ fn contour(error: &Error) -> Option<Error> {
     let is_contour = is_flat
         && CONTOURS
             .iter()
-            .any(|pair| pair.iter().all(|name| has(&name)));
+            .any(|pair| pair.iter().all(&has));
     let columns = columns.join(", ");
     is_contour.then(|| Error::from(StudioError::Contour { columns }).placed(error.place.clone()))
 }

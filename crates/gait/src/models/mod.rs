@@ -1,8 +1,8 @@
 //! Published models of the vertical walking force.
 //!
-//! There are two families. The *continuous* models describe the force of both feet together as a Fourier series in the step frequency f, F(t) = G (1
-//! + Σ aᵢ sin(2π i f t + pᵢ)). One cycle is one step, 1/f. The *single-foot* models describe one stance. One cycle is one stride, 2/f, with zero
-//! force in the swing phase. The force of both feet is the sum of two stances half a stride apart, which is periodic with a step.
+//! There are two families. The *continuous* models describe the force of both feet together as a Fourier series in the step frequency f,
+//! `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. One cycle is one step, 1/f. The *single-foot* models describe one stance. One cycle is one stride, 2/f,
+//! with zero force in the swing phase. The force of both feet is the sum of two stances half a stride apart, which is periodic with a step.
 
 mod catalogue;
 mod continuous;
