@@ -132,7 +132,7 @@ class State(Pages):
                 page.until("it is dimmed", lambda: style()[0] < 0.7 and style()[1] == "grayscale(1)")
         page.sets("limits.stroke", "61 mm")
         page.page.click("#open-save")
-        self.assertIn("curvature", page.page.inner_text("#save-refused"))
+        self.assertIn("Minimum radius", page.page.inner_text("#save-refused"))
         self.assertNotIn("limits.", page.page.inner_text("#save-refused"))
         self.assertEqual(page.page.locator("#save-name").count(), 0)
         page.page.keyboard.press("Escape")
