@@ -95,7 +95,7 @@ def judge(r, dialect, path, message, change=None):
     fine, bend = followed(dialect, table, path.read_text())
     mass = r.drive.inertia * r.drive.speed**2
     added, mean = mass * (bend - r.law(fine, 2)), float(np.mean(r.target))
-    stated = re.search(r"controller ([\d.e+-]+) N RMS, of which the file adds (less than )?([\d.e+-]+) %", message)
+    stated = re.search(r"controller ([\d.e+-]+) N RMS; RMS deviation from the designed force (less than )?([\d.e+-]+) %", message)
     share = 100 * math.sqrt(float(np.mean(added**2))) / mean
     target = np.interp(fine, r.theta, r.target, period=2 * math.pi)
     whole = math.sqrt(float(np.mean((r.drive.rest + mass * bend - target) ** 2)))
