@@ -6,6 +6,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::cycle::{BLEND, periodic};
+use crate::interpretation::Interpretation;
 use crate::statistics::{mean, sample_deviation};
 
 /// Minimum number of consecutive strides of a walk.
@@ -87,6 +88,24 @@ pub struct Variability {
     pub drift: f64,
 }
 
+impl Interpretation {
+    /// Number of consecutive strides of the longest unbroken run in the mean cycle.
+    pub fn longest_run(&self) -> usize {
+        let used: Vec<_> = self
+            .strides
+            .iter()
+            .filter(|s| s.rejected.is_none())
+            .collect();
+        let runs = used.chunk_by(|a, b| meets(a.to_s, b.from_s));
+        runs.map(<[_]>::len).max().unwrap_or(0)
+    }
+}
+
+/// Whether a stride that starts at a time, s, follows one that ends at another.
+fn meets(end: f64, start: f64) -> bool {
+    (start - end).abs() < SAME_S
+}
+
 impl Walk {
     /// Walk of strides, each given by its first heel strike, that of the other foot and its end, s, in order of time, with the force, N, at a time of
     /// the stride of an index. `None` without eight consecutive strides.
@@ -96,8 +115,7 @@ impl Walk {
         force: impl Fn(usize, f64) -> f64,
     ) -> Option<Walk> {
         let all: Vec<(usize, [f64; 3])> = strikes.iter().copied().enumerate().collect();
-        let follows =
-            |a: &(usize, [f64; 3]), b: &(usize, [f64; 3])| (b.1[0] - a.1[2]).abs() < SAME_S;
+        let follows = |a: &(usize, [f64; 3]), b: &(usize, [f64; 3])| meets(a.1[2], b.1[0]);
         let runs: Vec<_> = all
             .chunk_by(follows)
             .filter(|run| run.len() >= FEWEST_STRIDES)

@@ -21,8 +21,7 @@ use gaitcam::dynamics::{
 };
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{
-    FEWEST_STRIDES, Feet, Interpretation, OpenQuestion, ReadOptions, RecordedStride, Walk,
-    force_curve,
+    FEWEST_STRIDES, Feet, Interpretation, OpenQuestion, ReadOptions, Walk, force_curve,
 };
 use gaitcam::scene::content;
 use gaitcam::synth::Design;
@@ -37,9 +36,6 @@ const EXAMPLES: &str = "Examples:
   gaitcam walk out/walk walk.mot
   gaitcam walk out/walk walk.mot --out speed.csv --max-acceleration '10 rad/s^2'
   gaitcam simulate out/walk --speed-programme speed.csv";
-
-/// Difference, s, up to which the end of a stride is the start of the next one.
-const SAME_S: f64 = 1e-6;
 
 /// Which design, and which walk.
 #[derive(Args, Debug)]
@@ -80,7 +76,7 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
     };
     let walk = on_cam(walk, &design);
     let drive = &design.problem.drive;
-    let force_min = made.running.limits[LimitKind::ForceMin].unwrap_or(0.0);
+    let force_min = made.running.limits[LimitKind::ForceMin].map_or(0.0, |f| drive.newtons(f));
     let bounds = Bounds {
         acceleration: acceleration.unwrap_or(f64::INFINITY),
         force_min,
@@ -118,24 +114,11 @@ fn recorded(path: &Path) -> Result<Walk> {
     if understood.is_some_and(|u| u.doubts().contains(&OpenQuestion::Clipped)) {
         return Err(CliError::ClippedWalk.in_file(path));
     }
-    let strides = understood.map_or(0, longest_run);
+    let strides = understood.map_or(0, Interpretation::longest_run);
     curve.walk.ok_or_else(|| {
         let needed = FEWEST_STRIDES;
         CliError::FewStrides { strides, needed }.in_file(path)
     })
-}
-
-/// Number of consecutive strides of the longest unbroken run in the mean cycle.
-fn longest_run(understood: &Interpretation) -> usize {
-    let used = || understood.strides.iter().filter(|s| s.rejected.is_none());
-    let follows = |(a, b): (&RecordedStride, &RecordedStride)| (b.from_s - a.to_s).abs() < SAME_S;
-    let mut longest = usize::from(used().next().is_some());
-    let mut run = longest;
-    for pair in used().zip(used().skip(1)) {
-        run = if follows(pair) { run + 1 } else { 1 };
-        longest = longest.max(run);
-    }
-    longest
 }
 
 /// The walk with the mean force of the cam, where the cam's mean force is its weight.
