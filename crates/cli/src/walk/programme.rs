@@ -13,6 +13,7 @@ use crate::console::words::{self, number};
 use crate::input::made::Made;
 use crate::synth::files_in;
 use gaitcam::LimitKind;
+use gaitcam::drive::Drive;
 use gaitcam::dynamics::{Misfit, ProgrammeRun, SpeedProgramme};
 use gaitcam::error::{Placed, Result};
 use gaitcam::scene::Limits;
@@ -47,12 +48,17 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
         Some(recorded) if strides > 0 => Some(run.misfits(recorded, strides)),
         _ => None,
     };
-    let broken = broken(&run, &made.running.limits);
+    let broken = broken(&run, &made.running.limits, &design.problem.drive);
     let columns = vec![
         ("time_s", run.time_s.clone()),
         ("theta_rad", run.angle.clone()),
         ("speed_rad_per_s", run.speed.clone()),
         ("acceleration_rad_per_s2", run.acceleration.clone()),
+        ("follower_velocity_m_per_s", run.follower_velocity.clone()),
+        (
+            "follower_acceleration_m_per_s2",
+            run.follower_acceleration.clone(),
+        ),
         ("contact_force_n", run.force_n.clone()),
         ("torque_n_m", run.torque.clone()),
     ];
@@ -74,16 +80,28 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
     Ok(if passes { BUILT } else { NO_SUCH_CAM })
 }
 
-/// Limits of force and torque that the run violates, each with its worst value.
-fn broken(run: &ProgrammeRun, limits: &Limits) -> Vec<(LimitKind, f64, f64)> {
+/// Limits of motion, force, torque and power that the run violates, each with its worst value.
+fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind, f64, f64)> {
     let [least, most] = ends(&run.force_n);
+    let power = run.torque.iter().zip(&run.speed);
+    let power: Vec<f64> = power.map(|(torque, speed)| torque * speed).collect();
+    let newtons = |kind: LimitKind| limits[kind].map(|bound| drive.newtons(bound));
+    let plain = |kind: LimitKind, of: &[f64]| (kind, largest(of), 1.0, limits[kind]);
     let all = [
-        (LimitKind::ForceMin, least, -1.0),
-        (LimitKind::ForceMax, most, 1.0),
-        (LimitKind::Torque, largest(&run.torque), 1.0),
+        (
+            LimitKind::ForceMin,
+            least,
+            -1.0,
+            newtons(LimitKind::ForceMin),
+        ),
+        (LimitKind::ForceMax, most, 1.0, newtons(LimitKind::ForceMax)),
+        plain(LimitKind::Velocity, &run.follower_velocity),
+        plain(LimitKind::Acceleration, &run.follower_acceleration),
+        plain(LimitKind::Torque, &run.torque),
+        plain(LimitKind::Power, &power),
     ];
-    let over = all.into_iter().filter_map(|(kind, worst, sign)| {
-        let bound = limits[kind].filter(|bound| sign * worst > sign * bound)?;
+    let over = all.into_iter().filter_map(|(kind, worst, sign, bound)| {
+        let bound = bound.filter(|bound| sign * worst > sign * bound)?;
         Some((kind, worst, bound))
     });
     over.collect()
