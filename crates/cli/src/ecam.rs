@@ -12,8 +12,8 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
+use crate::input::SceneArgs;
 use crate::input::made::Made;
-use crate::input::{self, SceneArgs};
 use crate::walk::{dampings, list};
 use gaitcam::cam::Verdict;
 use gaitcam::dynamics::{Misfit, RepeatedForce};
@@ -70,11 +70,7 @@ pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
 
 /// Writes the file of the electronic cam. The exit code is 3 if the design has no cam.
 pub fn run(args: &EcamArgs) -> Result<u8> {
-    let named = SceneArgs {
-        scene: Some(args.design.clone()),
-        set: Vec::new(),
-    };
-    let made = Made::read(&named, &[])?;
+    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
     let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));
@@ -118,10 +114,7 @@ fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> 
         write_whole(out, cam.text.as_bytes())?;
         return Ok(out.display().to_string());
     }
-    let path = match args.design.is_dir() {
-        true => args.design.clone(),
-        false => input::result_folder(&made.input, None, "")?,
-    };
+    let path = made.folder(&args.design)?;
     let folder = ResultFolder::open(&path, PATIENCE)?;
     folder.write(cam.dialect.file(), cam.text.as_bytes())?;
     let file = folder.path().join(cam.dialect.file()).display().to_string();

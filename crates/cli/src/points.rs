@@ -9,8 +9,8 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::{print, report};
 use crate::console::words;
+use crate::input::SceneArgs;
 use crate::input::made::Made;
-use crate::input::{self, SceneArgs};
 use gaitcam::cam::Cam;
 use gaitcam::error::{Placed, Result, SceneError};
 use gaitcam_app::folder::write_whole;
@@ -114,11 +114,7 @@ pub fn run(args: &PointsArgs) -> Result<u8> {
     if args.cad == Program::Fusion && args.units.is_some() {
         return Err(SceneError::PointsOfFusion.at_argument("--units"));
     }
-    let named = SceneArgs {
-        scene: Some(args.design.clone()),
-        set: Vec::new(),
-    };
-    let made = Made::read(&named, &[])?;
+    let made = Made::read(&SceneArgs::of(args.design.clone()), &[])?;
     let design = made.design()?.0.built()?;
     if let Some(why) = design.no_cam(language::current()) {
         report(words::fill("ecam-no-cam", &json!({"why": why})));
@@ -126,11 +122,7 @@ pub fn run(args: &PointsArgs) -> Result<u8> {
     }
     let place = match &args.out {
         Some(out) => out.clone(),
-        None => match args.design.is_dir() {
-            true => args.design.clone(),
-            false => input::result_folder(&made.input, None, "")?,
-        }
-        .join(args.cad.file()),
+        None => made.folder(&args.design)?.join(args.cad.file()),
     };
     written(args, &design.cam, &place)?;
     if let Some(pair) = &design.conjugate {

@@ -32,6 +32,17 @@ pub struct Made {
 }
 
 impl Made {
+    /// Folder of the files that are made from a design: the given folder, otherwise that of the results of its scene.
+    ///
+    /// # Errors
+    /// A scene name that is not a file name.
+    pub fn folder(&self, given: &Path) -> Result<PathBuf> {
+        match given.is_dir() {
+            true => Ok(given.to_path_buf()),
+            false => super::result_folder(&self.input, None, ""),
+        }
+    }
+
     /// Reads the cam that the arguments name. Changes of a scene are part of its design. Changes of a result (its folder or summary.json) apply to
     /// the machine, since its cam already exists. `flags` change the machine in both cases.
     ///
