@@ -130,8 +130,10 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
 /// The limits of a scene. Where none is given for the contact pressure, the allowable one of hardness or materials is the limit.
 fn limits(scene: &Scene) -> Limits {
     let mut limits = scene.limits.clone();
-    let pressure = limits[LimitKind::HertzPressure].or_else(|| scene.cam.allowable_pressure());
-    limits[LimitKind::HertzPressure] = pressure;
+    if !limits.unjudged.contact_pressure {
+        let given = limits[LimitKind::HertzPressure];
+        limits[LimitKind::HertzPressure] = given.or_else(|| scene.cam.allowable_pressure());
+    }
     limits
 }
 

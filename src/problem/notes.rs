@@ -21,7 +21,10 @@ impl Problem {
     /// Notes on the scene, the speed, the force balance of a moving axis and the optimal phase.
     pub fn notes(&self) -> Vec<Note> {
         let mut out = self.remarks.clone();
+        let has_default =
+            |key: &&str| *key != "limits.hertz_pressure" || self.cam.allowable_pressure().is_some();
         let off = self.limits.unjudged.keys().into_iter();
+        let off = off.filter(has_default);
         out.extend(off.map(|key| Note::NotJudged { key }));
         out.extend(self.stretched());
         out.extend(self.rounded_tables());

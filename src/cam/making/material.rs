@@ -98,7 +98,7 @@ impl Stock {
         }
     }
 
-    /// Elastic constants.
+    /// Young's modulus and Poisson's ratio of the material.
     pub fn material(self) -> Material {
         let [young, poisson, _] = self.constants();
         Material { young, poisson }
@@ -122,16 +122,16 @@ impl Stock {
 pub struct StatedMaterial {
     /// The known material whose constants apply where none is stated.
     pub stock: Option<Stock>,
-    /// Young's modulus, Pa.
+    /// Stated Young's modulus, Pa.
     pub young: Option<f64>,
-    /// Poisson's ratio.
+    /// Stated Poisson's ratio.
     pub poisson: Option<f64>,
-    /// Allowable contact pressure, Pa.
+    /// Stated allowable contact pressure, Pa.
     pub allowable_pressure: Option<f64>,
 }
 
 impl StatedMaterial {
-    /// Elastic constants.
+    /// Young's modulus and Poisson's ratio, stated or of the known material.
     pub fn material(&self) -> Material {
         let usual = self.stock.map_or(STEEL, Stock::material);
         Material {

@@ -37,7 +37,7 @@ const SAME_TORQUE: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProgrammeRun {
-    /// Times, s.
+    /// Times of the rows of the programme, s.
     pub time_s: Vec<f64>,
     /// Cam angle, rad, which counts the turns.
     pub angle: Vec<f64>,

@@ -14,7 +14,7 @@ use crate::error::{DynamicsError, Result};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpeedProgramme {
-    /// Times, s, increasing.
+    /// Times of the rows, s, increasing.
     pub time_s: Vec<f64>,
     /// Speed at these times, rad/s; the last one belongs to the end of the programme.
     pub speed: Vec<f64>,

@@ -183,6 +183,21 @@ pub(super) const FORCE_MIN: Access = Access {
     },
 };
 
+/// Access to `limits.hertz_pressure`. "none" disables the limit and its default.
+pub(super) const HERTZ_PRESSURE: Access = Access {
+    get: |s, _| {
+        bound(
+            s.limits.unjudged.contact_pressure,
+            s.limits[LimitKind::HertzPressure],
+        )
+    },
+    set: |s, _, v| {
+        s.limits.unjudged.contact_pressure = is_none(&v);
+        s.limits[LimitKind::HertzPressure] = v.number();
+        Ok(())
+    },
+};
+
 /// Access to `accuracy.rms`. The word "none" also switches the default off.
 pub(super) const ACCURACY: Access = Access {
     get: |s, _| bound(s.limits.unjudged.accuracy, s.rms),

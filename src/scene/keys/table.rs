@@ -8,8 +8,9 @@ use super::kind::Relax::{Down, Up};
 use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
-    ACCURACY, FILE, FOLLOWER_MATERIAL, FORCE_MIN, HARMONICS, LEARNED_FORCE, MATERIAL, MODEL, NONE,
-    OFFSET, PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, constant, limit, one_side,
+    ACCURACY, FILE, FOLLOWER_MATERIAL, FORCE_MIN, HARMONICS, HERTZ_PRESSURE, LEARNED_FORCE,
+    MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE, STEP_FREQUENCY, both_sides, constant, limit,
+    one_side,
 };
 use crate::cam::{FollowerKind, Stock};
 use crate::drive::DriveKind;
@@ -153,7 +154,7 @@ pub static KEYS: &[Key] = &[
     limit!("limits.power",          Power,         number(Power, Positive)),
     limit!("limits.power_mean",     PowerMean,     number(Power, Positive)).idle_when(undamped),
     limit!("limits.torque_rate",    TorqueRate,    number(AngularRate, Positive)),
-    limit!("limits.hertz_pressure", HertzPressure, number(Pressure, Positive)),
+    row("limits.hertz_pressure", number(Pressure, Positive).or(NONE), "", HERTZ_PRESSURE).limit(LimitKind::HertzPressure),
     limit!("limits.residual",       Residual,      by_arm(Length, Angle, Positive)).idle_when(no_dwell),
 
     row("machine.natural_frequency", number(Frequency, Positive),               "",     field!(machine.natural_frequency)),

@@ -77,6 +77,8 @@ pub struct Unjudged {
     pub contact_force: bool,
     /// Whether `accuracy.rms = "none"`.
     pub accuracy: bool,
+    /// Whether `limits.hertz_pressure = "none"`: the allowable pressure of hardness or materials is not a limit.
+    pub contact_pressure: bool,
 }
 
 impl Unjudged {
@@ -86,6 +88,7 @@ impl Unjudged {
             ("limits.pressure_angle", self.pressure_angle),
             ("limits.force_min", self.contact_force),
             ("accuracy.rms", self.accuracy),
+            ("limits.hertz_pressure", self.contact_pressure),
         ];
         all.into_iter().filter(|k| k.1).map(|k| k.0).collect()
     }

@@ -61,6 +61,11 @@ fn pressure_falls_with_the_root_of_the_contact_modulus() {
     );
     let stated = ["cam.material=pla", "limits.hertz_pressure=70 MPa"];
     assert_eq!(pressure(&[&[size], &stated[..]].concat()).1, Some(70e6));
+    let off = ["cam.material=pla", "limits.hertz_pressure=none"];
+    assert_eq!(pressure(&[&[size], &off[..]].concat()).1, None);
+    let hard = ["cam.hardness=58 HRC"];
+    let borne = pressure(&[&[size], &hard[..]].concat()).1.unwrap();
+    assert!((borne / (2.76e6 * 615.0 - 70e6) - 1.0).abs() < 1e-12);
     let unknown = footbridge(&["cam.follower_material=wood"]).unwrap_err();
     assert_eq!(unknown.code(), "scene-unknown-word");
 }
