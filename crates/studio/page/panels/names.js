@@ -18,6 +18,12 @@ export function label(key) {
   return number ? `${text} ${number}` : text;
 }
 
+// The name of a check: that of its limit, or its own.
+export function criterion(key) {
+  const own = `studio-criterion-${key}`;
+  return has(own) ? t(own) : label(`limits.${key}`);
+}
+
 export const choice = (value) => (has(`studio-choice-${value}`) ? t(`studio-choice-${value}`) : value);
 
 const quoted = (text) => (language() === "es" ? `«${text}»` : `“${text}”`);

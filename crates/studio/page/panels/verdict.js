@@ -7,7 +7,7 @@ import * as units from "../core/units.js";
 import * as blobs from "../core/blobs.js";
 import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
-import { label } from "./names.js";
+import { criterion, label } from "./names.js";
 
 const STATES = ["violated", "at-limit", "satisfied"];
 /** @type {(changes: object[]) => void} */
@@ -161,12 +161,12 @@ function fold({ currentTarget }) {
 }
 
 // Name, value and limit, place; below it the gain from a limit that is 1 % wider.
-function check({ name, state, value, limit, unit, place }, eased) {
+function check({ key, state, value, limit, unit, place }, eased) {
   const [to, factor] = units.unit(unit);
   const shown = (x) => number(Math.abs(x) < 1e-9 ? 0 : factor * x);
   const close = to === "°" || to === "" ? to : `\u00a0${to}`;
   return html`<li class=${state}><span class="dot" role="img" aria-label=${t(`studio-check-${state}`)} title=${t(`studio-check-${state}`)}></span>
-    <span>${name}</span>
+    <span>${criterion(key)}</span>
     <span class="n">${limit === null ? `${shown(value)}${close}` : `${shown(value)} / ${shown(limit)}${close}`}</span>
     <span class="quiet">${place}</span>
     ${eased ? html`<small>${t("studio-check-eased", { objective: eased.objective, before: units.text(eased.before), after: units.text(eased.after) })}</small>` : nothing}</li>`;
