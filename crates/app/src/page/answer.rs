@@ -114,10 +114,7 @@ fn contour(error: &Error) -> Option<Error> {
     let has = |name: &&str| stems.iter().any(|stem| stem == name);
     // Three components are those of a force.
     let is_flat = columns.len() <= 4 && !has(&"z");
-    let is_contour = is_flat
-        && CONTOURS
-            .iter()
-            .any(|pair| pair.iter().all(&has));
+    let is_contour = is_flat && CONTOURS.iter().any(|pair| pair.iter().all(&has));
     let columns = columns.join(", ");
     is_contour.then(|| Error::from(StudioError::Contour { columns }).placed(error.place.clone()))
 }

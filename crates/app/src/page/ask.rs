@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use crate::page::answer::{Answer, Body};
 use crate::page::hash::Hash;
 use crate::page::kept::{Engine, Host};
-use crate::page::questions::{catalogue, design, export, range, recording, runs, variation};
+use crate::page::questions::{catalogue, design, export, range, recording, relax, runs, variation};
 use crate::page::sources::{Files, Named};
 use crate::page::words;
 use gaitcam::error::Result;
@@ -52,7 +52,7 @@ impl Engine {
             "scene-picture" => asked(object, |q| catalogue::picture(files, q)),
             "design" => asked(object, |q| design::design(files, q)),
             "read" => asked(object, |q| design::read(files, q)),
-            "relax" => asked(object, |q| design::relax(files, q)),
+            "relax" => asked(object, |q| relax::relax(files, q)),
             "range" => asked(object, |q| range::range(files, q)),
             "sensitivity" => asked(object, |q| variation::sensitivity(files, q)),
             "front" => asked(object, |q| variation::front(files, q)),

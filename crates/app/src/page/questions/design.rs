@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use toml::Table;
 
+use super::relax::{Change, first_remedies};
 use crate::files::{self, Group};
 use crate::page::curves::{Colour, Curves, curves};
 use crate::page::edit::{Edit, apply};
@@ -20,8 +21,8 @@ use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
-use gaitcam::scene::{Minimise, Scene, keys};
-use gaitcam::synth::{self, Design, FIGURES, Reason, Relaxation, Search, in_units};
+use gaitcam::scene::{Minimise, Scene};
+use gaitcam::synth::{self, Design, FIGURES, Reason, Search};
 use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
 use gaitcam_output::facts;
@@ -88,21 +89,6 @@ pub struct Answer {
     /// Whether the size was fixed; the design of the whole scene then follows.
     quick: bool,
     server_ms: f64,
-}
-
-/// A change that is sufficient for a scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct Change {
-    key: &'static str,
-    /// `goal` if the change allows a larger force error, else `limit`.
-    kind: &'static str,
-    /// Cost of a changed goal: the allowed force error in per cent; null for a limit.
-    cost: Option<f64>,
-    from: String,
-    /// Value for display; null if no value of this key alone is sufficient.
-    to: Option<String>,
-    /// Value as written in a scene file.
-    value: Option<String>,
 }
 
 /// Gain from relaxing an active limit by one per cent.
@@ -362,7 +348,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
 }
 
 /// Reasons of the verdict without the suggested changes, which the page shows as buttons.
-fn reasons(design: &Design, language: Language) -> String {
+pub fn reasons(design: &Design, language: Language) -> String {
     let facts = design.reasons.iter().filter(|reason| {
         !matches!(
             reason,
@@ -378,7 +364,7 @@ fn reasons(design: &Design, language: Language) -> String {
 }
 
 /// Message of the program as shown in the page.
-fn shown(sentence: &str, language: Language) -> String {
+pub fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
 
@@ -428,63 +414,10 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Suggestions from the conflict only, before each value is checked with the full design.
-fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
-    let own = match &design.infeasible {
-        Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
-        _ => &design.relaxations,
-    };
-    remedies(design, scene, own)
-}
-
-fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Change> {
-    let measures = design.cam.follower.measures();
-    let shown = |r: &Relaxation, x: f64| in_units(measures, r.limit, x, words::current());
-    let mut changes: Vec<Change> = list
-        .iter()
-        .map(|r| Change {
-            key: r.key,
-            kind: if r.is_goal() { "goal" } else { "limit" },
-            cost: r.to.filter(|_| r.is_goal()).map(|to| 100.0 * to),
-            from: shown(r, r.from),
-            to: r.to.map(|to| shown(r, to)),
-            value: r.to.and_then(|to| value(r.key, scene, to)),
-        })
-        .collect();
-    // What gives up a part of the goal comes last.
-    changes.sort_by_key(|change| change.kind == "goal");
-    changes
-}
-
-/// Number of a key as written in a scene file.
-fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
-    let row = keys::find(key)?;
-    let written = keys::Value::Number(x).to_toml(row.dimension(scene));
-    Some(written.as_str().map_or(written.to_string(), str::to_string))
-}
-
 /// Request for a design.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
     /// Scene of the design.
     pub scene: String,
-}
-
-/// Changes that are sufficient for a design. Each is checked with the full design.
-///
-/// # Errors
-///
-/// Faults of the scene and of its force.
-pub fn relax(files: &Files, which: &Which) -> Result<Value> {
-    let made = made(files, table(&which.scene)?)?;
-    let language = words::current();
-    let search = Search::until(files.host.halt());
-    let tried = made.design.clone().relaxed_with(&search);
-    let list = |list: &[Relaxation]| remedies(&tried, &made.scene, list);
-    Ok(json!({
-        "reasons": shown(&reasons(&tried, language), language),
-        "relaxations": list(&tried.relaxations),
-        "together": list(&tried.together),
-    }))
 }

@@ -5,5 +5,6 @@ pub mod design;
 pub mod export;
 pub mod range;
 pub mod recording;
+pub mod relax;
 pub mod runs;
 pub mod variation;
