@@ -70,7 +70,7 @@ pub struct Walk {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Variability {
-    /// Number of strides.
+    /// Number of consecutive strides in all runs.
     pub strides: usize,
     /// Number of unbroken runs of strides.
     pub runs: usize,
@@ -147,7 +147,7 @@ impl Walk {
         })
     }
 
-    /// Number of strides.
+    /// Number of strides in all runs.
     pub fn strides(&self) -> usize {
         self.runs.iter().sum()
     }

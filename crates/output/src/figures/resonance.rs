@@ -29,7 +29,7 @@ pub struct Response {
 /// What causes a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Responding {
-    /// The recorded walk.
+    /// Force of the recorded strides.
     Recorded,
     /// The cam at constant speed.
     Cam,
