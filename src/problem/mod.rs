@@ -127,10 +127,11 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// The limits of a scene. Where none is given for the contact pressure, the allowable one of hardness or materials is the limit.
-fn limits(scene: &Scene) -> Limits {
+/// The limits of a scene. Where none is given for the contact pressure of a drive with a force, the allowable one of hardness or materials is the
+/// limit.
+fn limits(scene: &Scene, drive: &Drive) -> Limits {
     let mut limits = scene.limits.clone();
-    if !limits.unjudged.contact_pressure {
+    if !limits.unjudged.contact_pressure && !drive.is_idle() {
         let given = limits[LimitKind::HertzPressure];
         limits[LimitKind::HertzPressure] = given.or_else(|| scene.cam.allowable_pressure());
     }
@@ -214,6 +215,7 @@ impl Problem {
         let (target, band) = (unturned.as_ref()).map_or((None, None), |c| c.at_phase(at));
         let has_speed = scene.drive.speed.is_some() && scene.drive.kind != DriveKind::MovingAxis;
         let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
+        let limits = limits(scene, &drive);
         Ok(Problem {
             name: scene.name.clone(),
             length: OnceLock::new(),
@@ -225,7 +227,7 @@ impl Problem {
             law: law_at_lever(&scene.law, drive.lever),
             drive,
             cam: scene.cam.clone(),
-            limits: limits(scene),
+            limits,
             accuracy: scene.rms,
             target,
             band,

@@ -238,6 +238,9 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
             allowed,
         },
         Criterion::Band => Reason::OutsideBand { at, excess: value },
+        Criterion::Limit(LimitKind::HertzPressure) if check.worst.is_infinite() => {
+            Reason::PressureUnbounded { at }
+        }
         limit if check.worst.is_infinite() => Reason::LimitUnbounded { limit, at },
         limit => Reason::LimitBroken {
             limit,

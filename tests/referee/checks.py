@@ -7,7 +7,7 @@ import tomllib
 
 import numpy as np
 
-from figures import Second, continuity, distance, force, mean_target, moved, rho_min, second_cam
+from figures import Second, continuity, distance, force, mean_target, moved, presses, rho_min, second_cam
 from materials import allowable
 from result import Unknown, close, field, place, size_of
 from units import quantity
@@ -26,6 +26,14 @@ def concave(r):
     def value(theta, s, v, a, j=None):
         rho = r.cam.at(theta, s, v, a)[2]
         return np.where(rho < -r.cam.roller, -rho, np.inf)
+    return value
+
+
+def pressure(r):
+    """Hertz pressure. It is infinite where the convex radius of curvature is zero or negative."""
+    def value(theta, s, v, a, j=None):
+        sharp = presses(r) & (r.radius(theta, s, v, a) <= 1e-9 * size_of(r))
+        return np.where(sharp, np.inf, r.hertz(theta, s, v, a))
     return value
 
 
@@ -51,7 +59,7 @@ CHECKS = {
     "power_mean": (lambda r: (lambda *x: 0.0 * x[1] + r.law.mean(r.torque) * r.drive.speed), True),
     "torque_rate": (lambda r: (lambda t, s, v, a, j: np.abs((r.drive.stiffness * v + r.drive.damping * r.drive.speed * a
                     + r.drive.inertia * r.drive.speed**2 * j) * v + r.drive.force(t, s, v, a) * a)), True),
-    "hertz_pressure": (lambda r: r.hertz, True),
+    "hertz_pressure": (pressure, True),
     "diameter": (lambda r: (lambda *x: 2 * distance(r)(*x)), True),
     "second_diameter": (lambda r: (lambda t, s, v, a, j=None: 2 * np.hypot(*Second(r).at(t, s, v, a)[0])), True),
     "second_curvature": (second_cam, False),
@@ -84,8 +92,9 @@ def check(r, m):
         return (name if known else math.nan), 0, 0
     largest = name in ("interference", "second_interference", "rms_error") or CHECKS.get(name, (None, name not in ("base_outside_bore", "upper_wall", "lower_wall")))[1]
     if what == "pass":
-        margin = row["limit"] - row["worst"] if largest else row["worst"] - row["limit"]
-        return bool(margin >= -max(1e-9 * abs(row["limit"]), 1e-12)), 0, 0
+        worst, limit = float(row["worst"]), float(row["limit"])  # infinite ones are texts
+        margin = limit - worst if largest else worst - limit
+        return bool(margin >= -max(1e-9 * abs(limit), 1e-12)), 0, 0
     if what == "limit":
         return check_limit(r, name, row)
     if name == "rms_error":

@@ -46,7 +46,7 @@ def coefficient(r, m):
     stated = r.summary["law"]["coefficients"]
     if r.summary["law"]["functions"] == "segments":
         return close(r.segments()[i][1], 1e-9)
-    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-300) for k in range(3)]
+    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-15) for k in range(3)]
     worst = max(float(np.max(np.abs(r.law(r.theta, k) - r.rows[r.columns[k + 1]]))) / sizes[k] for k in range(3))
     return (stated[i] if worst < 1e-9 else math.nan), 1e-12, 1e-12
 
@@ -62,7 +62,7 @@ def monomial_range(r, m):
 
 
 def coefficient_like(r, stated):
-    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-300) for k in range(3)]
+    sizes = [max(float(np.max(np.abs(r.rows[r.columns[k + 1]]))), 1e-15) for k in range(3)]
     worst = max(float(np.max(np.abs(r.law(r.theta, k) - r.rows[r.columns[k + 1]]))) / sizes[k] for k in range(3))
     return (stated if worst < 1e-9 else math.nan), 1e-12, 1e-12
 

@@ -100,8 +100,9 @@ def refine(at, low, high):
 def spline(knots, degree, coefficients):
     """Periodic spline. Coefficient i belongs to the B-spline on the knots t_i … t_(i+p+1)."""
     n, turn = len(knots), 2 * math.pi
-    t = np.array([knots[i % n] + turn * (i // n) for i in range(-2 * n, 3 * n)])
-    c = np.array([coefficients[i % n] for i in range(-2 * n, 3 * n)])
+    before = n * -(-(degree + 2) // n)  # whole turns with at least degree + 2 knots
+    t = np.array([knots[i % n] + turn * (i // n) for i in range(-before, n + before)])
+    c = np.array([coefficients[i % n] for i in range(-before, n + before)])
     derivatives = [(t, c, degree)]
     for _ in range(degree):
         t_, c_, p = derivatives[-1]
@@ -111,7 +112,7 @@ def spline(knots, degree, coefficients):
                 new[i] = p * (c_[i] - c_[i - 1]) / (t_[i + p] - t_[i])
         derivatives.append((t_, new, p - 1))
     pieces = []
-    for m in range(2 * n - degree - 1, 3 * n):
+    for m in range(before, before + n):
         low, high = t[m], t[m + 1]
         if high - low > 1e-12 and low >= -1e-12 and high <= turn + 1e-12:
             pieces.append((low, high, span(derivatives, m)))

@@ -18,8 +18,9 @@ from walkers import walkers_of
 FINE = 4 * ANGLES
 
 
-def program_of(r, relaxed=None, weights=None, angles=ANGLES):
-    """Convex program of a law whose only demands are limits that are linear in it; `Unknown` for other laws."""
+def program_of(r, relaxed=None, weights=None, angles=ANGLES, spans=None):
+    """Convex program of a law whose only demands are limits that are linear in it, with its own spans or others of equal length; `Unknown` for
+    other laws."""
     law, scene = r.summary["law"], r.scene
     if isinstance(law["functions"], str) and law["functions"] != "fourier" or "monomial" in law["functions"]:
         raise Unknown("certificate of this family")
@@ -37,7 +38,8 @@ def program_of(r, relaxed=None, weights=None, angles=ANGLES):
     if law["functions"] == "fourier":
         law_of = laws.fourier
     else:
-        knots = law["functions"]["b-spline"]["knots_rad"]
+        knots = law["functions"]["b-spline"]["knots_rad"] if spans is None else 2 * math.pi * np.arange(spans) / spans
+        count = len(knots)
         law_of = lambda c: laws.spline(knots, degree, c)
     program = Program(law_of, count, r.drive, (r.theta, r.target), angles=angles)
     for point in scene["law"].get("point", []):
@@ -101,14 +103,14 @@ def for_walkers(r, program, weights=None):
     program.objective = (np.vstack(rows), np.concatenate(aims))
 
 
-def best_of(r, relaxed=None, angles=ANGLES):
+def best_of(r, relaxed=None, angles=ANGLES, spans=None):
     """Program and its optimum. For the worst part of a population, the weights are those of the best bound."""
     def solve():
         if str(r.scene["law"].get("robust", "mean")) != "mean" and "population" in r.summary:
             return worst_part(r, relaxed)
-        program = program_of(r, relaxed, angles=angles)
+        program = program_of(r, relaxed, angles=angles, spans=spans)
         return (program, *program.best())
-    return r.kept(f"best of {relaxed} at {angles}", solve)
+    return r.kept(f"best of {relaxed} at {angles} with {spans}", solve)
 
 
 def worst_part(r, relaxed=None):
@@ -278,6 +280,10 @@ def relaxed(r, m):
     if any(not check["pass"] and check["name"] != "rms_error" for check in r.summary["checks"]):
         raise Unknown(f"change of {row['key']} for another limit than the accuracy")
     part = row["to"] / row["from"]
-    reaches = lambda factor, slack: best_of(r, (name, factor))[2] <= (allowed * mean_target(r)) ** 2 * (1 + slack)
+    reaches = lambda factor, slack, spans=None: best_of(r, (name, factor), spans=spans)[2] <= (allowed * mean_target(r)) ** 2 * (1 + slack)
     before = (row["to"] - math.copysign(1.001 * round_step(row["to"]), row["to"] - row["from"])) / row["from"]
-    return (row["to"] if reaches(part, 1e-4) and not reaches(before, -1e-4) else math.nan), 1e-12, 0
+    # With the new value, an automatic number of spans can be larger.
+    own = len(r.summary["law"]["coefficients"])
+    more = range(own + 1, 2 * own + 1) if "b-spline" in r.summary["law"]["functions"] and str(r.scene["law"].get("spans", "auto")) == "auto" else []
+    enough = reaches(part, 1e-4) or any(reaches(part, 1e-4, spans) for spans in more)
+    return (row["to"] if enough and not reaches(before, -1e-4) else math.nan), 1e-12, 0

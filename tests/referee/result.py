@@ -233,7 +233,7 @@ def place(r, value, stated, worst):
             for beside in (0.0, -1e-6, 1e-6):
                 theta = np.array([min(max(stated + beside, start), end)])
                 found = float(np.ravel(value(theta, *(function(theta, k) for k in range(4))))[0])
-                nearest = min(nearest, abs(found - worst))
+                nearest = min(nearest, 0.0 if found == worst else abs(found - worst))
     allowed = 3e-8 * max(abs(worst), 1e-3 * size_of(r))
     if nearest > allowed:  # a worst value of 0 is one of rounding
         peak = r.law.extreme(lambda *x: np.abs(value(*x)))[0]

@@ -336,7 +336,7 @@ impl List<'_> {
             self.figure("hertz_pressure_max_pa", Brief::Whole);
         }
         let cam = &self.design.problem.cam;
-        let Some(borne) = cam.allowable_pressure() else {
+        let Some(borne) = cam.allowable_pressure().filter(|_| !self.design.is_idle()) else {
             return;
         };
         // The pressure that the materials bear, with the margin.

@@ -117,8 +117,11 @@ impl Pressure {
     }
 }
 
-/// Maximum pressure on the finished cam; infinite on an undercut profile.
+/// Maximum pressure on the finished cam; infinite on an undercut profile, and 0 without a force.
 pub fn worst(design: &Finished) -> Extreme {
+    if design.problem.drive.is_idle() {
+        return design.cam.curvature().convex.map(|_| 0.0);
+    }
     let press = Press::of(design.problem, design.pressing);
     let worst = press.worst(design.cam, design.second, design.groove);
     worst.unwrap_or_else(|| design.cam.curvature().convex.map(|_| f64::INFINITY))

@@ -8,7 +8,7 @@ mod several;
 
 use std::sync::Arc;
 
-use crate::cam::{Criterion, Verdict};
+use crate::cam::{Criterion, LimitKind, Verdict};
 use crate::halt::Halt;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
@@ -224,7 +224,9 @@ impl<'a> Relaxing<'a> {
             };
             let to = match (relaxing.own_accuracy(number, design), &by_size) {
                 (Some(own), _) => own,
-                (None, None) => relaxing.smallest(number, from, hint),
+                (None, None) => relaxing
+                    .of_smallest_cam(number, from)
+                    .or_else(|| relaxing.smallest(number, from, hint)),
                 (None, Some(by_size)) => {
                     let precise = |works: f64| number.step(works.abs().max(from.abs()));
                     let free = number.away(from, self.force);
@@ -372,6 +374,18 @@ impl<'a> Relaxing<'a> {
             fails = value;
         }
         Some(self.edge(number, works, fails))
+    }
+
+    /// Diameter of the smallest cam, if the size is minimised: the law of minimum force error, with which other values are searched, is larger.
+    fn of_smallest_cam(&self, number: Relaxable, from: f64) -> Option<f64> {
+        let is_diameter = number.key.limit == Some(LimitKind::Diameter);
+        if !is_diameter || self.problem.objective() != Minimise::Size {
+            return None;
+        }
+        let free = number.with(self.problem, number.away(from, self.force));
+        let design = synthesis::kept(&free, self.search).ok()??;
+        let own = design.checks.iter().find(|c| number.is_measured_by(c.name))?;
+        Some(number.with_room(own.worst, 0.0))
     }
 
     /// A value for which the design passes, from one at its edge: rounded towards the weaker limit, with the necessary margin.

@@ -157,6 +157,8 @@ pub enum Reason {
     },
     /// A derivative with a limit is infinite, because the derivative of the next lower order jumps.
     LimitUnbounded { limit: Criterion, at: Quantity },
+    /// The contact pressure is infinite, because the radius of curvature of the profile is zero or negative there.
+    PressureUnbounded { at: Quantity },
     /// The conditions contradict each other as equations.
     DemandsContradict { demands: Vec<Demand> },
     /// The conditions are infeasible on or above the base circle.

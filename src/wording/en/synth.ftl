@@ -32,6 +32,7 @@ reason-below-base-circle = The law falls { $depth } below the base circle at { $
 reason-prime-radius = The prime radius of this cam is { $needed }; the maximum is { $allowed }. Allow a larger pressure angle or a larger force error.
 reason-outside-band = The force is outside its band by { $excess } at { $at }. Widen the band, or allow more spans.
 reason-limit-unbounded = The { $limit } is infinite at { $at }, because the next lower derivative is discontinuous there. No value of this limit is sufficient. Use a law without that discontinuity, or remove the limit.
+reason-pressure-unbounded = The contact pressure is infinite at { $at }, because the convex radius of curvature of the profile is zero or negative there.
 reason-limit-broken = The limit { $limit } is violated at { $at }: the value is { $value }, but the limit is { $allowed }.
 
 # Notes on problem and design, in addition to the verdict.

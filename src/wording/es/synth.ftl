@@ -32,6 +32,7 @@ reason-below-base-circle = La ley baja { $depth } por debajo del círculo base e
 reason-prime-radius = El radio primario de esta leva es { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayores.
 reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
 reason-limit-unbounded = La magnitud «{ $limit }» es infinita en { $at }, porque la derivada de orden inferior es discontinua en ese punto. Ningún valor de este límite es suficiente. Use una ley sin esa discontinuidad o elimine el límite.
+reason-pressure-unbounded = La presión de contacto es infinita en { $at }, porque el radio de curvatura convexo del perfil es nulo o negativo en ese punto.
 reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value }, pero el límite es { $allowed }.
 
 # Notas sobre el problema y el diseño, además del veredicto.

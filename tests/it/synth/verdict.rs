@@ -277,6 +277,28 @@ fn undercut_is_unacceptable_and_a_cusp_is_for_slow_machines() {
 }
 
 #[test]
+fn on_an_undercut_profile_the_contact_pressure_is_infinite() {
+    let sized = programme("3-4-5", "follower = \"flat-translating\"", &[]);
+    let undercut = format!(
+        "cam.base_radius={} mm",
+        990.0 * sized.cam.follower.base_radius()
+    );
+    let cam = programme(
+        "3-4-5",
+        FLAT,
+        &[
+            &undercut,
+            "drive.kind=moving-axis",
+            "drive.mass=1 kg",
+            "cam.thickness=10 mm",
+            "limits.hertz_pressure=500 MPa",
+        ],
+    );
+    judged(&cam, Verdict::Unacceptable, "reason-pressure-unbounded");
+    assert!(has(&cam, "reason-undercut") && !has(&cam, "reason-limit-unbounded"));
+}
+
+#[test]
 fn a_cam_sized_by_the_usual_pressure_angle_is_good_for_any_machine() {
     let open = "follower = \"roller-translating\"\nroller_radius = \"5 mm\"\noffset = \"0\"";
     let sized = programme("3-4-5", open, &[]);

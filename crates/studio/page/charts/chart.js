@@ -56,8 +56,8 @@ export class Chart {
     this.picture.append(this.lines, this.handles, this.over);
     this.picture.after(this.behind, this.cursor, this.dot);
     // Names of the pinned designs.
-    this.key = make("div", { class: "names" });
-    this.root.append(this.key);
+    this.legend = make("div", { class: "names" });
+    this.root.append(this.legend);
     this.size = [0, 0];
     this.left = 40;
     new ResizeObserver(() => this.resize()).observe(this.picture);
@@ -81,7 +81,7 @@ export class Chart {
     say(this.unit, `, ${panel.unit}`);
     this.title.title = t("studio-enlarge");
     const list = pinned.filter((p) => p.colour && this.root.classList.contains("large"));
-    render(list.map(({ colour, name }) => html`<span><i style="border-color:${colour}"></i>${name}</span>`), this.key);
+    render(list.map(({ colour, name }) => html`<span><i style="border-color:${colour}"></i>${name}</span>`), this.legend);
   }
 
   // Width that the numbers of the vertical axis need, px.

@@ -17,7 +17,8 @@ export function open(move) {
 
 function entry(v, i, present, move) {
   const values = v.made.map(({ key, value }) => `${label(key)} ${value || "–"}`).join(", ");
-  const text = [v.title || v.name || t("studio-versions-opened"), values].filter(Boolean).join(": ");
+  const named = v.made.some(({ key }) => label(key) === v.title); // the values begin with it
+  const text = [named ? "" : v.title || v.name || t("studio-versions-opened"), values].filter(Boolean).join(": ");
   const go = () => {
     closeDialog();
     move(() => versions.goTo(i));

@@ -183,7 +183,7 @@ class Class(Pages):
         self.assertFalse(page.page.is_visible("#fault"))
         # A recording without its stride time: the answer is beside the warning.
         single = "".join(f"{t:.4f},{f:.2f}\n" for t, f in zip(at, force) if t < 0.66)
-        page.does(lambda: page.page.set_input_files("#pick-file", {"name": "one.csv", "mimeType": "text/csv", "buffer": f"t,alpha\n{single}".encode()}))
+        page.does(lambda: page.page.set_input_files("#pick-file", {"name": "one.csv", "mimeType": "text/csv", "buffer": f"t,fz\n{single}".encode()}))
         doubt = page.page.locator("#conflict .choice", has_text="clock")
         doubt.wait_for()
         self.assertEqual(page.verdict(), "unacceptable")

@@ -96,7 +96,7 @@ class Direct(Pages):
         page.page.focus(".chart.s svg")
         page.page.keyboard.press("Home")
         page.page.keyboard.press("Shift+ArrowRight")
-        self.assertAlmostEqual(float(page.page.get_attribute("#stage", "aria-valuenow")), 10, places=6)
+        page.until("the cam stands at 10°", lambda: abs(float(page.page.get_attribute("#stage", "aria-valuenow")) - 10) < 1e-6)
         self.assertRegex(page.page.inner_text("#spoken"), r"\b10\b.*mm")
 
     def test_at_most_sixty_tab_stops_lie_before_the_first_diagram(self):
@@ -126,7 +126,7 @@ class Direct(Pages):
                 # Nothing covers the slider, and a swipe over the cam scrolls the page.
                 top = page.page.evaluate("([x, y]) => document.elementFromPoint(x, y).dataset.key", [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
                 self.assertEqual(top, "limits.stroke")
-                self.assertEqual(page.page.locator("#stage").evaluate("e => getComputedStyle(e).touchAction"), "pan-y")
+                self.assertIn("pan-y", page.page.locator("#stage").evaluate("e => getComputedStyle(e).touchAction"))
 
     def test_presenting_shows_the_cam_and_one_diagram_in_large_type(self):
         page = self.page()
@@ -140,14 +140,6 @@ class Direct(Pages):
         self.assertNotEqual(page.page.locator(".chart.large").get_attribute("data-chart"), first)
         page.page.keyboard.press("Escape")
         page.until("it ends", lambda: page.page.is_visible("#panel"))
-
-    def test_paper_has_verdict_cam_and_diagrams_and_no_form(self):
-        page = self.page()
-        page.page.emulate_media(media="print")
-        self.assertFalse(page.page.is_visible("#panel"))
-        for selector in ("#verdict", "#figures", "#stage", ".chart.force", "#limits"):
-            self.assertTrue(page.page.is_visible(selector), selector)
-        self.assertLess(page.page.locator("#verdict").bounding_box()["y"], 60)
 
     def test_keys_on_a_slider_give_round_numbers_and_one_step_of_the_history(self):
         page = self.page()
@@ -174,7 +166,7 @@ class Direct(Pages):
             page.sets("limits.stroke", stroke)
             page.page.locator("#verdict").click()
         page.page.click("#versions")
-        self.assertIn("limits.stroke = 63 mm", page.page.inner_text('.history [aria-current="true"]'))
+        self.assertEqual("Stroke 63 mm", page.page.inner_text('.history [aria-current="true"]'))
         page.does(lambda: page.page.click('.history [data-version="1"]'))
         self.assertEqual(page.value("limits.stroke"), "61 mm")
         page.does(lambda: page.page.click("#redo"))
