@@ -85,10 +85,12 @@ class Browser:
         self.driver = sync_playwright().start()
         self.chromium = self.driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
 
-    def page(self, url, width=1400, height=900, theme="light", context=None):
-        context = context or self.chromium.new_context(
-            viewport={"width": width, "height": height}, color_scheme=theme, accept_downloads=True
-        )
+    def context(self, turns=False, **more):
+        """A separate user. The cam is at rest unless it `turns`, so that pages in the background need no processor time."""
+        return self.chromium.new_context(accept_downloads=True, reduced_motion="no-preference" if turns else "reduce", **more)
+
+    def page(self, url, width=1400, height=900, theme="light", context=None, turns=False):
+        context = context or self.context(turns, viewport={"width": width, "height": height}, color_scheme=theme)
         if FRESH:
             context.route("**/*", fresh)
         return Page(context.new_page(), url)

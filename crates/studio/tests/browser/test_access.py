@@ -1,6 +1,5 @@
 """Results of axe-core in every tab, dialog and state of the page, in both themes and languages."""
 
-import itertools
 import unittest
 
 from axe_playwright_python.base import AXE_FILE_PATH
@@ -16,10 +15,9 @@ WALK = ROOT / "data" / "recordings" / "made_walk.csv"
 
 class Access(Pages):
     def each(self):
-        """Pages in both themes and languages, with their names."""
-        for theme, tag in itertools.product(["light", "dark"], ["en", "es"]):
+        """Pages in both themes and languages, with their names. Contrasts depend on the theme alone, names on the language alone."""
+        for theme, tag in [("light", "en"), ("dark", "es")]:
             page = self.page(theme=theme)
-            page.page.click("#play")
             if tag == "es":
                 page.does(lambda: page.page.click("#language"))
             page.page.evaluate(AXE_FILE_PATH.read_text())

@@ -14,11 +14,6 @@ MAIN = "id => document.querySelector(`.chart.${id} .line.main`).getAttribute('d'
 
 
 class Class(Pages):
-    def page(self, **more):
-        page = super().page(**more)
-        page.page.click("#play")
-        return page
-
     def table(self, page, diagram):
         """Table of the large diagram: value by degree."""
         if not page.page.locator(f".chart.{diagram}.large").count():

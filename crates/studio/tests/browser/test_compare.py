@@ -6,11 +6,6 @@ from studio import Pages
 
 
 class Compare(Pages):
-    def page(self, **more):
-        page = super().page(**more)
-        page.page.click("#play")
-        return page
-
     def pinned(self, page):
         page.page.click("#pin")
         page.sets("limits.stroke", "40 mm")

@@ -12,11 +12,6 @@ RUNNING = next((f for f in SHARED if f.is_dir()), SHARED[0]) / "opensim" / "grf_
 
 
 class Direct(Pages):
-    def page(self, **more):
-        page = super().page(**more)
-        page.page.click("#play")
-        return page
-
     def drags(self, page, selector, dx, dy):
         """Drags the middle of an element with the mouse."""
         box = page.page.locator(selector).first.bounding_box()

@@ -23,7 +23,6 @@ SIDEWAYS = "document.documentElement.scrollWidth - innerWidth"
 class Layout(Pages):
     def page(self, tag="en", **more):
         page = super().page(**more)
-        page.page.click("#play")
         if tag == "es":
             page.does(lambda: page.page.click("#language"))
         return page

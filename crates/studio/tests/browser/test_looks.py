@@ -28,7 +28,6 @@ CUT_OFF = """() => {
 class Looks(Pages):
     def page(self, tag="en", **more):
         page = super().page(**more)
-        page.page.click("#play")
         if tag == "es":
             page.does(lambda: page.page.click("#language"))
         return page

@@ -209,7 +209,6 @@ class Programme(Pages):
         """Model: a changed angle affects its row and the row with the remaining angle, and no other angle."""
         page = self.programme()
         page.page.set_viewport_size({"width": 1000, "height": 500})
-        page.page.click("#play")
         page.does(lambda: page.page.click('[data-template="double-dwell"]'))
         rng = random.Random(SEED)
         number = lambda text: float(re.sub(r"[^\d.-]", "", text) or 0)

@@ -25,7 +25,7 @@ def data(response):
 class Sharing(Pages):
     def fresh(self, address=""):
         """Page in another browser."""
-        context = self.browser.chromium.new_context(viewport={"width": 1400, "height": 900}, accept_downloads=True)
+        context = self.browser.context(viewport={"width": 1400, "height": 900})
         self.addCleanup(context.close)
         page = self.browser.page(None, context=context)
         page.answers = []
@@ -35,7 +35,6 @@ class Sharing(Pages):
         page.until("it is at rest", lambda: page.page.get_attribute("#design", "aria-busy") == "false")
         if page.page.is_visible("#welcome-close"):
             page.page.click("#welcome-close")
-        page.page.evaluate("document.querySelector('#play').click()")
         return page
 
     def take(self, page, file):
@@ -183,7 +182,7 @@ class Sharing(Pages):
             page.page.click("#share-page")
         self.assertEqual(waiting.value.suggested_filename, "long_walk.html")
         path = waiting.value.path()
-        one = self.browser.chromium.new_context().new_page()
+        one = self.browser.context().new_page()
         self.addCleanup(one.close)
         one.goto(f"file://{path}")
         opened = Page(one)

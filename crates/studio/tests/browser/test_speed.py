@@ -83,7 +83,6 @@ class Speed(Pages):
     def test_hand_to_picture_over_the_scenes(self):
         """Drags a slider for a second in each scene, with an event in every frame."""
         page = self.page()
-        page.page.click("#play")
         page.page.click("#open-scenes")
         names = page.page.eval_on_selector_all("[data-scene]", "all => all.map((e) => e.dataset.scene)")
         page.page.keyboard.press("Escape")
@@ -115,7 +114,7 @@ class Speed(Pages):
         self.assertEqual(page.said, [])
 
     def test_an_animation_has_a_picture_in_every_frame(self):
-        page = self.page()
+        page = self.page(turns=True)
         stretch = slowness(page)
         page.page.wait_for_timeout(500)
         frames = """async () => {

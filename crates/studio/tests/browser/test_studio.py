@@ -18,7 +18,7 @@ class Studio(Pages):
         self.assertEqual(page.said, [])
 
     def test_every_scene_opens_and_turns_without_a_word_in_the_console(self):
-        page = self.page()
+        page = self.page(turns=True)
         page.page.click("#open-scenes")
         names = page.page.eval_on_selector_all("[data-scene]", "all => all.map(e => e.dataset.scene)")
         page.page.keyboard.press("Escape")
@@ -83,7 +83,6 @@ class Studio(Pages):
 
     def test_the_contour_is_coloured_by_each_quantity(self):
         page = self.page()
-        page.page.click("#play")
         page.page.click(".menu summary")
         ends = {}
         for colour in ["curvature", "force", "hertz", "pressure_angle"]:

@@ -19,11 +19,6 @@ RELEASE = "selector => document.querySelector(selector).dispatchEvent(new Event(
 
 
 class Values(Pages):
-    def page(self, **more):
-        page = super().page(**more)
-        page.page.click("#play")
-        return page
-
     def number(self, text):
         return float(re.match(r"[\d.,]+", text).group(0).replace(",", "."))
 
@@ -93,7 +88,7 @@ class Values(Pages):
 
     def test_the_page_begins_in_the_language_of_the_browser(self):
         for locale, tag in (("es-ES", "es"), ("es-MX", "es"), ("en-GB", "en"), ("fr-FR", "en")):
-            context = self.browser.chromium.new_context(locale=locale)
+            context = self.browser.context(locale=locale)
             self.addCleanup(context.close)
             page = self.browser.page(self.server.url, context=context)
             self.assertEqual(page.page.get_attribute("html", "lang"), tag, locale)
@@ -215,10 +210,9 @@ class Values(Pages):
         self.assertEqual(page.said, [])
 
     def test_a_finger_scrolls_over_a_slider_and_sets_it_only_along_it(self):
-        context = self.browser.chromium.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+        context = self.browser.context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
         page = self.browser.page(self.server.url, context=context)
         self.addCleanup(context.close)
-        page.page.tap("#play")
         slider = page.page.locator(STROKE)
         middle = lambda: slider.evaluate("e => e.scrollIntoView({block: 'center'})")
         middle()
