@@ -201,7 +201,7 @@ class Design:
         solid: bool = False,
         tool: float | str | None = None,
         wire: float | str | None = None,
-        dxf: Literal["arcs", "splines"] = "arcs",
+        dxf: Literal["arcs", "splines", "lines"] = "arcs",
         cut_only: bool = False,
         lang: _Language = "en",
     ) -> PathLike[str]: ...
@@ -213,7 +213,7 @@ class Design:
         solid: bool = False,
         tool: float | str | None = None,
         wire: float | str | None = None,
-        dxf: Literal["arcs", "splines"] = "arcs",
+        dxf: Literal["arcs", "splines", "lines"] = "arcs",
         cut_only: bool = False,
         lang: _Language = "en",
     ) -> dict[str, bytes]: ...

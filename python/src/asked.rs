@@ -64,13 +64,15 @@ pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     Err(argument(py, "points", what))
 }
 
-/// Kind of the curves in profile.dxf: "arcs" or "splines".
+/// Kind of the curves in profile.dxf: "arcs", "splines" or "lines".
 fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     match word {
         "arcs" => Ok(Curves::Arcs),
         "splines" => Ok(Curves::Splines),
+        "lines" => Ok(Curves::Lines),
         _ => {
-            let what = format!("{word:?} is no kind of edge; give \"arcs\" or \"splines\"");
+            let what =
+                format!("{word:?} is no kind of edge; give \"arcs\", \"splines\" or \"lines\"");
             Err(argument(py, "dxf", what))
         }
     }

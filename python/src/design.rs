@@ -228,7 +228,7 @@ impl Design {
     /// wire : float (m) or str ("0.14 mm"), optional
     ///     Radius of a cutting wire, spark gap included. Its path is also written.
     /// dxf : str
-    ///     Curves of profile.dxf: "arcs" (R12) or "splines" (R2000).
+    ///     Curves of profile.dxf: "arcs" (R12), "splines" (R2000) or "lines" (R12, chords within 0.002 mm).
     /// cut_only : bool
     ///     Write only the cut layers in profile.dxf.
     /// lang : str

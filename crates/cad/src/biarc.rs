@@ -28,6 +28,38 @@ pub struct Arcs {
     pub deviation: f64,
 }
 
+impl Arcs {
+    /// Vertices of chords with at most this distance from the arcs, m; their bulges are 0.
+    pub fn chords(&self, distance: f64) -> Vec<[f64; 3]> {
+        let count = self.vertices.len();
+        let mut out = Vec::with_capacity(count);
+        for (i, &[x, y, bulge]) in self.vertices.iter().enumerate() {
+            out.push([x, y, 0.0]);
+            let [u, v, _] = self.vertices[(i + 1) % count];
+            let half = 2.0 * bulge.atan();
+            if half == 0.0 {
+                continue;
+            }
+            // The height of an arc of angle 2h on radius r is r(1 − cos h).
+            let chord = [u - x, v - y];
+            let radius = 0.5 * chord[0].hypot(chord[1]) / half.sin().abs();
+            let widest = (1.0 - distance / radius).clamp(-1.0, 1.0).acos();
+            let parts = (half.abs() / widest).ceil().max(1.0);
+            for k in 1..parts as usize {
+                // Seen from the start, the point at the fraction f of the arc is at a distance of sin(f h)/sin(h) chords, turned by (f − 1) h.
+                let along = k as f64 / parts * half;
+                let (long, (sin, cos)) = (along.sin() / half.sin(), (along - half).sin_cos());
+                out.push([
+                    x + long * (cos * chord[0] - sin * chord[1]),
+                    y + long * (sin * chord[0] + cos * chord[1]),
+                    0.0,
+                ]);
+            }
+        }
+        out
+    }
+}
+
 /// Biarc: start, joint, end, and both bulges.
 struct Biarc {
     points: [[f64; 2]; 3],

@@ -60,6 +60,8 @@ pub enum Curves {
     Arcs,
     /// Cubic B-splines, C² like the profile, for CAD.
     Splines,
+    /// Polylines of chords within [`CHORDS`], for readers that ignore arcs in polylines.
+    Lines,
 }
 
 /// Options of the drawing.
@@ -80,11 +82,14 @@ pub struct Options {
 /// Maximum distance between the default drawing and the profile, m: a hundredth of the grinding error.
 pub const FAITHFUL: f64 = 1e-7;
 
+/// Maximum distance between the chords of a drawing of lines and the profile, m.
+pub const CHORDS: f64 = 2e-6;
+
 /// Maximum distance between splines and edges at the compared points, m. Between these points it is at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] (R12) or as splines (R2000), and the bore of the scene. If neither is possible,
-/// the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch curve.
+/// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] or chords within [`CHORDS`] (R12), or as splines (R2000), and the bore of the
+/// scene. If the asked kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch curve.
 pub fn profile(
     synthesis: &Design,
     points: usize,
@@ -102,6 +107,7 @@ pub fn profile(
     let drawn = match curves {
         Curves::Arcs => arcs(synthesis, FAITHFUL, options).map(|drawn| drawn.bytes),
         Curves::Splines => splines(synthesis, options),
+        Curves::Lines => lines(synthesis, options),
     };
     drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
@@ -159,6 +165,18 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
         arcs,
         deviation,
     })
+}
+
+/// As [`drawing`], with the edges as chords within [`CHORDS`] of the exact edges. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
+fn lines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
+    let mut sheet = Sheet::new(options);
+    for edge in Edge::all(synthesis) {
+        let fit = biarc::along(&edge, FAITHFUL)?;
+        let vertices = millimetres(&fit.chords(CHORDS - FAITHFUL));
+        sheet.polyline(edge.layer, &vertices, fit.closed);
+    }
+    sheet.construction(synthesis);
+    Some(sheet.drawing.bytes())
 }
 
 /// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in the dialect R2000. `None` if splines cannot

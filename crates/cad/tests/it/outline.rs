@@ -185,7 +185,7 @@ fn a_round_cam_is_arcs_of_one_radius_and_an_undercut_one_is_refused() {
 
 #[test]
 fn a_drawing_in_inches_is_the_one_in_millimetres_over_25_4() {
-    for curves in [Curves::Arcs, Curves::Splines] {
+    for curves in [Curves::Arcs, Curves::Splines, Curves::Lines] {
         let drawn = |units| {
             let bytes = gaitcam_cad::dxf::profile(&footbridge(), 360, Content::All, curves, units);
             (crate::drawing::groups(&bytes), bytes)
@@ -207,5 +207,39 @@ fn a_drawing_in_inches_is_the_one_in_millimetres_over_25_4() {
                 assert_eq!(a, b);
             }
         }
+    }
+}
+
+#[test]
+fn lines_have_no_bulge_and_stay_within_their_distance() {
+    for design in [heel_tester(), footbridge()] {
+        let outline = |curves| {
+            let bytes = gaitcam_cad::dxf::profile(
+                &design,
+                360,
+                Content::CutOnly,
+                curves,
+                Units::Millimetres,
+            );
+            read(&bytes).outline("CUT_PROFILE")
+        };
+        let ((arcs, _), (lines, closed)) = (outline(Curves::Arcs), outline(Curves::Lines));
+        assert!(closed && lines.iter().all(|v| v[2] == 0.0));
+        assert!(lines.len() < 1000, "{}", lines.len());
+        let distance = |p: [f64; 2]| {
+            let sides = lines.iter().zip(lines.iter().cycle().skip(1));
+            let each = sides.map(|(a, b)| {
+                let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+                let square = along[0] * along[0] + along[1] * along[1];
+                let part = ((along[0] * from[0] + along[1] * from[1]) / square).clamp(0.0, 1.0);
+                (from[0] - part * along[0]).hypot(from[1] - part * along[1])
+            });
+            each.fold(f64::INFINITY, f64::min)
+        };
+        let worst = walk(&arcs, 20)
+            .into_iter()
+            .map(distance)
+            .fold(0.0, f64::max);
+        assert!(worst < 0.002 && worst > 0.001, "{worst} mm");
     }
 }

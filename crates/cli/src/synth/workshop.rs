@@ -22,7 +22,7 @@ pub struct WorkshopArgs {
     /// Omit reference lines from DXF drawings: circles, marks, pitch curve (layers REF_*)
     #[arg(long)]
     pub cut_only: bool,
-    /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
+    /// Draw the edges of profile.dxf as arcs (R12), as splines (R2000), or as lines within 0.002 mm (R12)
     #[arg(long, value_name = "CURVES", value_enum, default_value_t = Dxf::Arcs)]
     pub dxf: Dxf,
     /// Also write an electronic cam: program text or table of points for a motion controller
@@ -48,6 +48,7 @@ pub enum Dxf {
     #[default]
     Arcs,
     Splines,
+    Lines,
 }
 
 /// Units of files for the workshop.
@@ -91,6 +92,7 @@ impl WorkshopArgs {
         match self.dxf {
             Dxf::Arcs => Curves::Arcs,
             Dxf::Splines => Curves::Splines,
+            Dxf::Lines => Curves::Lines,
         }
     }
 
