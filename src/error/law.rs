@@ -110,6 +110,8 @@ pub enum LawError {
         nearest: Option<String>,
         catalogue: Vec<String>,
     },
+    /// The motion is a type of VDI 2143 for which the catalogue has several laws or none.
+    MotionType { motion: String, laws: Vec<String> },
     /// A table or spline has no numbers.
     MotionNeedsPoints { motion: String },
     /// The motion is in a file, which the caller has to read.

@@ -161,7 +161,7 @@ impl Rise {
         }
     }
 
-    /// The motion with a name of the catalogue, in English or Spanish, or `dwell`. Parameters may follow the name: `scca 0.25 0.25 0.5` (b, c, d),
+    /// The motion with a name of the catalogue, in English or Spanish, or `dwell`; `R` and `G` are rest and constant velocity in VDI 2143. Parameters may follow the name: `scca 0.25 0.25 0.5` (b, c, d),
     /// `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at both ends).
     ///
     /// # Errors
@@ -177,6 +177,7 @@ impl Rise {
             .split(|c: char| c.is_whitespace() || c == ',')
             .filter(|w| !w.is_empty());
         let word = words.next().unwrap_or("").to_lowercase().replace('_', "-");
+        let word = of_vdi(&word).map_or(word, str::to_string);
         let names = names();
         if word != "table" && !names.contains(&word.as_str()) {
             return match called_in_spanish(text, &names) {
@@ -288,8 +289,39 @@ fn names() -> Vec<&'static str> {
     catalogue.chain(["dwell"]).collect()
 }
 
+/// Law of a section that VDI 2143 names by one letter: rest, constant velocity.
+fn of_vdi(word: &str) -> Option<&'static str> {
+    match word {
+        "r" => Some("dwell"),
+        "g" => Some("constant-velocity"),
+        _ => None,
+    }
+}
+
+/// Names of the laws between the two ends that a word such as `R-U` names after VDI 2143; `None` for other words.
+fn between_ends(word: &str) -> Option<Vec<String>> {
+    let letters: Vec<String> = (word.chars().filter(|c| !"-–_ ".contains(*c)))
+        .map(|c| c.to_uppercase().to_string())
+        .collect();
+    let [start, end] = &letters[..] else {
+        return None;
+    };
+    if !letters.iter().all(|l| "RGUB".contains(l.as_str())) {
+        return None;
+    }
+    let fits = |rise: &Rise| {
+        rise.ends()
+            .is_ok_and(|ends| [ends.start.vdi(), ends.end.vdi()] == [start, end])
+    };
+    let laws = CATALOGUE.iter().filter(|row| fits(&row.1));
+    Some(laws.map(|row| row.0.to_string()).collect())
+}
+
 fn unknown(word: &str) -> LawError {
     let motion = word.to_string();
+    if let Some(laws) = between_ends(word) {
+        return LawError::MotionType { motion, laws };
+    }
     if word == "table" {
         return LawError::MotionNeedsPoints { motion };
     }

@@ -107,9 +107,26 @@ impl End {
 
     /// Kind of neighbour at this end for which v and a are continuous.
     pub fn joins(&self) -> &'static str {
+        End::JOINS[self.kind()]
+    }
+
+    /// Letter of the end in VDI 2143: R rest, U reversal, G constant velocity, B motion.
+    ///
+    /// ```
+    /// use gaitcam::law::Rise;
+    ///
+    /// let ends = Rise::SemicycloidalStart.ends()?;
+    /// assert_eq!([ends.start.vdi(), ends.end.vdi()], ["R", "G"]);
+    /// # Ok::<(), gaitcam::error::Error>(())
+    /// ```
+    pub fn vdi(&self) -> &'static str {
+        ["R", "U", "G", "B"][self.kind()]
+    }
+
+    fn kind(&self) -> usize {
         let moves = usize::from(self.at.v.abs() > REST);
         let accelerates = usize::from(self.at.a.abs() > REST);
-        End::JOINS[2 * moves + accelerates]
+        2 * moves + accelerates
     }
 
     /// Name of [`End::joins`], the neighbours that fit this end, in a language.

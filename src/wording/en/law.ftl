@@ -57,6 +57,11 @@ law-unknown-motion = unknown motion `{ $motion }`
         [none] the catalogue contains { $catalogue }
        *[other] did you mean `{ $nearest }`?
     }
+law-motion-type = `{ $motion }` is a type of motion of VDI 2143, not a law
+    .help = { $laws ->
+        [none] no law of the catalogue has these ends; use polynomial-5 or polynomial-7, which join any neighbours
+       *[other] laws with these ends: { $laws }
+    }
 law-motion-needs-points = the motion `{ $motion }` needs points
     .help = write pairs x s as fractions of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the name of a CSV file, motion = "table lift.csv"
 law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here

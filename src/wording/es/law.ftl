@@ -57,6 +57,11 @@ law-unknown-motion = movimiento desconocido `{ $motion }`
         [none] el catálogo contiene { $catalogue }
        *[other] ¿quiso decir `{ $nearest }`?
     }
+law-motion-type = `{ $motion }` es un tipo de movimiento de VDI 2143, no una ley
+    .help = { $laws ->
+        [none] ninguna ley del catálogo tiene estos extremos; use polynomial-5 o polynomial-7, que se unen a cualquier vecino
+       *[other] leyes con estos extremos: { $laws }
+    }
 law-motion-needs-points = el movimiento `{ $motion }` necesita puntos
     .help = escriba parejas x s como fracciones del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o el nombre de un archivo CSV, motion = "table lift.csv"
 law-motion-file = el movimiento `{ $motion }` nombra el archivo { $file }, que aquí no se puede leer

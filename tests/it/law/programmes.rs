@@ -215,6 +215,17 @@ fn jumps_between_segments_are_refused_with_their_cure() {
 
 #[test]
 fn unknown_motions_and_parameters_are_refused_by_name() {
+    // VDI 2143 names rest and constant velocity by a letter, and a type of motion by its two ends.
+    assert_eq!(Rise::from_name("R").unwrap(), Rise::Dwell);
+    assert_eq!(Rise::from_name("G").unwrap(), Rise::ConstantVelocity);
+    let between = |text: &str| match Rise::from_name(text).unwrap_err().fault() {
+        Some(LawError::MotionType { laws, .. }) => laws.join(" "),
+        other => panic!("{text}: {other:?}"),
+    };
+    assert_eq!(between("R-G"), "semicycloidal-start");
+    assert_eq!(between("R-U"), "double-harmonic");
+    assert!(between("RR").contains("cycloidal modified-trapezoid modified-sine"));
+    assert_eq!(between("B-B"), "");
     let typo = Rise::from_name("cyclodal").unwrap_err();
     assert!(
         matches!(typo.fault(), Some(LawError::UnknownMotion { nearest: Some(name), .. })

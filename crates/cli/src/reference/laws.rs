@@ -65,7 +65,7 @@ fn object((rise, f, ends): &Row) -> Value {
         "name": rise.name(), "formula": rise.formula(),
         "cv": finite(f.cv), "ca": finite(f.ca), "cj": finite(f.cj), "ct": finite(f.ct),
         "v": [finite(f.v.0), finite(f.v.1)], "a": [finite(f.a.0), finite(f.a.1)], "j": [finite(f.j.0), finite(f.j.1)],
-        "joins": [ends.start.joins(), ends.end.joins()],
+        "joins": [ends.start.joins(), ends.end.joins()], "vdi": [ends.start.vdi(), ends.end.vdi()],
         "continuity_with_dwell": [ends.start.continuity_with_dwell(), ends.end.continuity_with_dwell()],
     })
 }
@@ -81,7 +81,7 @@ fn text(rows: &[Row]) -> String {
             vec![words::text("laws-law")],
             second(String::new()),
             factors.to_vec(),
-            vec![words::text("laws-joins")],
+            vec!["VDI".to_string(), words::text("laws-joins")],
         ]
         .concat(),
     ];
@@ -90,11 +90,14 @@ fn text(rows: &[Row]) -> String {
             vec![rise.name().to_string()],
             second(called(rise)),
             [f.cv, f.ca, f.cj, f.ct].map(words::number).to_vec(),
-            vec![joined(ends)],
+            vec![
+                format!("{}-{}", ends.start.vdi(), ends.end.vdi()),
+                joined(ends),
+            ],
         ]
         .concat()
     }));
     let names = vec![Side::Left; if differs { 2 } else { 1 }];
-    let sides = [names, vec![Side::Right; 4], vec![Side::Left]].concat();
+    let sides = [names, vec![Side::Right; 4], vec![Side::Left; 2]].concat();
     format!("{}\n{}", words::text("laws-head"), table(&lines, &sides))
 }

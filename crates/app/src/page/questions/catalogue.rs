@@ -8,7 +8,7 @@ use crate::page::questions::variation::is_traded;
 use crate::page::sources::Files;
 use crate::page::{table, words};
 use gaitcam::error::Result;
-use gaitcam::law::{End, Rise};
+use gaitcam::law::Rise;
 use gaitcam::scene::{self, EXAMPLE_RECORDING, SCENES, built_in, keys};
 use gaitcam::synth::{Design, FIGURES, synthesise};
 use gaitcam::wording::{Language, people, scene_doc};
@@ -122,13 +122,6 @@ pub fn laws() -> Result<Value> {
     Ok(json!({"laws": all?, "dwell": {"en": title(Language::En), "es": title(Language::Es)}}))
 }
 
-/// Letter of VDI 2143 for an end: rest, reversal, constant velocity, motion.
-fn vdi(end: &End) -> Option<&'static str> {
-    let letters = ["R", "U", "G", "B"];
-    let at = End::JOINS.iter().position(|join| *join == end.joins())?;
-    letters.get(at).copied()
-}
-
 fn law(rise: &Rise) -> Result<Value> {
     let (law, factors, ends) = (rise.law()?, rise.factors()?, rise.ends()?);
     let (start, length) = law.extent();
@@ -148,7 +141,7 @@ fn law(rise: &Rise) -> Result<Value> {
         "title": {"en": title(Language::En), "es": title(Language::Es)},
         "advice": {"en": laws_report::advice(rise, Language::En), "es": laws_report::advice(rise, Language::Es)},
         "cv": finite(factors.cv), "ca": finite(factors.ca), "cj": finite(factors.cj), "ct": finite(factors.ct),
-        "vdi": [vdi(&ends.start), vdi(&ends.end)],
+        "vdi": [ends.start.vdi(), ends.end.vdi()],
         "joins": {"en": joins(Language::En), "es": joins(Language::Es)},
         "s": s, "v": v, "a": a, "j": j,
     }))
