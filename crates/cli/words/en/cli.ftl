@@ -334,6 +334,8 @@ against-reason = largest component of the error
 
 # compare.
 compare-diagrams = Diagrams in { $folder }
+compare-title = Comparison of { $name }
+compare-figures = Figures
 compare-verdict = verdict
 compare-outcome = outcome
 compare-law = law

@@ -334,6 +334,8 @@ against-reason = mayor componente del error
 
 # compare.
 compare-diagrams = Diagramas en { $folder }
+compare-title = Comparación de { $name }
+compare-figures = Valores
 compare-verdict = veredicto
 compare-outcome = resultado
 compare-law = ley

@@ -17,7 +17,11 @@ use gaitcam::error::Result;
 use gaitcam_app::folder::Folder;
 use gaitcam_output::Picture;
 use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
+use gaitcam_output::sweep_report::{self, Page};
 use read::Design;
+
+/// Name of the files of a picture, its heading, and the picture.
+type Drawn = (&'static str, String, Picture);
 
 const EXAMPLES: &str = "Examples:
   gaitcam compare out/footbridge out/heel
@@ -54,10 +58,12 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         }
     }
     let folder = Folder::open(&args.out)?;
-    for (name, picture) in pictures(&designs) {
-        folder.write_picture(name, &picture)?;
+    let drawn = pictures(&designs);
+    for (name, _, picture) in &drawn {
+        folder.write_picture(name, picture)?;
     }
     folder.write("compare.md", table::markdown(&designs).as_bytes())?;
+    folder.write("compare.html", page(&designs, &drawn).as_bytes())?;
     if args.json {
         let list: Vec<Value> = designs
             .iter()
@@ -74,7 +80,23 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
     Ok(if any { NO_SUCH_CAM } else { BUILT })
 }
 
-fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
+/// Page with the table and the diagrams.
+fn page(designs: &[Design], drawn: &[Drawn]) -> String {
+    let names: Vec<&str> = designs.iter().map(|d| d.name.as_str()).collect();
+    let title = words::fill("compare-title", &json!({"name": names.join(", ")}));
+    let page = Page {
+        title,
+        pictures: drawn
+            .iter()
+            .map(|(_, heading, picture)| (heading.as_str(), picture))
+            .collect(),
+        tables: vec![(words::text("compare-figures"), table::table(designs))],
+        ..Page::default()
+    };
+    sweep_report::html(&page, language::current())
+}
+
+fn pictures(designs: &[Design]) -> [Drawn; 3] {
     let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
     let across = match designs.iter().filter(|d| d.slides()).count() {
         0 => "compare-over-angle",
@@ -97,14 +119,17 @@ fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
     [
         (
             "compare_svaj",
+            heads.clone(),
             diagrams_over(&across, &heads, &lifts, &names, &laws, language),
         ),
         (
             "compare_profiles",
+            profile.clone(),
             profiles(&profile, &scale, &names, &outlines, language),
         ),
         (
             "compare_force",
+            force.clone(),
             diagrams_over(&across, &force, "", &force_names, &[forces], language),
         ),
     ]

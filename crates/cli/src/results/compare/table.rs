@@ -3,9 +3,10 @@
 use serde_json::Value;
 
 use super::read::Design;
-use crate::console::table::{Side, table};
+use crate::console::table::{Side, table as in_columns};
 use crate::console::{language, words};
 use gaitcam::synth::{FIGURES, Figure};
+use gaitcam_output::sweep_report::Table;
 
 /// Content of a cell without a value.
 const NONE: &str = "—";
@@ -49,7 +50,7 @@ const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     ),
 ];
 
-/// Headings with one cell per design.
+/// Headings with one cell per design. Quantities that no design has are left out.
 pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     let language = language::current();
     let words = WORDS.iter().map(|(heading, cell)| {
@@ -63,7 +64,8 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
         };
         (figure.label(language), designs.iter().map(cell).collect())
     });
-    words.chain(figures).collect()
+    let is_known = |row: &(String, Vec<String>)| row.1.iter().any(|cell| cell != NONE);
+    words.chain(figures).filter(is_known).collect()
 }
 
 /// Value of a quantity in summary.json. A force has a value only with a target force.
@@ -104,22 +106,29 @@ fn number(value: &Value) -> Option<f64> {
     }
 }
 
+/// Table with one column per design.
+pub fn table(designs: &[Design]) -> Table {
+    let names = designs.iter().map(|d| d.name.clone());
+    let row = |(heading, cells): (String, Vec<String>)| [vec![heading], cells].concat();
+    Table {
+        head: std::iter::once(String::new()).chain(names).collect(),
+        rows: rows(designs).into_iter().map(row).collect(),
+    }
+}
+
 /// Table as Markdown, for compare.md.
 pub fn markdown(designs: &[Design]) -> String {
-    let names: Vec<&str> = designs.iter().map(|d| d.name.as_str()).collect();
-    let mut out = format!("| | {} |\n", names.join(" | "));
-    out.push_str(&format!("|---{}|\n", "|---".repeat(names.len())));
-    for (heading, cells) in rows(designs) {
-        out.push_str(&format!("| {heading} | {} |\n", cells.join(" | ")));
+    let Table { head, rows } = table(designs);
+    let mut out = format!("| {} |\n{}|\n", head.join(" | "), "|---".repeat(head.len()));
+    for cells in rows {
+        out.push_str(&format!("| {} |\n", cells.join(" | ")));
     }
     out
 }
 
 /// Table in columns, for the console.
 pub fn text(designs: &[Design]) -> String {
-    let names = designs.iter().map(|d| d.name.clone());
-    let mut lines = vec![std::iter::once(String::new()).chain(names).collect()];
-    let row = |(heading, cells): (String, Vec<String>)| [vec![heading], cells].concat();
-    lines.extend(rows(designs).into_iter().map(row));
-    table(&lines, &[Side::Left, Side::Right])
+    let Table { head, rows } = table(designs);
+    let lines: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();
+    in_columns(&lines, &[Side::Left, Side::Right])
 }

@@ -179,6 +179,8 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
         text.contains("minimum convex radius") && text.contains("11.26 mm"),
         "{text}"
     );
+    let page = std::fs::read_to_string(out.join("compare.html")).unwrap();
+    assert!(page.contains("11.26 mm") && page.matches("<svg").count() >= 3);
     for name in ["compare_svaj", "compare_force", "compare_profiles"] {
         assert!(
             out.join(format!("{name}.svg")).exists() && out.join(format!("{name}.png")).exists()
