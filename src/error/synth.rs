@@ -63,6 +63,8 @@ pub enum SynthError {
     SpeedNotAdjustable,
     /// The setting is not supported for several walkers.
     NotOfPopulation,
+    /// A design for several walkers includes neither motor nor floor.
+    MachineOfPopulation,
     /// Several cams are requested for one walker.
     OneWalker,
     /// The solver failed with this error.

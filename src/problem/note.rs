@@ -60,6 +60,8 @@ pub enum Note {
     },
     /// A default bound of the verdict is switched off.
     NotJudged { key: &'static str },
+    /// Weights of the walkers on the floor are given; the first walker is the machine.
+    FirstWalker { weight: String, key: &'static str },
     /// The phase of minimum force error was selected.
     Phase { phase: Quantity },
     /// The automatic size of the law is limited by the noise of the recording.

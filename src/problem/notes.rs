@@ -26,6 +26,13 @@ impl Problem {
         let off = self.limits.unjudged.keys().into_iter();
         let off = off.filter(has_default);
         out.extend(off.map(|key| Note::NotJudged { key }));
+        let weights = &self.machine.walkers.weights;
+        if let Some(first) = weights.first().filter(|_| self.machine.has_floor()) {
+            out.push(Note::FirstWalker {
+                weight: first.split(',').next().unwrap_or("").trim().to_string(),
+                key: "machine.walkers.weights",
+            });
+        }
         out.extend(self.stretched());
         out.extend(self.rounded_tables());
         if self.drive.kind == DriveKind::MovingAxis {

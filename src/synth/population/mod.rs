@@ -100,6 +100,9 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
         ),
     ];
     match unknown.into_iter().find(|u| u.1 && walkers.each.len() > 1) {
+        Some((key @ ("machine.motor" | "machine.floor"), _)) => {
+            Err(SynthError::MachineOfPopulation.at_key(key))
+        }
         Some((key, _)) => Err(SynthError::NotOfPopulation.at_key(key)),
         None => Ok(()),
     }

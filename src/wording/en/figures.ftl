@@ -33,3 +33,7 @@ figure-power-max-w = maximum power
 figure-power-mean-w = mean power
 figure-liftoff-speed-rad-per-s = lift-off speed
 figure-hertz-pressure-max-pa = maximum Hertz pressure
+figure-shaft-ripple = speed ripple of the shaft
+figure-floor-acceleration-peak-m-per-s2 = maximum acceleration of the floor
+figure-floor-acceleration-rms-m-per-s2 = RMS acceleration of the floor
+figure-worst-walker-percent = force error of the worst walker

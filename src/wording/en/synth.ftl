@@ -47,6 +47,7 @@ design-largest-stroke = The target force accelerates the mass by at most { $acce
         [true] ; the stroke limit cannot be active
        *[other] {""}
     }.
+design-first-walker = The machine is the first walker ({ $weight }) of { $key }.
 design-phase = The turn of the cam starts at { $phase } of the force cycle, the phase of minimum force error.
 design-out-of-time = The search ended at its time limit. The result is the best one found, and not all relaxations were tried. Allow more time with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording. A larger number would fit its noise. Set accuracy.rms to change this.
@@ -74,6 +75,8 @@ synth-speed-not-adjustable = the force of this drive does not scale with the spe
     .help = remove "speed" from gait.adjust and give drive.speed
 synth-not-of-population = this setting is not available for several walkers
     .help = give one cycle, or omit the setting; law.robust requires the force error as objective and law.family = "spline", "harmonic" or none
+synth-machine-of-population = a cam for several walkers is designed without motor and floor
+    .help = omit this setting here; then simulate the finished cam with it: gaitcam simulate DIR --set KEY=VALUE --speeds START:STOP:COUNT
 synth-one-walker = cams cannot be selected for only one walker
     .help = give a folder, a list or a table of several walkers
 synth-force-not-read = the force curve was not read

@@ -33,3 +33,7 @@ figure-power-max-w = potencia máxima
 figure-power-mean-w = potencia media
 figure-liftoff-speed-rad-per-s = velocidad de pérdida de contacto
 figure-hertz-pressure-max-pa = presión de Hertz máxima
+figure-shaft-ripple = oscilación de la velocidad del eje
+figure-floor-acceleration-peak-m-per-s2 = aceleración máxima del suelo
+figure-floor-acceleration-rms-m-per-s2 = aceleración RMS del suelo
+figure-worst-walker-percent = error de fuerza del peor caminante

@@ -47,6 +47,7 @@ design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acc
         [true] ; el límite de carrera no puede estar activo
        *[other] {""}
     }.
+design-first-walker = La máquina es el primer caminante ({ $weight }) de { $key }.
 design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de error de fuerza mínimo.
 design-out-of-time = La búsqueda terminó en su límite de tiempo. El resultado es el mejor hallado, y no se probaron todas las relajaciones. Permita más tiempo con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro. Un número mayor ajustaría su ruido. Fije accuracy.rms para cambiarlo.
@@ -74,6 +75,8 @@ synth-speed-not-adjustable = la fuerza de este accionamiento no cambia con la ve
     .help = quite "speed" de gait.adjust y dé drive.speed
 synth-not-of-population = este ajuste no está disponible para varios caminantes
     .help = dé un solo ciclo u omita el ajuste; law.robust requiere el error de fuerza como objetivo y law.family = "spline", "harmonic" o ninguna
+synth-machine-of-population = una leva para varios caminantes se diseña sin motor ni suelo
+    .help = omita aquí este ajuste; después simule con él la leva terminada: gaitcam simulate DIR --set CLAVE=VALOR --speeds INICIO:FIN:N
 synth-one-walker = no se pueden elegir levas para un solo caminante
     .help = dé una carpeta, una lista o una tabla de varios caminantes
 synth-force-not-read = no se leyó la curva de fuerza
