@@ -114,6 +114,9 @@ impl Motion<'_> {
             largest_pressure_angle: 0.0,
             face_width: Some(fastest - slowest),
             machine: self.machine(problem, base),
+            shaft_ripple: None,
+            floor: None,
+            worst_walker_percent: None,
         }
     }
 

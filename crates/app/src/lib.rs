@@ -35,5 +35,5 @@ pub use files::Source;
 pub use lock::{Lock, PATIENCE};
 pub use result_folder::ResultFolder;
 pub use scene::Input;
-pub use sweep::{SweepQuestion, Varied};
+pub use sweep::{SweepQuestion, Varied, completed};
 pub use workshop::{Remark, Workshop};

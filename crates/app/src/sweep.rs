@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use gaitcam::error::{Placed, Result, SweepError};
-use gaitcam::scene::{Files, set_value};
+use gaitcam::scene::{self, Files, set_value};
 use gaitcam::sweep::{
     Axis, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Subject, Sweep, Values,
 };
 use serde::{Deserialize, Serialize};
+use toml::Table;
 
 /// Default number of manufactured cams.
 const SAMPLES: u64 = 10_000;
@@ -33,6 +34,26 @@ impl Varied {
                 values: Values::Numbers(values.clone()),
             }),
         }
+    }
+}
+
+/// A scene that lacks keys because they are varied, with their first values; any other scene unchanged.
+pub fn completed(table: Table, varied: &[Varied], is_sampled: bool) -> Table {
+    if scene::read(&table).is_ok() {
+        return table;
+    }
+    let mut whole = table.clone();
+    for varied in varied {
+        let written = varied
+            .axis(is_sampled)
+            .and_then(|axis| axis.begin(&mut whole));
+        if written.is_err() {
+            return table;
+        }
+    }
+    match scene::read(&whole) {
+        Ok(_) => whole,
+        Err(_) => table,
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use toml::Table;
+
 use super::key::{Key, starts_a_number};
 use crate::error::{Placed, Result, SweepError};
 
@@ -58,6 +60,16 @@ pub struct Axis {
     pub key: Key,
     /// Values of the axis.
     pub values: Values,
+}
+
+impl AxisValue {
+    /// Writes the value of a key into a scene.
+    pub(super) fn write(&self, key: &Key, table: &mut Table) -> Result<()> {
+        match self {
+            AxisValue::Number(x) => key.write_number(table, *x),
+            AxisValue::Words(w) => key.write_words(table, w),
+        }
+    }
 }
 
 impl Axis {
@@ -122,6 +134,15 @@ impl Axis {
                 self.between(i as f64, steps as f64)
             }
         }
+    }
+
+    /// Writes the first value into a scene.
+    ///
+    /// # Errors
+    ///
+    /// The scene has a value where the key needs a section.
+    pub fn begin(&self, table: &mut Table) -> Result<()> {
+        self.sampled(0.0).write(&self.key, table)
     }
 
     /// Value at a fraction u ∈ [0, 1) of the axis: between the ends of a range, or an element of a list.

@@ -289,10 +289,10 @@ impl Plan {
             let mut table = scene.table.clone();
             let mut rest = combination;
             for (other, choices) in others.iter().zip(&choices) {
-                write(&other.key, &mut table, &other.value(rest % choices))?;
+                other.value(rest % choices).write(&other.key, &mut table)?;
                 rest /= choices;
             }
-            write(&axis.key, &mut table, value)?;
+            value.write(&axis.key, &mut table)?;
             match scene::read(&table) {
                 Ok(read) => match read.no_effect_of(axis.key.name()) {
                     None => return Ok(()),
@@ -365,13 +365,6 @@ pub(super) fn row_count(rows: u128) -> Result<u64> {
 
 fn parent(key: &str) -> String {
     key.rsplit_once('.').map_or(key, |p| p.0).to_string()
-}
-
-fn write(key: &Key, table: &mut Table, value: &AxisValue) -> Result<()> {
-    match value {
-        AxisValue::Number(x) => key.write_number(table, *x),
-        AxisValue::Words(w) => key.write_words(table, w),
-    }
 }
 
 fn trial_values(axis: &Axis) -> Vec<AxisValue> {

@@ -49,6 +49,12 @@ pub struct Figures {
     pub face_width: Option<f64>,
     /// Requirements on the machine.
     pub machine: MachineReport,
+    /// Relative speed ripple of a shaft with a motor.
+    pub shaft_ripple: Option<f64>,
+    /// Maximum and RMS acceleration of a floor, m/s².
+    pub floor: Option<[f64; 2]>,
+    /// Maximum force error over several walkers, % of the mean force of the walker.
+    pub worst_walker_percent: Option<f64>,
 }
 
 impl Figures {
@@ -73,6 +79,10 @@ impl Figures {
             largest_pressure_angle: high.value.max(-low.value),
             face_width: cam.face_width(),
             machine: design.machine(),
+            shaft_ripple: design.shaft.as_ref().map(|on| on.shaft.ripple),
+            floor: (design.floor.as_ref())
+                .map(|f| [f.acceleration_peak_m_per_s2, f.acceleration_rms_m_per_s2]),
+            worst_walker_percent: design.population.as_ref().map(|p| p.worst_percent),
         }
     }
 }
@@ -221,7 +231,7 @@ impl Figure {
 /// All figures, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
 /// limit; a minimum force at the speed of the machine replaces it.
 #[rustfmt::skip]
-pub static FIGURES: [Figure; 27] = [
+pub static FIGURES: [Figure; 31] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),
     figure("force_rms_error_percent",   "%",     ["force",   "rms_error_percent_of_mean"], |f| f.force.rms_error_percent_of_mean).digits(3),
     figure("force_max_error_n",         "N",     ["force",   "max_error_n"],              |f| f.force.max_error_n).digits(3),
@@ -249,6 +259,10 @@ pub static FIGURES: [Figure; 27] = [
     figure("power_mean_w",              "W",     ["machine", "power_mean_w"],             |f| known(f.machine.power_mean_w)).limited(Limit::PowerMean),
     figure("liftoff_speed_rad_per_s",   "rad/s", ["machine", "liftoff_speed_rad_per_s"],  |f| known(f.machine.liftoff_speed_rad_per_s)).traded("liftoff_speed").measured(Measures::speed),
     figure("hertz_pressure_max_pa",     "Pa",    ["machine", "hertz_pressure_max_pa"],    |f| known(f.machine.hertz_pressure_max_pa)).limited(Limit::HertzPressure).traded("hertz_pressure"),
+    figure("shaft_ripple",              "ratio", ["shaft",   "ripple"],                   |f| known(f.shaft_ripple)).digits(3),
+    figure("floor_acceleration_peak_m_per_s2", "m/s^2", ["floor", "acceleration_peak_m_per_s2"], |f| known(f.floor.map(|ends| ends[0]))).digits(3),
+    figure("floor_acceleration_rms_m_per_s2",  "m/s^2", ["floor", "acceleration_rms_m_per_s2"],  |f| known(f.floor.map(|ends| ends[1]))).digits(3),
+    figure("worst_walker_percent",      "%",     ["population", "worst_percent"],         |f| known(f.worst_walker_percent)).digits(3),
 ];
 
 const fn figure(

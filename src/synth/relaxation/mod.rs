@@ -384,7 +384,10 @@ impl<'a> Relaxing<'a> {
         }
         let free = number.with(self.problem, number.away(from, self.force));
         let design = synthesis::kept(&free, self.search).ok()??;
-        let own = design.checks.iter().find(|c| number.is_measured_by(c.name))?;
+        let own = design
+            .checks
+            .iter()
+            .find(|c| number.is_measured_by(c.name))?;
         Some(number.with_room(own.worst, 0.0))
     }
 

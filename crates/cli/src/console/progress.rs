@@ -1,4 +1,4 @@
-//! Progress line of a long computation. It is shown on a terminal only.
+//! Progress line of a long computation: on a terminal, or as separate lines in a log.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -13,6 +13,9 @@ use crate::console::words;
 
 /// Delay before the progress line appears, and interval between its updates.
 const EVERY: Duration = Duration::from_millis(500);
+
+/// Interval between the lines of a log.
+const EVERY_LOGGED: Duration = Duration::from_secs(10);
 
 /// A thread that updates the progress line until this value is dropped.
 pub struct Watch {
@@ -40,7 +43,7 @@ impl Drop for Watch {
     }
 }
 
-/// Shows a progress line until the returned value is dropped. `line` makes its text from the elapsed time, s.
+/// Shows a progress line on a terminal until the returned value is dropped. `line` makes its text from the elapsed time, s.
 pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     stderr().is_terminal().then(|| {
         Watch::new(move |waits| {
@@ -54,6 +57,16 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
             }
             put(&format!("\r{:width$}\r", ""));
         })
+    })
+}
+
+/// Writes a line to standard error every ten seconds until the returned value is dropped.
+fn logged(line: impl Fn(f64) -> String + Send + 'static) -> Watch {
+    Watch::new(move |waits| {
+        let begun = Instant::now();
+        while waits.recv_timeout(EVERY_LOGGED) == Err(RecvTimeoutError::Timeout) {
+            put(&format!("{}\n", line(begun.elapsed().as_secs_f64())));
+        }
     })
 }
 
@@ -71,20 +84,22 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts a counter with `done` of `total` items finished.
-    pub fn new(what: String, total: u64, done: u64) -> Progress {
+    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written where standard error is no terminal.
+    pub fn new(what: String, total: u64, done: u64, in_log: bool) -> Progress {
         let now = Arc::new(AtomicU64::new(done));
         let counted = now.clone();
+        let text = move |elapsed| {
+            let items = [done, counted.load(Ordering::Relaxed)];
+            line(&what, total, items, elapsed)
+        };
+        let in_log = in_log && !stderr().is_terminal();
         Progress {
             done: now,
-            _watch: shown(move |elapsed| {
-                line(
-                    &what,
-                    total,
-                    [done, counted.load(Ordering::Relaxed)],
-                    elapsed,
-                )
-            }),
+            _watch: if in_log {
+                Some(logged(text))
+            } else {
+                shown(text)
+            },
         }
     }
 

@@ -42,10 +42,16 @@ impl SceneArgs {
 
 /// Reads the scene (or the built-in one) and applies the changes.
 pub fn scene(args: &SceneArgs) -> Result<Input> {
+    completed(args, |table| table)
+}
+
+/// As [`scene`]; `complete` adds keys that other arguments give.
+pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<Input> {
     let (mut table, files, file) = written(args)?;
     for change in &args.set {
         scene::set(&mut table, change).map_err(at_flag("--set"))?;
     }
+    let table = complete(table);
     internal::keep(&table);
     let input = Input::new(table, files, file)?;
     // A folder that cannot be read is refused where its recordings are.

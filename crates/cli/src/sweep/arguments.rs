@@ -14,7 +14,7 @@ use gaitcam::scene;
 use gaitcam::sweep::table::cell_text;
 use gaitcam::sweep::{Axis, Key, NamedScene, Subject, Sweep};
 use gaitcam_app::read::read_bytes;
-use gaitcam_app::{Disk, SweepQuestion, Varied, inputs};
+use gaitcam_app::{Disk, SweepQuestion, Varied, completed, inputs};
 
 /// Number of rows above which confirmation is required.
 const MANY: u64 = 100_000_000;
@@ -44,11 +44,18 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
         // A scene that leaves its recording to the command line is complete with any of them.
         set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
     }
+    let list = args.list.as_deref().map(list).transpose()?;
+    let list = list.unwrap_or_default();
+    let vary: Vec<Varied> = args.vary.iter().cloned().map(Varied::Text).collect();
+    let varied = [&list[..], &vary].concat();
     let (mut scenes, mut files) = (Vec::new(), Vec::new());
     for file in named {
-        let input = input::scene(&SceneArgs {
+        let asked = SceneArgs {
             scene: file.cloned(),
             set: set.clone(),
+        };
+        let input = input::completed(&asked, |table| {
+            completed(table, &varied, args.sample.is_some())
         })?;
         let mut scene = NamedScene::of(input.whole);
         // Shares of a sweep have the names that are the same on every machine.
@@ -58,12 +65,11 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
         scenes.push(scene);
         files.push(input.files);
     }
-    let list = args.list.as_deref().map(list).transpose()?;
     let question = SweepQuestion {
         scenes,
-        list: list.unwrap_or_default(),
+        list,
         recordings: given.files,
-        vary: args.vary.iter().cloned().map(Varied::Text).collect(),
+        vary,
         sample: args.sample,
         method: args.method(),
         seed: args.seed,

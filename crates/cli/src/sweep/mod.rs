@@ -79,6 +79,9 @@ pub struct SweepArgs {
     /// Number of threads (default: one per core)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+    /// Write a line with rate and remaining time every 10 s where standard error is no terminal
+    #[arg(long)]
+    pub progress: bool,
     /// Allow more than 100 million rows
     #[arg(long)]
     pub yes: bool,
@@ -131,6 +134,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         metadata: Vec::new(),
         jobs: work::jobs(args.jobs),
         stop: work::stop_on_ctrl_c(),
+        in_log: args.progress,
     };
     let before = partial.counts().rows;
     let computed = Instant::now();

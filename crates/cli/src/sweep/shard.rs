@@ -47,10 +47,11 @@ pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
         metadata: sweep.metadata(),
         jobs: work::jobs(args.jobs),
         stop: work::stop_on_ctrl_c(),
+        in_log: args.progress,
     };
     let missing = blocks.missing_of(shard.part, shard.parts)?;
     let total = missing.iter().map(|r| r.end - r.start).sum();
-    let progress = Progress::new(words::text("sweep-designs"), total, 0);
+    let progress = Progress::new(words::text("sweep-designs"), total, 0, work.in_log);
     for rows in missing {
         let (records, bytes) = work.block(rows.clone())?;
         if (records.len() as u64) < rows.end - rows.start {

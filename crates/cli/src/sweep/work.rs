@@ -52,6 +52,8 @@ pub struct Work<'a> {
     pub jobs: usize,
     /// Set when the user stops the computation.
     pub stop: Arc<AtomicBool>,
+    /// Whether progress is written where standard error is no terminal.
+    pub in_log: bool,
 }
 
 impl Work<'_> {
@@ -72,7 +74,8 @@ impl Work<'_> {
 
     /// Computes the missing rows of a table, until all are done or the user stops.
     pub fn fill(&self, total: u64, partial: &mut PartialTable) -> Result<()> {
-        let progress = Progress::new(words::text("sweep-designs"), total, partial.counts().rows);
+        let (what, done) = (words::text("sweep-designs"), partial.counts().rows);
+        let progress = Progress::new(what, total, done, self.in_log);
         let begun = Instant::now();
         let mut rows = FIRST_BLOCK;
         while partial.counts().rows < total && !self.is_stopped() {

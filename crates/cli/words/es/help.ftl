@@ -91,7 +91,7 @@ synth-points = Número de filas de law.csv y profile.csv (por defecto 1440), o d
 synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
 synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP, STL, 3MF), libro (XLSX)
 synth-cut_only = Omite en los dibujos DXF las líneas de referencia: círculos, marcas, curva de paso (capas REF_*)
-synth-dxf = Traza los bordes de profile.dxf como arcos (R12) o como splines (R2000)
+synth-dxf = Traza los bordes de profile.dxf como arcos (R12), como splines (R2000) o como segmentos a menos de 0,002 mm (R12)
 synth-ecam = Escribe además una leva electrónica: programa o tabla de puntos para un control de movimiento
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
 synth-pass = Profundidad de pasada de la fresa; cutter.nc contiene entonces Z, husillo y avances
@@ -137,6 +137,7 @@ sweep-shard = Calcula una de N partes iguales, en bloques de filas. --out es la 
 sweep-block_rows = Número de filas de un bloque (por defecto 131072)
 sweep-resume = Continúa un barrido interrumpido
 sweep-jobs = Número de hilos (por defecto, uno por núcleo)
+sweep-progress = Escribe cada 10 s una línea con ritmo y tiempo restante donde la salida de errores no es un terminal
 sweep-yes = Permite más de 100 millones de filas
 sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', 'base_radius=…', 'mass=…', 'speed=…' (se puede repetir)
 sweep-band = Error de fuerza máximo de una leva fabricada, para el rendimiento: '2 %' de la media
