@@ -44,9 +44,9 @@ class Looks(Pages):
                 page.page.screenshot(path=PICTURES / f"{width}-{theme}-{tag}.png", full_page=width < 1000)
                 page.opens("camdas_09_eight_motions")
                 page.page.click("#tab-programme")
-                page.page.wait_for_selector(".motion select option:nth-child(9)", state="attached")
+                page.page.wait_for_selector('[name="law.segment.1.motion"] option:nth-child(9)', state="attached")
                 self.assertEqual(page.page.evaluate(CUT_OFF), [])
-                self.assertLessEqual(page.page.locator(".list .scroll").first.evaluate("e => e.scrollWidth - e.clientWidth"), 0)
+                self.assertLessEqual(page.page.locator("#programme .segments").evaluate("e => e.scrollWidth - e.clientWidth"), 0)
 
     def seen_at_once(self, page, width, height):
         boxes = "all => all.map(e => e.getBoundingClientRect()).map(b => [b.top, b.bottom, b.left, b.right])"
