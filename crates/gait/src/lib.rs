@@ -21,6 +21,7 @@
 mod curve;
 mod cycle;
 pub mod error;
+mod generated_walk;
 mod interpretation;
 mod models;
 mod population;
@@ -37,6 +38,7 @@ pub mod wording;
 pub use curve::{ForceCurve, SAMPLES};
 pub use cycle::{Cycle, JointMean, LeftOut, Trial, cycle, implausible, joint_mean, overlay};
 pub use gaitcam_base::units;
+pub use generated_walk::StepStatistics;
 pub use interpretation::{
     Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, RecordedStride,
     StrideReject, coded,

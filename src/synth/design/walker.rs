@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::Design;
+use crate::ForceCurve;
 use crate::dynamics::RepeatedForce;
-use crate::force::Walk;
+use crate::force::{StepStatistics, Walk};
 
 /// Number of equal angles of the cam's force.
 const SAMPLES: usize = 1024;
@@ -62,12 +63,39 @@ impl Design {
     /// The recorded strides on the scale of the target, N; `None` without a cam that turns once in a stride, or without eight consecutive strides of
     /// one walker.
     pub fn walk(&self) -> Option<Walk> {
+        let walk = self.force_of_one()?.walk.clone()?;
+        Some(walk.scaled(1.0 / self.problem.drive.lever))
+    }
+
+    /// A walk of random steps whose force is the target, N; `None` without a target, without a cam that turns once in a cycle, or for fewer than eight
+    /// strides.
+    ///
+    /// ```
+    /// use gaitcam::force::StepStatistics;
+    /// use gaitcam::scene;
+    ///
+    /// let design = scene::built_in("footbridge")?.scene()?.design()?;
+    /// let walk = design.generated_walk(&StepStatistics::default()).unwrap();
+    /// // The mean step of the default force takes 1/1.85 s.
+    /// assert!((walk.step_frequency_hz() - 1.85).abs() < 1e-9);
+    /// # Ok::<(), gaitcam::error::Error>(())
+    /// ```
+    pub fn generated_walk(&self, statistics: &StepStatistics) -> Option<Walk> {
+        let target = self.force_of_one()?;
+        let drive = &self.problem.drive;
+        let steps = self.problem.steps_per_turn.unwrap_or(2) as f64;
+        let step_s = TAU / drive.speed.abs() / steps;
+        // The cycle of the force begins where the angle of the cam is minus the phase.
+        let force = |phase: f64| drive.newtons(target.at(TAU * phase / steps - self.problem.phase));
+        Walk::generated(step_s, statistics, force)
+    }
+
+    /// The target of one walker, where the cam turns once in its cycle.
+    fn force_of_one(&self) -> Option<&ForceCurve> {
         let law = &self.cam.law;
         let turns = law.is_closed() && law.extent() == (0.0, TAU);
         let is_alone = self.population.is_none() && self.infeasible.is_none();
-        let target = self.target().filter(|_| turns && is_alone)?;
-        let walk = target.walk.clone()?;
-        Some(walk.scaled(1.0 / self.problem.drive.lever))
+        self.target().filter(|_| turns && is_alone)
     }
 
     /// The force of the cam at constant speed, N, at equal angles of a turn.
