@@ -70,6 +70,8 @@ pub enum CliError {
     Arguments { fault: String },
     NegativeBall { typed: String },
     NoWalk,
+    NothingToWalk,
+    VariesTooMuch { most: &'static str },
     StridesMissing { count: usize, recorded: usize },
     FewStrides { strides: usize, needed: usize },
     ClippedWalk,

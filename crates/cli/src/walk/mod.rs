@@ -21,7 +21,8 @@ use gaitcam::dynamics::{
 };
 use gaitcam::error::{Placed, Result};
 use gaitcam::force::{
-    FEWEST_STRIDES, Feet, Interpretation, OpenQuestion, ReadOptions, Walk, force_curve,
+    FEWEST_STRIDES, Feet, Interpretation, OpenQuestion, ReadOptions, StepStatistics, Walk,
+    force_curve,
 };
 use gaitcam::scene::content;
 use gaitcam::synth::Design;
@@ -35,7 +36,15 @@ use gaitcam_output::plots::{Responding, Response, responses};
 const EXAMPLES: &str = "Examples:
   gaitcam walk out/walk walk.mot
   gaitcam walk out/walk walk.mot --out speed.csv --max-acceleration '10 rad/s^2'
+  gaitcam walk footbridge --generate 128 --step-time-cv '2.5 %'
   gaitcam simulate out/walk --speed-programme speed.csv";
+
+/// Maximum number of generated strides.
+const MOST_GENERATED: i64 = 2048;
+/// Maximum coefficient of variation of generated steps, so that no step time is near zero.
+const MOST_VARIED: f64 = 0.15;
+/// Number of strides that an electronic cam repeats in the picture.
+const STRIDES: usize = 16;
 
 /// Which design, and which walk.
 #[derive(Args, Debug)]
@@ -47,6 +56,18 @@ pub struct WalkArgs {
     /// A recording with eight or more consecutive strides (default: that of the design)
     #[arg(value_name = "RECORDING")]
     recording: Option<PathBuf>,
+    /// Generate this number of strides with the statistics of human steps, instead of a recording
+    #[arg(long, value_name = "STRIDES", conflicts_with = "recording", value_parser = clap::value_parser!(u16).range(FEWEST_STRIDES as i64..=MOST_GENERATED))]
+    generate: Option<u16>,
+    /// Coefficient of variation of the generated step times (default "3 %")
+    #[arg(long, value_name = "CV", requires = "generate")]
+    step_time_cv: Option<String>,
+    /// Coefficient of variation of the amplitude of the generated force (default 0)
+    #[arg(long, value_name = "CV", requires = "generate")]
+    amplitude_cv: Option<String>,
+    /// Seed of the generated steps
+    #[arg(long, default_value_t = 1, requires = "generate")]
+    seed: u64,
     /// Write the programme here, with a picture of the response (svg, png) beside it
     #[arg(long, value_name = "SPEED.csv", default_value = "speed.csv")]
     out: PathBuf,
@@ -68,9 +89,10 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
         report(words::fill("walk-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
     }
-    let walk = match &args.recording {
-        Some(path) => recorded(path)?,
-        None => design
+    let walk = match (&args.recording, args.generate) {
+        (Some(path), _) => recorded(path)?,
+        (None, Some(strides)) => generated(args, usize::from(strides), &design)?,
+        (None, None) => design
             .walk()
             .ok_or_else(|| CliError::NoWalk.at_argument("RECORDING"))?,
     };
@@ -83,7 +105,8 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
     };
     let run = design.emitted(&made.running.machine, *drive)?;
     let steps = design.problem.steps_per_turn.unwrap_or(2);
-    let middle = design.walk().map_or(0.5, |own| own.middle());
+    let own = design.walk().filter(|_| args.generate.is_none());
+    let middle = own.map_or(0.5, |own| own.middle());
     let found = Followed::new(&run, &walk, steps, -design.problem.phase, middle, bounds)?;
     let even = steady(&run, &walk, steps)?;
     write_whole(&args.out, table(&found).as_bytes())?;
@@ -93,7 +116,11 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
         print_json(&facts);
         return Ok(BUILT);
     }
-    lines(&walk, &found, &even)
+    let first = match args.generate {
+        Some(_) => "walk-generated",
+        None => "walk-strides",
+    };
+    lines(first, &walk, &found, &even)
         .iter()
         .for_each(|line| print(line));
     let file = args.out.display().to_string();
@@ -119,6 +146,29 @@ fn recorded(path: &Path) -> Result<Walk> {
         let needed = FEWEST_STRIDES;
         CliError::FewStrides { strides, needed }.in_file(path)
     })
+}
+
+/// A walk of random steps with the target of the design.
+fn generated(args: &WalkArgs, strides: usize, design: &Design) -> Result<Walk> {
+    let usual = StepStatistics::default();
+    let share = |flag, text: &Option<String>| {
+        let number = input::quantity(flag, text.as_deref(), Dimension::Percent)?;
+        match number {
+            Some(x) if !(0.0..=MOST_VARIED).contains(&x) => {
+                let most = "15 %";
+                Err(CliError::VariesTooMuch { most }.at_argument(flag))
+            }
+            number => Ok(number),
+        }
+    };
+    let statistics = StepStatistics {
+        strides,
+        step_time_cv: share("--step-time-cv", &args.step_time_cv)?.unwrap_or(usual.step_time_cv),
+        amplitude_cv: share("--amplitude-cv", &args.amplitude_cv)?.unwrap_or(usual.amplitude_cv),
+        seed: args.seed,
+    };
+    let walk = design.generated_walk(&statistics);
+    walk.ok_or_else(|| CliError::NothingToWalk.at_argument("--generate"))
 }
 
 /// The walk with the mean force of the cam, where the cam's mean force is its weight.
@@ -167,12 +217,18 @@ fn picture(
     let count = walk.samples();
     let force = &found.run.force_n[..count];
     let programme = RepeatedForce::new(force, walk.duration_s, walk.strides());
-    let all = [
+    let mut all = vec![
         (Responding::Recorded, RepeatedForce::of(walk)),
         (Responding::Cam, even.0.clone()),
         (Responding::Programme, programme),
     ];
-    let all = all.map(|(of, force)| Response { of, force });
+    if let Some(part) = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES) {
+        all.push((Responding::Strides(STRIDES), RepeatedForce::of(&part)));
+    }
+    let all: Vec<Response> = all
+        .into_iter()
+        .map(|(of, force)| Response { of, force })
+        .collect();
     let picture = responses(&design.problem.name, &all, language::current());
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())
@@ -226,14 +282,19 @@ pub fn dampings(of: &[Misfit]) -> String {
     all.join("  ")
 }
 
-fn lines(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> Vec<String> {
+fn lines(
+    first: &str,
+    walk: &Walk,
+    found: &Followed,
+    even: &(RepeatedForce, [Misfit; 3]),
+) -> Vec<String> {
     let run = &found.run;
     let ([low, high], [least, most]) = (ends(&run.speed), ends(&run.force_n));
     let percent = |x: f64| fixed(100.0 * x, 1);
     let of = walk.variability();
     let mut out = vec![
         words::fill(
-            "walk-strides",
+            first,
             &json!({"strides": of.strides, "duration": number(walk.duration_s), "time": percent(of.step_time_cv),
                 "error": number(1e3 * found.step_error_s)}),
         ),
