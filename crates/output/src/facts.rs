@@ -4,7 +4,7 @@ use crate::words::{self, Words};
 use gaitcam::cam::{Measures, Unit};
 use gaitcam::drive::DriveKind;
 use gaitcam::dynamics::RepeatedForce;
-use gaitcam::synth::{Design, Figure, Figures};
+use gaitcam::synth::{Design, Figure, Figures, OfWalker};
 use gaitcam::wording::{Language, rounded};
 
 /// Damping ratio of the sentence on resonance.
@@ -134,6 +134,28 @@ pub fn resonance(design: &Design, language: Language) -> Option<String> {
         ("needed", &needed),
     ];
     Some(words.fill(key, &arguments))
+}
+
+/// Names of the columns, and rows, of the comparison of the recorded walk with the cam at resonance.
+pub fn at_resonance(walker: &OfWalker, language: Language) -> ([String; 4], Vec<[String; 4]>) {
+    let words = words::words(language);
+    let columns = [
+        "report-resonance-damping",
+        "report-resonance-recorded",
+        "report-resonance-cam",
+        "report-resonance-ratio",
+    ];
+    let rows = walker.resonance.iter().map(|at| {
+        let damping = format!("{} %", words.number(100.0 * at.damping_ratio));
+        let [recorded, cam] = [at.recorded, at.mean_stride].map(|x| words.number(x));
+        let ratio = words.fixed(at.ratio, 2);
+        let ratio = match at.resolved {
+            true => ratio,
+            false => format!("≥ {ratio}"),
+        };
+        [damping, recorded, cam, ratio]
+    });
+    (columns.map(|name| words.text(name)), rows.collect())
 }
 
 /// Formats a force of a design, or a moment on its arm, as a figure.

@@ -68,6 +68,7 @@ impl Engine {
     fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
         match route {
             "simulate" => asked(object, |q| runs::simulate(files, q)),
+            "resonance" => asked(object, |q| runs::resonance(files, q)),
             "identify" => asked(object, |q| runs::identify(files, q)),
             "recording" => asked(object, |q| recording::dropped(files, q)),
             "contacts" => asked(object, |q| recording::contacts(files, q)),

@@ -121,24 +121,11 @@ fn resonance(out: &mut String, synthesis: &Design, words: &Words) {
     paragraph(out, &sentence);
     let picture = resonance_in(synthesis, Layout::figure(430), words);
     figure(out, "resonance", None, &sentence, &picture, words);
-    let columns = [
-        "report-resonance-damping",
-        "report-resonance-recorded",
-        "report-resonance-cam",
-        "report-resonance-ratio",
-    ];
-    let columns = columns.map(|name| words.text(name));
+    let (columns, rows) = facts::at_resonance(&walker, words.language());
     tables::open(out, &columns, 1);
-    for at in &walker.resonance {
-        let damping = format!("{} %", words.number(100.0 * at.damping_ratio));
-        tables::row(out, &damping);
-        let ratio = words.fixed(at.ratio, 2);
-        let ratio = match at.resolved {
-            true => ratio,
-            false => format!("≥ {ratio}"),
-        };
-        let [recorded, cam] = [at.recorded, at.mean_stride].map(|x| words.number(x));
-        tables::cells(out, &[recorded, cam, ratio]);
+    for [damping, cells @ ..] in &rows {
+        tables::row(out, damping);
+        tables::cells(out, cells);
     }
     tables::close(out);
     let (strides, frequency) = (

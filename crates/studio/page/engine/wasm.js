@@ -122,7 +122,7 @@ const long = new Lane(begun("engine"));
 const whole = new Lane(begun("whole"));
 const LANES = {
   relax: long, sensitivity: long, front: long, "scene-picture": long, sweep: long, range: long,
-  export: whole, simulate: whole, identify: whole, recording: whole, contacts: whole,
+  export: whole, simulate: whole, resonance: whole, identify: whole, recording: whole, contacts: whole,
 };
 const lane = (route) => LANES[route] ?? hand;
 

@@ -32,7 +32,7 @@ export function sections(seen) {
   runAtOnce(seen.answer);
   return html`<h2>${t("studio-simulate")}</h2><p class="lead">${t("studio-simulate-lead")}</p>
     <div class="buttons">${button("simulate", t("studio-simulate-do"), run)}</div>${place("motion", motion(found("motion")))}
-    <h2>${t("studio-log")}</h2><p class="lead">${t("studio-log-lead")}</p>
+    ${walking(seen)}<h2>${t("studio-log")}</h2><p class="lead">${t("studio-log-lead")}</p>
     <label class="pick" for="log">${t("studio-log-pick")}</label><input type="file" id="log" accept=".csv,.txt" @change=${identify}>
     ${place("logged", machine(found("logged"), seen.take))}
     <h2>${t("studio-sweep")}</h2><p class="lead">${t("studio-sweep-lead")}</p>${choices(seen)}${place("grid", map(found("grid"), seen))}`;
@@ -54,6 +54,24 @@ function motion(ran) {
   if (ran.why) return html`<p>${ran.why}</p>`;
   return html`<table class="ran"><tbody>${ran.rows.map(([name, value]) => html`<tr><th scope="row">${name}</th><td>${units.text(value)}</td></tr>`)}
     </tbody></table>${picture(ran, "studio-simulate")}`;
+}
+
+// --- resonance ------------------------------------------------------------------------------------------
+
+// The recorded walk beside the cam, for scenes with a recording.
+function walking({ answer: { fields } }) {
+  if (!fields["gait.file"]?.text) return nothing;
+  return html`<h2>${t("studio-resonance")}</h2><p class="lead">${t("studio-resonance-lead")}</p>
+    <div class="buttons">${button("resonance", t("studio-resonance-do"), () => ask("resonance", "walking"))}</div>${place("walking", severity(found("walking")))}`;
+}
+
+function severity(answer) {
+  if (!answer) return nothing;
+  if (!answer.sentence) return html`<p>${t("studio-resonance-none")}</p>`;
+  const { sentence, columns, rows } = answer;
+  return html`<p>${sentence}</p><table class="ran"><thead><tr>${columns.map((name) => html`<th scope="col">${name}</th>`)}</tr></thead>
+    <tbody>${rows.map(([damping, ...cells]) => html`<tr><th scope="row">${damping}</th>${cells.map((cell) => html`<td class="n">${cell}</td>`)}</tr>`)}</tbody></table>
+    ${picture(answer, "studio-resonance")}`;
 }
 
 // --- log ------------------------------------------------------------------------------------------------

@@ -154,6 +154,19 @@ class Recordings(Pages):
         self.assertEqual(page.page.locator("#stage").evaluate("e => getComputedStyle(e).visibility"), "visible")
         self.assertEqual(page.value("name"), "camdas_01_roller")
 
+    def test_a_recorded_walk_is_compared_with_the_cam_at_resonance(self):
+        page = self.begun()
+        page.page.click("#tab-compare")
+        self.assertEqual(page.page.locator("#resonance").count(), 0)
+        page.page.click("#tab-force")
+        self.take(page, ("long.csv", (ROOT / "data/recordings/made_long_walk.csv").read_bytes()))
+        page.page.click("#tab-compare")
+        page.page.click("#resonance")
+        page.page.wait_for_selector("#walking .picture svg")
+        self.assertIn("1.16 times as severe as the recorded walk", page.page.inner_text("#walking"))
+        self.assertEqual(page.page.locator("#walking tbody tr").count(), 3)
+        self.assertEqual(page.said, [])
+
     def test_notices_of_files_go_away(self):
         page = self.begun()
         page.page.evaluate(DROP_LARGE)

@@ -25,7 +25,6 @@ use gaitcam::scene::{Minimise, Scene};
 use gaitcam::synth::{self, Design, FIGURES, Reason, Search};
 use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
-use gaitcam_output::facts;
 use gaitcam_output::report::parts::{self, Checked, Figure, Motion};
 
 /// A scene with changes.
@@ -78,8 +77,6 @@ pub struct Answer {
     motion: Motion,
     /// Names of the design's files, by group.
     exports: Vec<(&'static str, Vec<&'static str>)>,
-    /// The recorded walk and this cam at resonance, with a sentence; null without eight or more recorded strides.
-    walker: Value,
     /// Default radius of the cutter for the path.
     cutter: String,
     curves: Curves,
@@ -123,21 +120,8 @@ pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     };
     let mut answer = answer(&made, ask.colour, words::current());
     answer.quick = is_quick;
-    if !is_quick {
-        answer.walker = walker(&made.design, words::current());
-    }
     answer.server_ms = 1e3 * (files.host.seconds() - start);
     Ok(answer)
-}
-
-/// The recorded walk and the cam at resonance, with a sentence.
-fn walker(design: &Design, language: Language) -> Value {
-    match design.walker() {
-        Some(walker) => {
-            json!({"sentence": facts::resonance(design, language), "resonance": walker.resonance})
-        }
-        None => Value::Null,
-    }
 }
 
 /// Table of the scene with its changes.
@@ -336,7 +320,6 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
         drawing: parts::drawing(design, language),
         motion: parts::motion(design),
         exports: exports(design),
-        walker: Value::Null,
         cutter: format!("{} mm", 1e3 * files::usual_cutter(design)),
         curves,
         names,

@@ -21,7 +21,7 @@ use gaitcam::sweep::{NamedScene, Records};
 use gaitcam::synth::Search;
 use gaitcam::wording::{Language, number};
 use gaitcam_output::report::parts;
-use gaitcam_output::{identification, identified, plots, simulation};
+use gaitcam_output::{facts, identification, identified, plots, simulation};
 
 /// Maximum number of designs in a sweep.
 const MOST: u64 = 900;
@@ -44,6 +44,26 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
         "simulation": simulation::json(&outcome),
         "rows": simulation::rows(&outcome, measures, language),
         "picture": plots::run(design, &outcome, language).svg(),
+    }))
+}
+
+/// The recorded walk and the cam at resonance: sentence, table and picture; empty without eight consecutive recorded strides.
+///
+/// # Errors
+///
+/// Faults of the scene.
+pub fn resonance(files: &Files, which: &Which) -> Result<Value> {
+    let made = made(files, table(&which.scene)?)?;
+    let (design, language) = (&made.design, words::current());
+    let Some(walker) = design.walker() else {
+        return Ok(json!({}));
+    };
+    let (columns, rows) = facts::at_resonance(&walker, language);
+    Ok(json!({
+        "sentence": facts::resonance(design, language),
+        "columns": columns,
+        "rows": rows,
+        "picture": plots::resonance(design, language).svg(),
     }))
 }
 
