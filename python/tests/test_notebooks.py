@@ -18,5 +18,5 @@ def test_a_notebook_runs(path, monkeypatch, tmp_path):
     assert "Traceback" not in shown
 
 
-def test_there_are_four():
-    assert len(EXAMPLES) == 4
+def test_there_are_five():
+    assert len(EXAMPLES) == 5
