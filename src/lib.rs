@@ -56,7 +56,7 @@
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-/// Unit tests share cams with `gaitcam-test-support`, which depends on this crate.
+/// The unit tests share cams with `gaitcam-test-support`, which depends on this crate.
 #[cfg(test)]
 extern crate self as gaitcam;
 

@@ -90,7 +90,7 @@ impl Conjugate {
             law,
             follower: opposite(&first.follower, radius)?,
         };
-        // Place of the first follower at its top, from which the closure measures.
+        // Position of the first follower at maximum lift; the closure is measured from it.
         let reach = first.follower.start_place() + top;
         match closure {
             Closure::SecondBaseRadius(base) => {
@@ -126,7 +126,7 @@ impl Conjugate {
         })
     }
 
-    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It is equal at every θ.
+    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It does not depend on θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()

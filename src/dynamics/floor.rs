@@ -258,7 +258,7 @@ impl Floor {
         still: &[Term],
         others: &[Term],
     ) -> Result<Vec<Term>> {
-        // The floor feels all feet: what the shaker lacks the others may press.
+        // All feet load the floor: where the shaker exerts no force at a harmonic, the other walkers may exert one.
         let size = |(a, b): &Term| a.hypot(*b);
         let both = still.iter().zip(others);
         let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();

@@ -180,7 +180,7 @@ impl Law {
             return theta;
         }
         let t = (theta - start).rem_euclid(length);
-        // rem_euclid may round up to the length itself.
+        // `rem_euclid` may round up to the length itself.
         if t < length { start + t } else { start }
     }
 

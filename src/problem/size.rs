@@ -44,7 +44,7 @@ impl Problem {
                 .iter()
                 .any(|kind| self.limits[*kind].is_some()),
         };
-        // Where the lengths allow no size, sizing after the law reports them.
+        // If the dimensions permit no size, the sizing after the law reports them.
         let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
         let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
         priced
@@ -65,7 +65,7 @@ impl Problem {
         };
         let least = least.max(self.outside_bore() + self.cam.roller_radius);
         let most = most.min(pivot);
-        // At the very ends an arm is stretched out: its angle there has no derivative by the radius.
+        // At the ends of the range the arm is stretched out: its angle has no derivative with respect to the radius there.
         let room = STRETCHED * (most - least);
         Some([least + room, most - room])
     }

@@ -156,7 +156,7 @@ pub fn with_motions(
         let rows = Rows::read(&path, &bytes)?;
         rows.put(segment, &key, &path)?;
         let motion = rows.written();
-        // Report an error in the rows as an error in the file.
+        // Reports an error in the rows as an error in the file.
         Rise::from_name(&motion).map_err(|e| e.in_file(&path))?;
         segment.insert("motion".to_string(), Value::String(motion));
     }

@@ -240,7 +240,7 @@ impl Follower {
         }
     }
 
-    /// The follower on the base circle for which it is at `start` when s = 0; `None` if there is none.
+    /// The follower on the base circle for which it is at `start` when s = 0; `None` if no such follower exists.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
         let base = self.base_radius_at(start);

@@ -30,7 +30,7 @@ pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
         (gap, [*from, *to])
     };
     let (gap, ends) = (angles.iter().zip(next).map(gap)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    // Without the gap: all points may lie close together.
+    // Mean distance without the gap, because all points may lie close together.
     let mean = (along[n] - gap) / (angles.len() as f64 - 1.0);
     (gap > GAP.0 * along[n] && gap > GAP.1 * mean).then_some(ends)
 }

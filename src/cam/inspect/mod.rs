@@ -165,7 +165,7 @@ impl Cam {
             }
         }
         if best.rms > OTHER * (high - low) {
-            // Steps towards the points of another cam may lead ever farther away; laid on its middle they are near.
+            // The fit may diverge for points of another cam. The error states a finite distance: that with coinciding centres, if it is smaller.
             let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
             let (angle, pivot, place) = (0.0, middle(points), middle(&outline));
             let laid = Pose {

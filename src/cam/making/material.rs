@@ -36,7 +36,7 @@ pub const STEEL: Material = Material {
     poisson: 0.3,
 };
 
-/// Materials with known constants: typical values of the grade in brackets, recalled from the standards and data sheets that are named.
+/// Materials with known constants: typical values of the grade in brackets, quoted from memory of the named standards and data sheets.
 ///
 /// ```
 /// use gaitcam::cam::Stock;
@@ -70,7 +70,7 @@ pub enum Stock {
 }
 
 impl Stock {
-    /// Every material.
+    /// All materials.
     pub const ALL: &'static [Stock] = <Stock as strum::VariantArray>::VARIANTS;
 
     /// Name in a scene file.
@@ -110,7 +110,7 @@ impl Stock {
     }
 }
 
-/// Constants of a material as a scene states them; missing ones are those of steel.
+/// Material constants given in a scene; missing ones are those of steel.
 ///
 /// ```
 /// use gaitcam::cam::StatedMaterial;

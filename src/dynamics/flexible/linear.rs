@@ -72,14 +72,14 @@ impl Linear {
             turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
         let closing = Matrix2::identity() - turn;
-        // The smallest singular value measures the distance from an eigenvalue 1 of the turn.
+        // The smallest singular value measures the distance of the propagation over a turn from an eigenvalue 1.
         let singular = closing.singular_values();
         let margin = NEAR_RESONANCE * singular.max().max(1.0);
         if singular.min() <= margin || singular.min().is_nan() {
             return None;
         }
         let last = once.last().copied().unwrap_or_default();
-        // At the start of a turn the state is z₀ + kick; `once` began with the kick alone.
+        // At the start of a turn the state is z₀ + kick; `once` contains the kick alone.
         let start = closing.lu().solve(&last)?;
         Some(run(&steps, forcing, start + kick(0), &kick))
     }
@@ -91,7 +91,7 @@ impl Linear {
         let mut which = Vec::with_capacity(breaks.len() - 1);
         for pair in breaks.windows(2) {
             let width = pair[1] - pair[0];
-            // Widths that differ by the rounding of their ends are one width.
+            // Widths that differ only by the rounding errors of their ends are treated as equal.
             let same = |s: &Step| (s.width - width).abs() <= 4.0 * f64::EPSILON * extent;
             let recent = which.last().filter(|&&i: &&usize| same(&steps[i])).copied();
             let known = recent.or_else(|| steps.iter().position(same));

@@ -48,7 +48,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
         return Err(DynamicsError::OpenPolydyne.into());
     }
     let weights = drive.weights();
-    // The cam's acceleration takes two derivatives more than the force does.
+    // The acceleration of the cam requires two more derivatives than the force.
     let needed = 2 + weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
     let (smooth, broken_at) = continuous_derivatives(target, needed);
     if smooth < needed {

@@ -157,7 +157,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
 /// Quartic C³ lift through the slopes, shifted to the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
-    // A closed lift has no mean slope: subtract the mean that noise leaves.
+    // The mean slope of a closed lift is zero: the mean caused by noise is subtracted.
     let drift = if closed {
         slopes.iter().sum::<f64>() / n as f64
     } else {

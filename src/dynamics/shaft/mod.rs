@@ -240,7 +240,7 @@ impl Motion {
         let Some(nominal) = motor.nominal.filter(|most| !enough(most)) else {
             return Ok(());
         };
-        // Another no-load speed of the same stall torque is another slope.
+        // For the same stall torque, another no-load speed gives another slope.
         let needed = match motor.line {
             TorqueLine::Slope(slope) => Motor {
                 line: TorqueLine::Stall(slope * nominal),
@@ -268,9 +268,9 @@ impl Motion {
         let balance = turn.motor_work - motor.friction * TAU - turn.load_work;
         let swing = load.swing(self.mean);
         let stops = load.stop_from_rest(motor, turn.no_load, lowest);
-        // The torque falls with the speed.
+        // The torque decreases with the speed, so its extremes are at the extreme speeds.
         let torques = [min, max].map(|w| motor.torque(w, turn.no_load)[0].abs());
-        // Without a load both works are rounding.
+        // Without a load, both works are rounding errors.
         let least = ROUNDING * motor.inertia * self.mean * self.mean;
         Some(Shaft {
             mean: self.mean,

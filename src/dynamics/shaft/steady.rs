@@ -135,7 +135,7 @@ impl Steady {
         if own == other {
             return self.stages.clone();
         }
-        // As if all steps were alike: near enough to start from.
+        // Treats all steps as equal, which is accurate enough for an initial guess.
         let at = |i: usize, k: usize| {
             let x = (i as f64 + PLACES[k]) * own as f64 / other as f64;
             let j = (x as usize).min(own - 1);
@@ -174,7 +174,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (mut low, mut high, mut sum) = (0.0_f64, 0.0_f64, 0.0);
     // Sums of squares and products of the change and of the slope of the force.
     let (mut square, mut product, mut steepness) = (0.0, 0.0, 0.0);
-    // What the shaft is ahead of a constant speed, rad.
+    // Lead of the shaft over a shaft with constant speed, rad.
     let mut ahead = 0.0;
     for (step, line) in load.steps.iter().zip(&lines) {
         let changes: [f64; STAGES] =
@@ -208,7 +208,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
 
 /// Energies at the extremes within a step, from the derivatives at its stages.
 fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item = f64> {
-    // E′ = a + b x + c x², x from the middle of the step in parts of it.
+    // E′ = a + b x + c x² with x measured from the middle of the step, as a fraction of the step.
     let side = PLACES[2] - PLACES[1];
     let [a, b, c] = [
         rates[1],

@@ -1,4 +1,4 @@
-//! Walking as it is: the response of a mode to a recorded walk and to a cam, and the speed of the cam with which its force varies as recorded.
+//! Recorded walking: the response of a structural mode to a recorded walk and to a cam, and the cam speed for which the force varies as recorded.
 
 mod follower;
 mod mode;

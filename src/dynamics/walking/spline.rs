@@ -1,4 +1,4 @@
-//! Periodic cubic smoothing spline (Reinsch 1967): of all curves it has the smallest Σ (p(tₖ) − yₖ)² + λ ∫ p″², and passes through yₖ for λ = 0.
+//! Periodic cubic smoothing spline (Reinsch 1967): the curve with the minimum of Σ (p(tₖ) − yₖ)² + λ ∫ p″². It passes through yₖ for λ = 0.
 //!
 //! With steps hₖ, R the cyclic matrix of the integrals of hat functions and Q that of second differences, the second derivatives γ at the knots solve
 //! (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ: a cyclic system with two diagonals on either side.
@@ -61,7 +61,7 @@ impl Periodic {
         }
     }
 
-    /// Value and first two derivatives.
+    /// Value and first two derivatives at the time `t`.
     pub fn at(&self, t: f64) -> [f64; 3] {
         let n = self.knots.len();
         let t = self.knots[0] + (t - self.knots[0]).rem_euclid(self.period);
@@ -81,7 +81,7 @@ impl Periodic {
         ]
     }
 
-    /// Largest absolute second derivative, which is at a knot.
+    /// Maximum absolute second derivative, which occurs at a knot.
     pub fn most_bend(&self) -> f64 {
         self.bends.iter().fold(0.0, |most, b| most.max(b.abs()))
     }
@@ -136,7 +136,7 @@ impl Cyclic {
         rest.chain(last).collect()
     }
 
-    /// Solves the leading band of `m` rows for several right sides, by A = L D Lᵀ.
+    /// Solves the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
     fn solve_band(&self, m: usize, columns: &mut [Vec<f64>]) {
         let mut lower = vec![[0.0; 2]; m];
         let mut diagonal = vec![0.0; m];

@@ -52,7 +52,7 @@ impl Series {
     }
 
     fn new(mean_n: f64, waves: Vec<(f64, f64)>, is_finite: bool) -> Series {
-        // From the highest down, so that small remainders keep their digits.
+        // The sum starts at the highest harmonic, so that small remainders keep their digits.
         let mut rest = vec![0.0; waves.len() + 1];
         for (count, (a, b)) in waves.iter().enumerate().rev() {
             rest[count] = rest[count + 1] + 0.5 * (a * a + b * b);
