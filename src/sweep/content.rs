@@ -78,7 +78,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// A missing recording; a folder without recordings; errors of [`Plan::validate`].
+    /// A recording is missing; a folder contains no recordings; errors of [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -90,7 +90,7 @@ impl Sweep {
             let files = files(scene);
             for name in gait.files(files)? {
                 let bytes = files.read(&name)?;
-                // Equal files are held once.
+                // Equal files are stored once.
                 let shared = contents
                     .entry((bytes.len(), checksum(&bytes)))
                     .or_insert(bytes);
@@ -270,7 +270,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// An invalid tolerance; a design whose manufacturing errors cannot be sampled.
+    /// A tolerance is invalid, or the manufacturing errors of the design cannot be sampled.
     pub fn runner(&self, design: &Design) -> Result<Runner<'static>> {
         self.samples_of(design).map(Runner::of_samples)
     }

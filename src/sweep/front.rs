@@ -63,7 +63,7 @@ impl Front {
             return;
         }
         if let Some(i) = self.points.iter().position(|p| covers(&p.values, values)) {
-            // The next design is likely covered by the same one.
+            // The same design is likely to dominate the next one, so it is compared first.
             self.points.swap(0, i);
             return;
         }

@@ -49,7 +49,7 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
         (&own, scale)
     };
     let svaj = shape.svaj.map(|range| range.map(|x| factor * x));
-    // Where nothing fixes the lift, the lowest point stands on the base circle.
+    // If nothing determines the level of the lift, the minimum lift is on the base circle.
     let level = if k == 0.0 {
         -svaj[0][0]
     } else {
@@ -176,7 +176,7 @@ fn passes(problem: &Problem, figures: &Figures) -> bool {
             LimitKind::PressureAngleRise | LimitKind::PressureAngleFall => {
                 (LimitKind::PressureAngle, limit)
             }
-            // Power that is given back is limited, too.
+            // Recuperated power is also limited.
             LimitKind::Power => (LimitKind::Torque, limit / problem.drive.speed),
             other => (other, limit),
         };

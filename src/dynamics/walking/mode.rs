@@ -88,7 +88,7 @@ impl RepeatedForce {
         self.about(self.step_frequency_hz, damping_ratio)
     }
 
-    /// Highest RMS acceleration, m/s², of a mode of 1 kg tuned through 0.9 … 1.1 of the step frequency.
+    /// Maximum RMS acceleration, m/s², of a mode of 1 kg tuned from 0.9 to 1.1 of the step frequency.
     pub fn peak(&self, damping_ratio: f64) -> f64 {
         self.response(damping_ratio).into_iter().fold(0.0, f64::max)
     }
@@ -140,7 +140,7 @@ pub struct Misfit {
     pub damping_ratio: f64,
     /// Mean of |ln(response ratio)| over 0.9 … 1.1 of the step frequency.
     pub misfit: f64,
-    /// Highest response to the second force, relative to that of the first.
+    /// Maximum response to the second force, relative to the maximum response to the first.
     pub peak_ratio: f64,
 }
 

@@ -114,7 +114,7 @@ impl Shape {
                 break;
             }
             if step.abs() < FLAT {
-                // The remaining distance to the maximum changes the value by the rest of a parabola.
+                // The remaining step changes the value by the rest of a parabola.
                 return most.max(f / g + 0.5 * step * slope / (g * g));
             }
             at += step;

@@ -94,7 +94,7 @@ fn number(
     path: &str,
 ) -> Result<Option<Value>> {
     let value = match typed {
-        // The program never selects a limit, so `"auto"` is not a value for it.
+        // `"auto"` is a missing value, except for limits, which the program never selects.
         Toml::String(s) if s == "auto" && key.limit.is_none() => return Ok(None),
         Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,

@@ -1,7 +1,6 @@
 //! Limit on the residual vibration in a dwell (theory §10).
 //!
-//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. If the law without the limit exceeds
-//! it, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the simulation model.
+//! Clearance of the limit at a point of the law. h ≥ 0 if the limit holds.
 
 use std::f64::consts::TAU;
 
@@ -58,7 +57,7 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
             } else {
                 rests[k + 1].0
             };
-            // A rest over the end of the turn ends in the next one.
+            // A dwell across the end of the turn ends in the next turn.
             if from < rests[k].0 {
                 (from + TAU, to)
             } else {
@@ -124,7 +123,7 @@ impl Vibrations {
             damping: 0.5 * (train.damping + drive.damping) / (stiffness * drive.mass).sqrt(),
         };
         let [k, c, m, _] = drive.weights();
-        // By a motion q gains F′/K at every angle: the static deflection moves away from under the mass.
+        // During a motion, q increases by F′/K per angle, because the static deflection changes.
         let gained = [0.0, k, c, m].map(|w| w / stiffness);
         let own: Vec<[Vec<f64>; 2]> = (motions(&rests).into_iter())
             .map(|motion| of_motion(basis, motion, &free, &gained))
@@ -219,7 +218,7 @@ fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Ve
             to.iter_mut().zip(more).for_each(|(a, b)| *a += b);
         }
     };
-    // Once around from rest at the start of rest 0.
+    // One turn from rest at the start of dwell 0.
     let mut around = [vec![0.0; own[0][0].len()], vec![0.0; own[0][0].len()]];
     for (k, left) in own.iter().enumerate() {
         around = moved(&free.carried(apart(k)), &around);

@@ -95,13 +95,13 @@ impl Pressure {
         let bend = w + at.v * y - at.a * x;
         let gap = w * root - self.roller * bend;
         let q = self.most * self.most * self.spread * self.roller;
-        // By X, Y, v and a of the geometry alone.
+        // Derivatives with respect to X, Y, v and a of the geometry alone.
         let by_x =
             q * (gap + x * (3.0 * root * x - self.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
         let by_y = q * x * (3.0 * root * y - self.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
         let by_v = -q * x * self.roller * y;
         let by_a = q * x * self.roller * x;
-        // h in units of q X w^{3/2}, a number that a size of the cam does not change much.
+        // h in units of q X w^{3/2}, which depend little on the size of the cam.
         let unit = q * size.rise.max(size.rho) * w * root;
         Slack {
             h: q * x * gap - force * w * w,

@@ -16,7 +16,7 @@ use crate::problem::{OnShaft, Problem, product};
 /// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem; `None` is no limit.
+/// Nonconvex load limits of a problem; `None` means no limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
     /// Relation of lift and force.
@@ -42,7 +42,7 @@ impl Loads {
             drive: problem.drive,
             on_shaft: problem.on_shaft.clone(),
             torque: limits[LimitKind::Torque],
-            // At constant speed P/ω (theory §10).
+            // The power divided by the mean speed is the limit on the torque at constant speed (theory §10).
             power: limits[LimitKind::Power].map(|power| power / problem.drive.speed),
             torque_rate: limits[LimitKind::TorqueRate],
             pressure: roller

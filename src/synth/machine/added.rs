@@ -57,7 +57,7 @@ impl Layout {
         });
         Layout {
             breaks,
-            // The nodes differ: the matrix has an inverse.
+            // The nodes are distinct, so the matrix has an inverse.
             coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
             limits,
             varies,

@@ -94,7 +94,7 @@ impl<'a> BySize<'a> {
                     f64::INFINITY
                 };
                 (fails, outside) = (value, found);
-                // The end that stays loses half its weight (Illinois), so that it moves too.
+                // The end that remains has its weight halved (Illinois method), so that it moves too.
                 if let Some((_, inside)) = &mut works {
                     *inside *= 0.5;
                 }

@@ -65,8 +65,8 @@ fn joined(
 ) -> PiecewisePoly {
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
-    // The scale of the whole function comes first: relative to its own scale, a piece that is only rounding (a dwell) would be
-    // halved without end.
+    // The scale of the whole function is determined first. A piece that contains only rounding errors (a dwell) would be halved without end relative
+    // to its own scale.
     let sizes = first.iter().flatten().map(|value| value.abs());
     let mut scale = sizes.filter(|s| s.is_finite()).fold(terms, f64::max);
     for (piece, (w, values)) in breaks.windows(2).zip(first).enumerate() {

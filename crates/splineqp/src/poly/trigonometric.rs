@@ -147,7 +147,7 @@ impl Search<'_> {
             let [value, slope, bend] = sum.map(|f| self.sign * f);
             let newton = -slope / bend;
             if bend < 0.0 && newton.abs() < FLAT {
-                // The parabola's error is below rounding.
+                // The error of the parabola is below rounding errors.
                 self.take(value + 0.5 * newton * slope, x + newton);
                 return;
             }

@@ -229,7 +229,7 @@ impl<N: Names> Program<N> {
         extra
     }
 
-    /// Whether H is zero for constant functions. Example: on a moving axis the force does not depend on the level of the lift.
+    /// Whether H is zero for constant functions. On a moving axis, for example, the force does not depend on the level of the lift.
     pub fn constant_is_free(&self) -> bool {
         let energy = match self.basis {
             Basis::Spline { .. } => self.hessian.sum(),

@@ -40,7 +40,7 @@ const ITERATIONS: u64 = 60;
 /// Number of parts of a turn to which the angles are rounded: 6 µrad, more than the rounding errors of the search and less than the accuracy of
 /// manufacturing.
 const PARTS: f64 = 1_048_576.0;
-/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell both are
+/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell, both are
 /// the same law.
 const TIE: f64 = 1e-9;
 /// Initial size of the simplex, rad: one step of the grid.

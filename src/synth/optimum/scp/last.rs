@@ -23,7 +23,7 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
 
 /// Law nearest to the last one that satisfies the limits to rounding, at a slightly larger size.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
-    // A given size stays as it is.
+    // A given size remains unchanged.
     let free = at_size.free();
     let at_size = at_size.held();
     let size = at_size.of(current).size();
@@ -35,7 +35,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
     let mut near = program.clone();
     let mut about = current.clone();
     if near.hessian.largest_diagonal() == 0.0 {
-        // A peak has no distance of its own, and rises by what the law moves.
+        // A peak has no mean square distance; it increases with the change of the law.
         let mut distance = Quadratic::zero(&program.basis);
         for order in [0, 2] {
             distance.add_energy(&program.basis, order, program.length.powi(-2));
@@ -44,7 +44,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
         let of_peak = |row: &Row| row.extra[PEAK] != 0.0;
         about.active.retain(|row| !of_peak(row));
     }
-    // Nearest to the law at hand, so that the linearised curvature stays true.
+    // The nearest law to the present one, so that the linearised curvature remains accurate.
     let pulled = near.hessian.times(&current.x[..near.basis.columns()]);
     near.gradient = pulled.iter().map(|g| -g).collect();
     let sized = about.clone();

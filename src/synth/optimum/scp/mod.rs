@@ -44,14 +44,14 @@ pub fn refine(
     limits: NonconvexLimits,
     enough: impl Fn(&Solution) -> bool,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
-    // Between steps limits need not hold better than the next step will change them.
+    // Between the steps, a coarser tolerance than the change by the next step is sufficient.
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;
     let program = &program;
     let at_size = AtSize::new(limits, program);
     let start = start::best(program, starts, &at_size)?;
     let (mut current, steps, ended) = descended(program, start, &at_size, enough);
-    // A start without steps needs no last program if it keeps the convex limits to rounding.
+    // A start without steps needs no final program if it satisfies the convex limits to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact =
         || held(program, &current, &at_size).or_else(|| resolved(program, &current, &at_size));
