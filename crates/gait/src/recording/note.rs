@@ -46,7 +46,7 @@ pub enum Axis {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named for what they hold
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum Note {
     /// The number of rows announced in the header is wrong.
     RowsDiffer { announced: usize, found: usize },

@@ -190,7 +190,7 @@ fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     };
     let mut scalars: Vec<(&Array, f64)> = arrays.iter().filter_map(scalar).collect();
     scalars.sort_by_key(|(array, _)| std::cmp::Reverse(shared(array)));
-    // Cells have numbers, the variable around them its name.
+    // Cells have numbers as names; the variable that contains them has a proper name.
     let is_name = |part: &&String| part.parse::<usize>().is_err();
     let line = |(array, x): (&Array, f64)| {
         let name = array.path.iter().rev().find(is_name);
