@@ -16,7 +16,7 @@ use crate::stance::stances;
 ///
 /// # Errors
 ///
-/// A line that is not a number; too few samples; several forces; a phase without a period.
+/// A line is not a number; there are too few samples; several forces; a phase without a period.
 pub fn one_cycle(
     path: &Path,
     bytes: &[u8],
@@ -29,7 +29,7 @@ pub fn one_cycle(
             span_rad: None,
             ..options.clone()
         };
-        // A table that is not a recording covers the span as it is.
+        // A table that is not a recording covers the span unchanged.
         if let Ok(recording) = read(path, bytes, &raw) {
             let found = stances(&recording);
             let file = name(path);

@@ -89,7 +89,8 @@ pub const CHORDS: f64 = 2e-6;
 const SPLINES: f64 = 5e-8;
 
 /// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] or chords within [`CHORDS`] (R12), or as splines (R2000), and the bore of the
-/// scene. If the asked kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch curve.
+/// scene. If the requested kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch
+/// curve.
 pub fn profile(
     synthesis: &Design,
     points: usize,

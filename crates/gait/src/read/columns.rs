@@ -80,7 +80,7 @@ pub(super) fn role(name: &str) -> Role {
     if first_is(WEAK_TIME) || has(TIME) {
         return Role::Time;
     }
-    // A leading `%` of a header line is interpreted as a comment mark, so that `% of gait cycle` may lack it.
+    // A leading `%` of a header line is removed as a comment mark, so the name `% of gait cycle` may arrive without it.
     let is_bare = words
         .iter()
         .all(|w| is(w, "of") || is(w, CYCLE) || is(w, STANCE) || is(w, PERCENT));

@@ -91,7 +91,7 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
             _ => found.push(contact),
         }
     }
-    // Ripples of the unloaded plate just above the threshold are not contacts.
+    // Fluctuations of the unloaded plate just above the threshold are not contacts.
     found.retain(|c| c.peak_n > 2.0 * on || c.duration_s() > TOUCH_S);
     found
 }

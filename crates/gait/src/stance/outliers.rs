@@ -121,7 +121,7 @@ pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
                 .any(|&(of, most, usual)| off(of, usual) > most)
         };
         let unlike: Vec<usize> = own.iter().copied().filter(is_unlike).collect();
-        // If most differ there is no typical stance.
+        // If most stances differ, there is no typical stance.
         if 2 * unlike.len() <= own.len() {
             for i in unlike {
                 used[i].unlike = true;

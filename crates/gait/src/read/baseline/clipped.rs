@@ -25,7 +25,8 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
     let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
-    // A level just below the peaks has many readings below it within this width, but the level is exact if the readings were not processed later.
+    // If the level is just below the peaks, many readings are within this width below it. Without later processing the level is exact, so a narrow width
+    // is tried too.
     [half, 0.5 * resolution(force, UPPER * top)]
         .into_iter()
         .filter(|half| half.is_finite())

@@ -226,7 +226,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    // Mains hum is wider than the band and most frequent at its ends: the level is the mean of its readings.
+    // Mains hum is wider than the band and most frequent at its ends: the level is the median of its readings.
     let near = thin.iter().copied().filter(|x| (x - level).abs() <= band);
     let near: Vec<f64> = near.collect();
     let level = match median(near.clone()) {
