@@ -67,11 +67,12 @@ impl Conjugate {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// As [`Conjugate::new`], but the arms are in planes other than those of the cams, so their pivots may lie within the profiles.
+    /// Computes the pair as [`Conjugate::new`] does, but the arms are in planes other than those of the cams. Their pivots may therefore lie within
+    /// the profiles.
     ///
     /// # Errors
     ///
-    /// As [`Conjugate::new`].
+    /// The errors of [`Conjugate::new`].
     pub fn beside(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check_beside)
     }

@@ -86,7 +86,7 @@ impl Cam {
             at: x.at,
             value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
         });
-        // A derivative that is zero up to rounding has no jumps: the threshold also scales with the size of the cam.
+        // A derivative that is zero up to rounding errors has no jumps: the threshold also scales with the size of the cam.
         let size = (HARDLY_MOVES * self.follower.prime_radius()).max(STILL);
         let above = |range: f64| move |x: &Extreme| x.value.abs() > (JUMP * range).max(ROUNDING);
         let mut jumps: Vec<Extreme> = jump.filter(above(size)).collect();

@@ -49,7 +49,7 @@ pub struct Cover {
 ///
 /// # Errors
 ///
-/// As for one cam; the force belongs to a single walker.
+/// The errors of the design of one cam; the force belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,

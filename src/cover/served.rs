@@ -41,7 +41,7 @@ pub struct Assigned {
 ///
 /// # Errors
 ///
-/// As for one cam.
+/// The errors of the design of one cam.
 pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
     let mut best: Vec<Assigned> = Vec::new();
     let problem = Problem::resolve(scene, Some(force))?;

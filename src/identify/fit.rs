@@ -198,8 +198,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Squared effect on an estimate of a repeatable residual with unit components: the maximum for a residual that differs between logs and for one that
-/// is equal in all.
+/// Squared effect on an estimate of a repeatable residual with unit components. It is the maximum for a residual that differs between logs and for
+/// one that is equal in all logs.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];

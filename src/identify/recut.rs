@@ -42,8 +42,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS difference between repeatable force and target, N; on a moving axis without its mean, which is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N: remaining noise, effect of the limits, harmonics that were not corrected, and friction that
-    /// changes sign at other angles.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that were not corrected,
+    /// and the friction that changes sign at other angles.
     pub predicted_rms_n: f64,
 }
 
@@ -58,8 +58,8 @@ const OTHER_SPEED: f64 = 0.1;
 ///
 /// # Errors
 ///
-/// As [`super::identify`]; a design without target; no log within 10 % of the speed of the design; a residual that is only noise; errors of the new
-/// design.
+/// The errors of [`super::identify`]; the design has no target; no log is within 10 % of the speed of the design; the residual is only noise; errors
+/// of the new design.
 pub fn recut(
     design: &Design,
     scene: &Scene,

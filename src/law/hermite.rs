@@ -35,8 +35,8 @@ const MAX_DEGREE: usize = 40;
 /// Fraction of the maximum singular value below which a singular value counts as zero. The conditions then do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold to rounding relative
-/// to the maximum value.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold up to rounding
+/// errors relative to the maximum value.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};

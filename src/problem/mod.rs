@@ -172,8 +172,8 @@ impl Problem {
         })
     }
 
-    /// As [`Problem::resolve`], for a multiple of a force that other problems share, and without notes on scene and recording. The notes would take a
-    /// third of the time of a row in a sweep of closed forms, and no row prints them.
+    /// Resolves the problem as [`Problem::resolve`] does, for a multiple of a force that other problems share, and without notes on scene and
+    /// recording. The notes would take a third of the time of a row in a sweep of closed forms, and no row prints them.
     pub(crate) fn of_multiple(
         scene: &Scene,
         force: Option<(&Arc<ForceCycle>, f64)>,

@@ -134,8 +134,8 @@ pub enum Size {
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m: it leaves the wall of a hub around the hole for the shaft, as far as the limits on
-/// prime radius and diameter allow. `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
+/// Minimum automatic base radius, m, with the wall of a hub around the hole for the shaft, if the limits on prime radius and diameter permit it.
+/// `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
     let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let of_diameter = match (limits[LimitKind::Diameter], highest) {

@@ -106,7 +106,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Plan::validate`].
+    /// The errors of [`Plan::validate`].
     pub fn with_files(subject: Subject, files: Files) -> Result<Sweep> {
         subject.validate()?;
         Ok(Sweep { subject, files })
@@ -191,7 +191,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Sweep::run`].
+    /// The errors of [`Sweep::run`].
     pub fn table(&self) -> Result<Records> {
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
         let records = self.run(0..self.rows()?, jobs, &Halt::never, &|| false)?;
@@ -202,7 +202,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Sweep::run`].
+    /// The errors of [`Sweep::run`].
     pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
         Ok(match &self.subject {
             Subject::Designs(plan) => Runner::of_plan(plan, &self.files, halts, clock),

@@ -148,8 +148,8 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, given or the minimum for curvature and bore, and the minimum radius of curvature on it, from the minimum of s + a and the maximum
-/// lift.
+/// Base radius, and minimum radius of curvature on it, from the minimum of s + a and the maximum lift. The base radius is given, or it is the minimum
+/// for curvature and bore.
 fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {

@@ -46,7 +46,7 @@ impl Arcs {
             let widest = (1.0 - distance / radius).clamp(-1.0, 1.0).acos();
             let parts = (half.abs() / widest).ceil().max(1.0);
             for k in 1..parts as usize {
-                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start, in the direction of the chord
+                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is that of the chord,
                 // rotated by (f − 1) h.
                 let along = k as f64 / parts * half;
                 let (long, (sin, cos)) = (along.sin() / half.sin(), (along - half).sin_cos());
@@ -69,8 +69,8 @@ struct Biarc {
     tangent: [f64; 2],
 }
 
-/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps), for a law with velocity jumps, and for a
-/// tolerance that is not positive or below rounding errors.
+/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps) and for a law with velocity jumps. Also
+/// `None` if the tolerance is not positive or below rounding errors.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }

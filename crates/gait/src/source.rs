@@ -11,7 +11,7 @@ use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
-/// Reads a file that is one cycle: a text marked as a cycle, as [`ForceCurve::to_csv`] writes it, or any table if a period or a span is given. `None`
+/// Reads a file that is one cycle: a text marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or a span is given. `None`
 /// for other files. With a span, the stance in a recording fills the span; `feet` selects the stances.
 ///
 /// # Errors

@@ -108,8 +108,8 @@ fn meets(end: f64, start: f64) -> bool {
 }
 
 impl Walk {
-    /// Creates a walk from strides in order of time, each with its first heel strike, the heel strike of the other foot and its end, s. A function
-    /// gives the force, N, for the index of a stride and a time. `None` without eight consecutive strides.
+    /// Creates a walk from strides in order of time, each with its first heel strike, the heel strike of the other foot and its end, s. `force` gives
+    /// the force, N, for the index of a stride and a time. `None` without eight consecutive strides.
     pub fn of(
         strikes: &[[f64; 3]],
         is_one_foot: bool,

@@ -79,9 +79,9 @@ impl Cam {
         }
     }
 
-    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
-    /// perpendicular from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS); on a mushroom along the chord from the middle
-    /// of the arc. `None` for rollers and knife edges.
+    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of a
+    /// perpendicular: from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS). On a mushroom they are measured along the
+    /// chord from the middle of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),

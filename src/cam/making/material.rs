@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// Maximum pressure of a line contact over the yield strength at which no point below the surface yields: the maximum shear 0.300 p₀ is then half of
-/// the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
+/// Maximum pressure of a line contact, relative to the yield strength, at which no point below the surface yields. The maximum shear 0.300 p₀ is then
+/// half of the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
 const FIRST_YIELD: f64 = 0.5 / 0.300;
 
 /// Elastic constants of one body.

@@ -1,8 +1,8 @@
 //! Exact response of a small linear system to a piecewise polynomial input.
 //!
 //! z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a fixed vector per Bernstein coefficient
-//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential to rounding; doubling extends the result
-//! to the full width. There is no cancellation at any frequency, and no time stepping.
+//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential up to rounding errors; doubling extends
+//! the result to the full width. There is no cancellation at any frequency, and no time stepping.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
@@ -72,7 +72,7 @@ impl Linear {
             turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
         let closing = Matrix2::identity() - turn;
-        // The smallest singular value measures the distance of the propagation over a turn from an eigenvalue 1.
+        // The smallest singular value is the distance of the propagation matrix of a turn from a matrix with the eigenvalue 1.
         let singular = closing.singular_values();
         let margin = NEAR_RESONANCE * singular.max().max(1.0);
         if singular.min() <= margin || singular.min().is_nan() {

@@ -41,12 +41,12 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
 
 /// Recovers the lift of an emitted cam from its points and the breakpoints of its law.
 ///
-/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted: first those at which only the
-/// jerk jumps, then all.
+/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted. Those at which only the jerk
+/// jumps are omitted first, then all.
 ///
 /// # Errors
 ///
-/// As [`recover_over`].
+/// The errors of [`recover_over`].
 pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
     let few = |breaks: &Vec<[ProfilePoint; 2]>| ROWS_BETWEEN_BREAKS * breaks.len() <= points.len();
     let breaks = [3, 2]

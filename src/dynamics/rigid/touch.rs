@@ -158,7 +158,7 @@ impl FollowerContact {
         torque[0]
     }
 
-    /// As [`FollowerContact::torque`], at many points of the motion with their forces.
+    /// Computes [`FollowerContact::torque`] at many points of the motion with their forces.
     pub fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64]) -> Vec<f64> {
         let mut torques = vec![0.0; motion.len().min(forces.len())];
         self.fill(friction, motion, forces, &mut torques);

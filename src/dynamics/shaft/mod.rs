@@ -69,7 +69,7 @@ pub struct Shaft {
     pub motor_power_mean_w: f64,
     /// Angle between the minimum lift, at which the shaft starts from rest, and the point at which it stops, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
-    /// Minimum inertia, kg·m², to 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
+    /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,
     /// Work of the motor minus the work of friction and load, relative to the alternating work of a turn. It measures the numerical error.
     pub energy_balance: f64,

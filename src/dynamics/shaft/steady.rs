@@ -91,7 +91,7 @@ impl Steady {
         newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
     }
 
-    /// Minimum inertia, kg·m², to 1 %, for which this shaft does not stop; 0 if any inertia is sufficient.
+    /// Minimum inertia, kg·m², with an accuracy of 1 %, for which this shaft does not stop; 0 if any inertia is sufficient.
     pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
         let goal = motor.inertia / RANGE;
         let coarse = load.every(COARSE);
@@ -163,8 +163,8 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed relative to its mean, and RMS change of the force over time relative to its mean, linearised in the change of speed. This is
-/// the first Newton step from a constant speed, rad/s. The phase minimises the change.
+/// Range of the speed and RMS change of the force over time, each relative to its mean and linearised in the change of speed. This is the first
+/// Newton step from a constant speed, rad/s. The phase minimises the change.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];

@@ -251,7 +251,7 @@ impl Prepared {
         sign * self.contact.torque(friction, Svaj { v, ..at }, force)
     }
 
-    /// As [`Prepared::torque`], at the rows of a cycle.
+    /// Computes [`Prepared::torque`] at the rows of a cycle.
     pub fn torques(&self, input: &Run, forces: &[f64]) -> Vec<f64> {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let turned = |at: &Svaj| Svaj {

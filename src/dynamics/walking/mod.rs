@@ -1,4 +1,5 @@
-//! Recorded walking: the response of a structural mode to a recorded walk and to a cam, and the cam speed for which the force varies as recorded.
+//! Recorded walking. The response of a structural mode to a recorded walk is compared with the response to a cam. A cam speed is computed for which
+//! the force varies as recorded.
 
 mod follower;
 mod mode;

@@ -56,7 +56,7 @@ impl RepeatedForce {
         }
     }
 
-    /// Lines of the strides of a recording, repeated without end.
+    /// Lines of the strides of a recording, repeated periodically.
     pub fn of(walk: &Walk) -> RepeatedForce {
         RepeatedForce::new(&walk.force_n(), walk.duration_s, walk.strides())
     }

@@ -1,7 +1,7 @@
 //! Periodic cubic smoothing spline (Reinsch 1967): the curve with the minimum of Σ (p(tₖ) − yₖ)² + λ ∫ p″². It passes through yₖ for λ = 0.
 //!
-//! With steps hₖ, R the cyclic matrix of the integrals of hat functions and Q that of second differences, the second derivatives γ at the knots solve
-//! (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ: a cyclic system with two diagonals on either side.
+//! The steps are hₖ. R is the cyclic matrix of the integrals of hat functions, Q the cyclic matrix of second differences. The second derivatives γ at
+//! the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The system is cyclic with two diagonals on either side.
 
 /// A periodic cubic spline.
 #[derive(Debug, Clone, PartialEq)]

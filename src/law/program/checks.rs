@@ -24,7 +24,7 @@ impl Extent {
     }
 }
 
-/// Checks that the sum of the lengths equals the extent to rounding.
+/// Checks that the sum of the lengths equals the extent up to rounding errors.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());

@@ -36,7 +36,7 @@ impl Fits {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn objective(
         &self,
         key: FitKey,
@@ -53,7 +53,7 @@ impl Fits {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn spans(
         &self,
         key: FitKey,

@@ -149,8 +149,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once: for a finite series from the remaining
-    /// harmonics, otherwise from the cubics.
+    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once. For a finite series they follow from the
+    /// remaining harmonics, otherwise from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {

@@ -269,7 +269,7 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// Force of a load model or of load factors in the scene, for a body weight of 1 N if the force is proportional to the weight.
+/// Force of a load model or of load factors in the scene. The body weight is 1 N if the force is proportional to the weight.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;

@@ -65,7 +65,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// As [`Tolerance::parse`].
+    /// The errors of [`Tolerance::parse`].
     pub fn read(&self) -> Result<Vec<Tolerance>> {
         self.tolerances
             .iter()

@@ -155,7 +155,7 @@ impl Key {
     ///
     /// # Errors
     ///
-    /// As [`set`](crate::scene::set).
+    /// The errors of [`set`](crate::scene::set).
     pub fn write_number(&self, table: &mut Table, value: f64) -> Result<()> {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
@@ -164,7 +164,7 @@ impl Key {
     ///
     /// # Errors
     ///
-    /// As [`set`](crate::scene::set).
+    /// The errors of [`set`](crate::scene::set).
     pub fn write_words(&self, table: &mut Table, words: &str) -> Result<()> {
         let text = keys::find(&self.name).is_some_and(|k| matches!(k.kind, Kind::Text));
         let words = if text {

@@ -138,7 +138,7 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// As [`Axis::parse`].
+    /// The errors of [`Axis::parse`].
     pub fn of(table: Table, vary: &[&str], sampling: Sampling) -> Result<Plan> {
         let axis = |text: &&str| Axis::parse(text, sampling != Sampling::Grid);
         Ok(Plan {
@@ -226,8 +226,8 @@ impl Plan {
         batch
     }
 
-    /// Checks that the plan is valid: it has rows, each key can be varied and occurs once, and each value is valid with at least one combination of
-    /// the others.
+    /// Checks that the plan is valid. It must have rows, each key can be varied and occurs once, and each value is valid with at least one
+    /// combination of the others.
     ///
     /// # Errors
     ///

@@ -385,7 +385,7 @@ fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     breaks.windows(2).map(of).sum()
 }
 
-/// Breaks from 0 to 2π together with edges. An edge that equals a break to rounding is replaced by the break.
+/// Breaks from 0 to 2π together with edges. An edge that equals a break up to rounding errors is replaced by the break.
 fn merged(breaks: &[f64], edges: &[f64]) -> Vec<f64> {
     let apart = |x: &f64| breaks.iter().all(|b| (b - x).abs() > SAME_ANGLE);
     let mut out: Vec<f64> = (breaks.iter().copied())

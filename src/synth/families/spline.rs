@@ -185,8 +185,8 @@ const NOTED: f64 = 1.05;
 /// Automatic number of spans above which a note gives the reason.
 const MANY: usize = 100;
 
-/// Notes on an automatic number of spans (or harmonics in closed form): the spread or noise of the recording limits it, or the accuracy requires
-/// many.
+/// Notes on an automatic number of spans (or harmonics in closed form). The spread or noise of the recording limits the number, or the accuracy
+/// requires many.
 pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
     let is_spline = family == Family::Spline;
     let auto = match problem.law.family {

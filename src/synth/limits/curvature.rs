@@ -10,7 +10,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
 /// Number of profile points for the interference check.
 const INTERFERENCE_POINTS: usize = 360;
-/// Depth of interference relative to the prime radius that counts as rounding.
+/// Depth of interference relative to the prime radius that counts as a rounding error.
 const TOUCH: f64 = 1e-6;
 /// Weights of s + a for a flat face. The radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];

@@ -1,6 +1,6 @@
 //! Limit on the residual vibration in a dwell (theory §10).
 //!
-//! Clearance of the limit at a point of the law. h ≥ 0 if the limit holds.
+//! Clearance of the limit at a point of the law. h ≥ 0 if the limit is satisfied.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding.
+/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding errors.
 const CANCELLED: f64 = 1e-4;
 
 /// Check of the vibration of the finished cam; for the end of a polydyne follower, check of its deviation from the law.
@@ -176,8 +176,8 @@ fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) 
     out
 }
 
-/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion: eight Gauss points on each part of at most one radian of phase between the
-/// breaks (accuracy 1e-14 for the degrees used here).
+/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion. Each part of at most one radian of phase between the breaks has eight Gauss
+/// points (accuracy 1e-14 for the degrees used here).
 fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
     let gauss = gauss_legendre(8);
     let mut cuts: Vec<f64> = (breaks.iter())

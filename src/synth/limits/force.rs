@@ -108,7 +108,7 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// Negative contact force, relative to the maximum, that counts as rounding.
+/// Negative contact force, relative to the maximum, that counts as a rounding error.
 const TOUCHES: f64 = 1e-7;
 
 /// Checks of the minimum and maximum force. Contact is always required.

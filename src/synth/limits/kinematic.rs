@@ -9,7 +9,7 @@ use crate::synth::qp::{
     FACE_END, LOWEST, Limit, Meaning, PEAK, Program, Variable, only, structural,
 };
 
-/// Depth below the base circle, relative to the stroke, that counts as rounding.
+/// Depth below the base circle, relative to the stroke, that counts as a rounding error.
 const DIP: f64 = 1e-7;
 /// Depth below the base circle that counts as zero, m or rad: the program's tolerance for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;

@@ -9,7 +9,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
-/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds to rounding.
+/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds up to rounding errors.
 pub const ENLARGED: f64 = 4e-6;
 
 /// All limits of a problem that are not convex in the law.
@@ -38,7 +38,7 @@ impl NonconvexLimits {
         })
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         out.extend(self.diameter.map(|d| d.slack(at, self.size())));

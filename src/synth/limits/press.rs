@@ -12,7 +12,7 @@ use crate::problem::{Problem, sum};
 
 /// Maximum number of iterations for the maximum quotient; three or four are usual.
 const ROUNDS: usize = 40;
-/// Relative increase of the quotient below which it is rounding.
+/// Relative increase of the quotient below which it is a rounding error.
 const SETTLED: f64 = 1e-14;
 
 /// Data for the contact pressure: force, the law that determines it, and the length of the contact, m.
@@ -49,7 +49,7 @@ impl<'a> Press<'a> {
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Maximum pressure on any contact, Pa: for a conjugate pair also on the second cam where it is loaded, for a groove on both walls at its bottom
+    /// Maximum pressure on any contact, Pa. For a conjugate pair it includes the second cam where it is loaded, for a groove both walls at its bottom
     /// and at its rim. `None` if a profile is undercut.
     pub fn worst(
         &self,

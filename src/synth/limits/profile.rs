@@ -103,7 +103,7 @@ impl Profile {
         }
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
             Profile::Roller(size) => vec![curvature::roller_slack(at, size)],

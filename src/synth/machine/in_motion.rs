@@ -33,7 +33,7 @@ use crate::units::{Dimension, Quantity};
 
 /// Maximum difference between the assumed and the actual force at which the design is final, relative to the mean.
 const SETTLED: f64 = 1e-6;
-/// As `SETTLED`, if the response of the floor is part of the program.
+/// The same difference as `SETTLED`, if the response of the floor is part of the program.
 const SETTLED_ON_FLOOR: f64 = 1e-9;
 const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies the accuracy over the angle but not over time.

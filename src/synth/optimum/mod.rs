@@ -199,8 +199,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// The law at the level from which the sequence measures the lift: on its base circle, if neither drive nor conditions determine the level and limits
-/// depend on it.
+/// The law at the level from which the sequence measures the lift. If neither drive nor conditions determine the level and limits depend on it, the
+/// law is placed on its base circle.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,

@@ -13,8 +13,8 @@
 //! ```
 //!
 //! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of the
-//! objective. The bound has the value and the slope of f at c, so a few programs bound f from below to 1e-6 over the whole turn (branch and bound
-//! over φ).
+//! objective. The bound has the value and the slope of f at c. A few programs therefore give a lower bound of f with an accuracy of 1e-6 over the
+//! whole turn (branch and bound over φ).
 
 use std::f64::consts::{PI, TAU};
 
@@ -237,8 +237,8 @@ impl Search {
         }
     }
 
-    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective: first by the distance to the minimum,
-    /// then by secant steps.
+    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective. The first step is the distance to the
+    /// minimum; secant steps follow.
     fn descend(&mut self, mut node: usize) {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {

@@ -271,7 +271,7 @@ impl<'a> Relaxing<'a> {
         synthesis::kept(&changed(self.asked, values), self.search).is_ok_and(|d| d.is_some())
     }
 
-    /// Reason that lists the changes, of which one is sufficient.
+    /// Reason that lists the changes; one of the changes is sufficient.
     fn cure(&self, found: &[Relaxation]) -> Reason {
         let measures = self.problem.cam.measures();
         if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
@@ -419,7 +419,7 @@ impl<'a> Relaxing<'a> {
     }
 
     /// Accuracy that is sufficient with a given number of spans. The minimised error does not depend on the accuracy, so only the accuracy of the
-    /// design itself is sufficient, if nothing else fails. The outer `None` means that a search is necessary.
+    /// design itself is sufficient, if no other check fails. The outer `None` means that a search is necessary.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;

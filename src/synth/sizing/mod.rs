@@ -22,7 +22,7 @@ const BISECTION: f64 = 1e-12;
 /// Growth factor of the prime circle in the search for a feasible size.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
-/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding.
+/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding errors.
 const ROUNDING: f64 = 1e-9;
 /// Fraction of the travel of the follower that counts as zero.
 const NOTHING: f64 = 1e-4;

@@ -8,7 +8,7 @@ use super::Number;
 
 /// Units of the last place below which a value is a rounding error of its column.
 const ROUNDED: f64 = 64.0;
-/// Relative difference of the two sides of a joint that counts as rounding.
+/// Relative difference of the two sides of a joint that counts as a rounding error.
 const SAME: f64 = 1e-9;
 
 /// A point of the cam, with derivatives of the follower's position with respect to the cam's position.
@@ -119,8 +119,8 @@ impl Table {
     }
 }
 
-/// The segments without rounding errors: a value of some units of the last place of its column's maximum is 0, and values that differ by
-/// rounding on the two sides of a joint, or at the ends of a closed cycle, are made equal.
+/// The segments without rounding errors. A value of some units of the last place of its column's maximum becomes 0. Values that differ only by
+/// rounding errors, on the two sides of a joint or at the ends of a closed cycle, become equal.
 fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
     type Column = fn(&mut Node) -> &mut f64;
     let columns: [Column; 4] = [|n| &mut n.x, |n| &mut n.y, |n| &mut n.v, |n| &mut n.a];

@@ -40,7 +40,7 @@ impl Period {
 }
 
 /// Duration of a stride, and its source. The sources in order of preference: consecutive heel strikes of one foot, heel strikes marked in the file,
-/// heel markers, doubled steps, a known mass (impulse of both feet = M g T), a typical duty factor.
+/// heel markers. Then follow doubled steps, a known mass (impulse of both feet = M g T), and a typical duty factor.
 pub(super) fn stride_time(
     recording: &Recording,
     stances: &Stances,

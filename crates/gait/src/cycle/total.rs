@@ -45,8 +45,8 @@ pub(super) fn total_stride(
 /// Minimum total force of a walker on the plates, as a fraction of the mean.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates from the first contact to the last one, if the plates carry the walker all the time. Feet may cross
-/// two plates, as on the belts of a treadmill. `None` otherwise.
+/// Averages the strides of the sum of all plates from the first to the last contact, if the plates carry the walker all the time. Feet may cross two
+/// plates, as on the belts of a treadmill. `None` otherwise.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;

@@ -142,7 +142,7 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
         let (l, r) = (impulse(&left), impulse(&right));
         2.0 * (l - r).abs() / (l + r)
     };
-    // The mean of a few stances does not reduce the error of a single one: a stance that differs from the others is a partial contact.
+    // A stance that differs from a few others is a partial contact, because the mean of a few stances does not reduce its error.
     let few = (3..=FEW).contains(&used.len());
     let off = if few { off_fellows(used) } else { 0.0 };
     let differs = [(spread.max(feet), DIFFERENCE), (off, OFF)];

@@ -188,7 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration according to the times in a file, if the given period (or the fraction that the span covers) differs from it by more than a sample.
+/// Duration according to the times in a file, if it differs from the given period by more than a sample. With a span, the fraction of the period that
+/// the span covers is compared.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;

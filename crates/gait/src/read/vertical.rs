@@ -158,8 +158,8 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     }
     let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let keep = if named {
-        // A column without a component that is the only one of its plate or foot, in addition to complete triples, is a total or resultant only if
-        // its name states that it is vertical. The triples are then its parts.
+        // In addition to complete triples, a plate or foot may have a single column without a component. It is a total or resultant only if its name
+        // states that it is vertical. The triples are then its parts.
         Axis::Vertical
     } else {
         let present = |a: &Axis| raw.iter().any(|r| r.axis == *a);

@@ -11,8 +11,7 @@ use crate::units::G;
 const LONGEST_RUNNING_S: f64 = 0.5;
 /// Ratio of a contact's duration to the typical duration above which it includes more than one step.
 const LONG: f64 = 1.5;
-/// Ratio of a contact's duration to the typical duration above which it includes more than one step, for a contact whose force has more peaks than
-/// that of one foot.
+/// The same ratio for a contact whose force has more peaks than that of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact of both feet with three or more peaks, s.
 const TWO_STEPS_S: f64 = 0.8;

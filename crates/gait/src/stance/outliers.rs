@@ -25,7 +25,7 @@ const COMPARABLE: usize = 4;
 /// Number of intervals between strikes whose median is the local stride time. A foot that crosses plates affects two of them.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances whose duration is that of most stances, and notes it if the others have another speed. If all strides have one speed, the others
+/// Keeps the stances whose duration is that of most stances. Adds a note if the others have another speed. If all strides have one speed, the others
 /// are contacts of a part of the foot, or of both feet.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();

@@ -33,8 +33,8 @@ const LANDING: f64 = 1.6;
 /// Maximum time to the impact of a landing from a height, s. It is before the push-off of the shortest contact in walking (0.76 of `BRISK_S`, 0.32
 /// s). In synthetic landings it is 0.06 s; measured landings were not available.
 const IMPACT_S: f64 = 0.25;
-/// Ratio of the impact and the mean of its contact: above that of the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and below that of
-/// synthetic landings, 2.6 to 3.6.
+/// Ratio of the impact and the mean of its contact, above which the contact is a landing. The fastest walking has 1.67 (1.7 to 2.3 m/s, Pataky et al.
+/// 2008), synthetic landings have 2.6 to 3.6.
 const DROP: f64 = 1.9;
 /// Fraction of a contact before which the first peak of a landing occurs; in walking it occurs between 0.18 and 0.3.
 const EARLY: f64 = 0.155;

@@ -1,4 +1,4 @@
-//! Limit on a root mean square √(2 q), satisfied to rounding by a search for a weight or a peak.
+//! Limit on a root mean square √(2 q), satisfied up to rounding errors by a search for a weight or a peak.
 //!
 //! **Start.** With the limit as a cone, the interior-point method gives the law to about 1e-6, and the multiplier of the limit. This is sufficient
 //! for the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law with the minimum root mean
@@ -8,10 +8,10 @@
 //! x(μ) is the optimum with √(2 q) ≤ `most`, and μ·most is the multiplier of the tangent: the gradient of J and the active rows sum to −μ∇q (Boyd and
 //! Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies, and the certificate needs one more row.
 //!
-//! **Peak.** If J is only a peak t, q is minimised with t ≤ p, and the p is searched for which the minimum is the permitted value. The optimum is the
-//! same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force error as
-//! its objective. If the other limits alone determine the minimum peak, the feasible set just above it is as small as rounding errors. The search
-//! then ends, with the certificate of the minimum peak without the limit on q.
+//! **Peak.** If J is only a peak t, q is minimised with t ≤ p. The search determines the p for which the minimum is the permitted value. The optimum
+//! is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force
+//! error as its objective. If the other limits alone determine the minimum peak, the feasible set just above it is as small as rounding errors. The
+//! search then ends, with the certificate of the minimum peak without the limit on q.
 //!
 //! Between two iterates, the law is interpolated to the permitted value of q, where all limits hold. With interpolated weight and multipliers, the
 //! remaining gradient is t(1 − t) Δμ Δ∇q, which is of second order.

@@ -1,4 +1,4 @@
-//! Final law of a sequence, which satisfies the limits to rounding.
+//! Final law of a sequence, which satisfies the limits up to rounding errors.
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised};
@@ -10,7 +10,7 @@ use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TO
 /// Maximum number of linearisations for the final law.
 const HELD_ROUNDS: usize = 6;
 
-/// Optimum near the last law that satisfies the limits to rounding, or at a slightly larger size.
+/// Optimum near the last law that satisfies the limits up to rounding errors, or at a slightly larger size.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -21,7 +21,7 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
     (found.violation < current.violation).then_some(found)
 }
 
-/// Law nearest to the last one that satisfies the limits to rounding, at a slightly larger size.
+/// Law nearest to the last one that satisfies the limits up to rounding errors, at a slightly larger size.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size remains unchanged.
     let free = at_size.free();

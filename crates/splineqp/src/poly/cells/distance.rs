@@ -86,7 +86,7 @@ impl Cells {
         level
     }
 
-    /// Ranges in each of which both functions are a single polynomial.
+    /// Ranges on which both functions are a single polynomial.
     fn parts(&self, own: &PiecewisePoly) -> impl Iterator<Item = Part> {
         let scale = self.per_length();
         let pieces = own.breaks().windows(2).enumerate();

@@ -1,4 +1,4 @@
-//! Refinement of a solution and of its certificate to rounding, by Newton's method on the contact points.
+//! Refinement of a solution and of its certificate up to rounding errors, by Newton's method on the contact points.
 //!
 //! An interior-point method approximates a contact by two rows, one on either side. The multipliers of these rows, and so the certificate, are still
 //! inaccurate when the law is accurate. Here each contact is one row at the exact local maximum. A step solves
