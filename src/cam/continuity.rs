@@ -52,7 +52,7 @@ impl Continuity {
 }
 
 impl Cam {
-    /// Angle of the first jump, larger than rounding errors, in the derivative of the given order (0 = lift … 3 = jerk).
+    /// Angle of the first jump that is larger than rounding errors, in the derivative of the given order (0 = lift … 3 = jerk).
     pub fn first_jump(&self, order: usize) -> Option<f64> {
         self.jumps(order).first().map(|jump| jump.at)
     }

@@ -98,7 +98,7 @@ impl Clock {
         self.phase.iter().map(|p| value(harmonics, *p)).collect()
     }
 
-    /// The motion at a speed multiplied by `by`.
+    /// The motion at `by` times the speed.
     pub fn faster(&self, by: f64) -> Clock {
         Clock {
             phase: self.phase.clone(),

@@ -166,8 +166,8 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers, which
-    /// [`scene::with_motions`](crate::scene::with_motions) reads.
+    /// The name is unknown (with the nearest known name). Parameters are not numbers, too many or out of range. A file is given instead of numbers;
+    /// [`scene::with_motions`](crate::scene::with_motions) reads such files.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());

@@ -127,8 +127,7 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// The limits of a scene. Where none is given for the contact pressure of a drive with a force, the allowable one of hardness or materials is the
-/// limit.
+/// The limits of a scene. If a drive with a force has no limit on the contact pressure, the allowable pressure of hardness or materials is the limit.
 fn limits(scene: &Scene, drive: &Drive) -> Limits {
     let mut limits = scene.limits.clone();
     if !limits.unjudged.contact_pressure && !drive.is_idle() {

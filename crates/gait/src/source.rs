@@ -16,7 +16,7 @@ use crate::stance::stances;
 ///
 /// # Errors
 ///
-/// A line is not a number; there are too few samples; several forces; a phase without a period.
+/// A line is not a number; there are too few samples or several forces; a phase is given without a period.
 pub fn one_cycle(
     path: &Path,
     bytes: &[u8],

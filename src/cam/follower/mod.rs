@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle, the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam the base height;
-    /// for a barrel its radius.
+    /// Radius of the base circle: the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam it is the base
+    /// height, for a barrel the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -248,7 +248,7 @@ impl Follower {
     }
 
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot reach the prime circle;
-    /// [`Cam::check`](super::Cam::check) rejects this.
+    /// [`Cam::check`](super::Cam::check) rejects such an arm.
     pub fn start_angle(&self) -> Option<f64> {
         let (c, prime) = (self.pivot()?[0].abs(), self.prime_radius());
         Some(match self.arm() {

@@ -29,7 +29,7 @@ struct Engine<'a> {
     surfaces: &'a [Surface],
     drive: &'a Drive,
     restitution: f64,
-    /// Free motion y″ + γ y′ + κ y + f = 0, per radian.
+    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian.
     gamma: f64,
     kappa: f64,
     push: f64,

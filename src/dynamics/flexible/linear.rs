@@ -42,7 +42,7 @@ pub struct Linear {
 struct Step {
     width: f64,
     carry: Matrix2<f64>,
-    /// One vector per Bernstein coefficient of the input.
+    /// Vectors of the response, one per Bernstein coefficient of the input.
     push: Vec<Vector2<f64>>,
 }
 

@@ -72,7 +72,7 @@ pub fn between_breaks(
     }
 }
 
-/// Stations of every interval between two breakpoints, including both. The angles of a closed cycle continue beyond its end.
+/// Stations of every interval between two breakpoints, including both breakpoints. The angles of a closed cycle continue beyond its end.
 fn stretches(
     rows: &[Station],
     breaks: &[[Station; 2]],

@@ -192,7 +192,7 @@ impl Load {
         high - low
     }
 
-    /// The load with its steps merged to about `count` steps.
+    /// The load with adjacent steps merged, so that about `count` steps remain.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
         if at_once == 1 {

@@ -16,7 +16,7 @@ use crate::units::{Dimension, Quantity};
 /// Minimum and maximum number of steps of the shaft between two rows, and its steps per time constant of the motor.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
-/// Relative difference of the motor's torque from the required one above which it cannot follow.
+/// Relative difference between the available and the required torque of the motor above which the motor cannot follow.
 const SAME_TORQUE: f64 = 1e-6;
 
 /// A cam that follows a programme, at the times of its rows.

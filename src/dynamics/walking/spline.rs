@@ -87,7 +87,7 @@ impl Periodic {
     }
 }
 
-/// A symmetric cyclic matrix with two diagonals on either side: rows of the diagonal and the two entries after it, modulo the size.
+/// A symmetric cyclic matrix with two diagonals on either side. Each row contains the diagonal entry and the two entries after it, modulo the size.
 struct Cyclic {
     rows: Vec<[f64; 3]>,
 }
@@ -99,13 +99,13 @@ impl Cyclic {
         }
     }
 
-    /// Adds to the entry of a row and a column that is at most two after it.
+    /// Adds a value to an entry whose column is at most two after its row.
     fn add(&mut self, row: usize, column: usize, value: f64) {
         let n = self.rows.len();
         self.rows[row][(column + n - row) % n] += value;
     }
 
-    /// The solution x of A x = b: the last two unknowns border a band.
+    /// Solution x of A x = b, with the last two unknowns as the border of a band.
     fn solve(&self, right: &[f64]) -> Vec<f64> {
         let n = self.rows.len();
         let m = n - 2;

@@ -20,7 +20,7 @@ pub struct FitKey {
     pub degree: usize,
 }
 
-/// Basis functions, objective, and the force difference only.
+/// Basis functions, objective, and the part of the objective that measures the force difference.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
 /// Cached fits to one cycle of force.

@@ -157,8 +157,8 @@ fn while_worthwhile(
     }
 }
 
-/// Result with the minimum number of spans for which a law is feasible; if there is none, the result with the maximum number. The number of spans
-/// affects only band and accuracy.
+/// Result with the minimum number of spans for which a law is feasible. If no number is feasible, the result with the maximum number. The number of
+/// spans affects only band and accuracy.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
         match solve(problem, search, spans)? {

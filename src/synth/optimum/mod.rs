@@ -236,8 +236,8 @@ pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     }
 }
 
-/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits, or arbitrary
-/// if it has no cost. For an arm the size is limited by the reach of the arm.
+/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits; it is
+/// arbitrary if it has no cost. For an arm the size is limited by the reach of the arm.
 pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;

@@ -163,7 +163,7 @@ struct Search {
 }
 
 impl Search {
-    /// First law: at the given angle; if equalities tie the law to angles, at the first of several angles with a solution.
+    /// First law: at the given angle. If equalities tie the law to angles, the first of several angles with a solution is used.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };

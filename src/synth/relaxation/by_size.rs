@@ -13,7 +13,7 @@ use crate::synth::synthesis::kept;
 const TRIALS: usize = 12;
 /// Factor by which the limit on the prime radius is multiplied to make it inactive.
 const NO_LIMIT: f64 = 10.0;
-/// Relative extension of a step beyond the step of the slope, so that it ends within the limit.
+/// Relative extension of a step beyond the value that the slope predicts, so that the step ends within the limit.
 const BEYOND: f64 = 0.02;
 /// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;

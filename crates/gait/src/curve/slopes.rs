@@ -26,8 +26,9 @@ pub fn slope_at(f: &[f64], i: usize) -> f64 {
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
 }
 
-/// Maximum ratio of the second differences of five samples, which also agree in sign, for the unchanged centred difference. With second differences
-/// p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12; under this condition it lies between both steps.
+/// Maximum ratio of the second differences of five samples for which the centred difference is unchanged. The second differences must also have the
+/// same sign. With second differences p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12. Under this condition it lies
+/// between both steps.
 const STEADY: f64 = 6.0;
 
 /// Limits the slope by selections instead of branches, so that the compiler vectorises the loop.

@@ -9,7 +9,7 @@ use crate::statistics::median;
 const ONE_SPEED: f64 = 0.1;
 /// Fraction of stances outside this range above which the speed changes.
 const OUTSIDE: f64 = 0.15;
-/// Minimum number of stances that show a change of speed.
+/// Minimum number of stances for detecting a change of speed.
 const FEWEST: usize = 8;
 /// Quantities that identify outliers.
 type Measure = fn(&Stance) -> f64;

@@ -10,8 +10,8 @@
 //!
 //! **Peak.** If J is only a peak t, q is minimised with t ≤ p. The search determines the p for which the minimum is the permitted value. The optimum
 //! is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force
-//! error as its objective. If the other limits alone determine the minimum peak, the feasible set just above it is as small as rounding errors. The
-//! search then ends, with the certificate of the minimum peak without the limit on q.
+//! error as its objective. If the other limits alone determine the minimum peak, the feasible set just above this minimum is as small as the rounding
+//! errors. The search then ends, with the certificate of the minimum peak without the limit on q.
 //!
 //! Between two iterates, the law is interpolated to the permitted value of q, where all limits hold. With interpolated weight and multipliers, the
 //! remaining gradient is t(1 − t) Δμ Δ∇q, which is of second order.

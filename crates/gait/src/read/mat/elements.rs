@@ -157,7 +157,7 @@ impl<'a> Iterator for Elements<'a> {
             length => (first & 0xFFFF, 4, length as usize, 8),
         };
         let data = self.bytes.get(from..)?;
-        // The last variable of a truncated file is read up to its end.
+        // The last variable of a truncated file is read up to the end of the file.
         let data = data.get(..length).unwrap_or(data);
         self.bytes = self.bytes.get(whole..).unwrap_or(&[]);
         Some((kind, data))

@@ -133,7 +133,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     of_force.or_else(|| series.iter().map(length).max())
 }
 
-/// Series of an array: a vector is one series; in a matrix the shorter dimension counts the series.
+/// Series of an array. A vector is one series; in a matrix, the shorter dimension is the number of series.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();

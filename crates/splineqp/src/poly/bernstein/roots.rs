@@ -58,7 +58,7 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of adjacent coefficients below which it may be a rounding error.
+/// Difference of adjacent coefficients below which this difference may be a rounding error.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }

@@ -22,7 +22,7 @@ pub use distance::Distance;
 pub struct Cells {
     /// Values at the n + 1 ends of the cells; the last value equals the first one.
     values: Vec<f64>,
-    /// Slopes at the ends of the cells, per cell.
+    /// Slopes at the ends of the cells, relative to the length of a cell.
     slopes: Vec<f64>,
     length: f64,
 }
