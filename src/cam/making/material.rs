@@ -120,7 +120,7 @@ impl Stock {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct StatedMaterial {
-    /// The known material whose constants apply where none is stated.
+    /// The known material whose constants are used for values that are not stated.
     pub stock: Option<Stock>,
     /// Stated Young's modulus, Pa.
     pub young: Option<f64>,
@@ -140,7 +140,7 @@ impl StatedMaterial {
         }
     }
 
-    /// Allowable contact pressure, Pa; `None` where neither it nor a known material is stated.
+    /// Allowable contact pressure, Pa; `None` if neither it nor a known material is stated.
     pub fn allowable_pressure(&self) -> Option<f64> {
         let usual = || self.stock.filter(|_| self.young.is_none());
         let usual = || usual().map(Stock::allowable_pressure);

@@ -43,11 +43,11 @@ pub struct ProgrammeRun {
     pub angle: Vec<f64>,
     /// Speed of the camshaft, rad/s.
     pub speed: Vec<f64>,
-    /// Velocity of the follower, m/s; for an arm, rad/s.
+    /// Angular acceleration of the camshaft, rad/s².
     pub acceleration: Vec<f64>,
-    /// Acceleration of the follower, m/s²; for an arm, rad/s².
+    /// Velocity of the follower, m/s; for an arm, rad/s.
     pub follower_velocity: Vec<f64>,
-    /// Acceleration, m/s², of the follower; rad/s² of an arm.
+    /// Acceleration of the follower, m/s²; for an arm, rad/s².
     pub follower_acceleration: Vec<f64>,
     /// Contact force, N; for an arm, divided by its lever.
     pub force_n: Vec<f64>,

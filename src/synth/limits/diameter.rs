@@ -170,7 +170,7 @@ impl Diameter {
         }
     }
 
-    /// The limit at a point of the law; h ≥ 0 if it holds.
+    /// Clearance of the limit at a point of the law. h ≥ 0 if the limit is satisfied.
     pub fn slack(&self, at: Svaj, size: ProfileSize) -> Slack {
         let none = Slack::none(LimitKind::Diameter);
         match *self {

@@ -1,6 +1,7 @@
 //! Limit on the residual vibration in a dwell (theory §10).
 //!
-//! Clearance of the limit at a point of the law. h ≥ 0 if the limit is satisfied.
+//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. If the law without the limit exceeds
+//! it, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the simulation model.
 
 use std::f64::consts::TAU;
 

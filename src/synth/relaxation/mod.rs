@@ -288,7 +288,7 @@ impl<'a> Relaxing<'a> {
 
     /// The value of the convex program, or a slightly larger change, for which the design passes.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
-        // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is not either.
+        // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is rejected.
         let [none, less, most, _] = ROOMS;
         let weakest = number.with_room(hint, most);
         self.tried(number, weakest)?;
