@@ -208,7 +208,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     };
     let covered = options.span_rad.map_or(period, |s| period * s / TAU);
     let step = (last - first) / (times.len() - 1) as f64;
-    // A file whose last value equals its first one, or that covers a span, contains both ends.
+    // A file whose times cover the whole period, or that covers a span, contains both ends.
     let holds_ends = options.span_rad.is_some() || ((last - first) / period - 1.0).abs() < 1e-6;
     let length = if holds_ends {
         last - first

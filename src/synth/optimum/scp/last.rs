@@ -35,7 +35,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
     let mut near = program.clone();
     let mut about = current.clone();
     if near.hessian.largest_diagonal() == 0.0 {
-        // A peak as objective has no quadratic distance, so one is added. Its rows are removed, because the peak increases with the change of the law.
+        // A peak as objective has no quadratic distance, so one is added. Its rows are removed, because the peak increases with the law.
         let mut distance = Quadratic::zero(&program.basis);
         for order in [0, 2] {
             distance.add_energy(&program.basis, order, program.length.powi(-2));
