@@ -188,7 +188,7 @@ impl Drive {
         let largest = (self.spring_rate.abs())
             .max(self.mass * nw * nw)
             .max(im.abs());
-        // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
+        // F = a cos + b sin = Re((a − ib) e^{ihθ}); division by the gain re + i·im.
         let lift = ((a * re - b * im) / square, (b * re + a * im) / square);
         (square.sqrt() > RESONANCE * largest).then_some(lift)
     }

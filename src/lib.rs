@@ -19,7 +19,7 @@
 //!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
 //! ```
 //!
-//! The problem is convex except for the last line. The limits hold at every angle, not only at samples: laws are piecewise polynomials in Bernstein
+//! The problem is convex except for the last line. The limits hold at every angle, not only at samples. Laws are piecewise polynomials in Bernstein
 //! form (or sinusoids), so every extreme is computed from roots.
 //!
 //! # From end to end
@@ -56,7 +56,7 @@
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-/// Unit tests share cams with `gaitcam-test-support`, which depends on this crate.
+/// The unit tests share cams with `gaitcam-test-support`, which depends on this crate.
 #[cfg(test)]
 extern crate self as gaitcam;
 

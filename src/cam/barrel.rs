@@ -195,7 +195,7 @@ impl BarrelGroove {
     /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. The wall is undercut
     /// where a positive pitch radius is below the radius of the roller.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
-        // The lower wall's body lies below, the upper one's above: their curvatures have opposite signs.
+        // The material of the lower wall is below the groove, that of the upper wall above it: their curvatures have opposite signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
@@ -212,7 +212,7 @@ impl BarrelGroove {
     pub fn wall_point(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 3] {
         let at = self.law.svaj(theta);
         let [across, up] = self.wall_offset(at, radius, wall);
-        // Before turning: axis along +x, the groove's length along −y.
+        // Coordinates before the rotation: axis along +x, length of the groove along −y.
         let (sin, cos) = theta.sin_cos();
         let (x, y) = (radius, -across);
         [

@@ -49,7 +49,7 @@ pub struct Check {
     pub limit: f64,
     /// Cam angle of the worst value, rad.
     pub at: f64,
-    /// Whether the limit holds.
+    /// Whether the value satisfies the limit.
     pub pass: bool,
 }
 

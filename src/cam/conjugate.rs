@@ -67,11 +67,12 @@ impl Conjugate {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
 
-    /// As [`Conjugate::new`], but the arms are in planes other than those of the cams, so their pivots may lie within the profiles.
+    /// Computes the pair as [`Conjugate::new`] does, but the arms are in planes other than those of the cams. Their pivots may therefore lie within
+    /// the profiles.
     ///
     /// # Errors
     ///
-    /// As [`Conjugate::new`].
+    /// The errors of [`Conjugate::new`].
     pub fn beside(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check_beside)
     }
@@ -90,7 +91,7 @@ impl Conjugate {
             law,
             follower: opposite(&first.follower, radius)?,
         };
-        // Place of the first follower at its top, from which the closure measures.
+        // Position of the first follower at maximum lift; the closure is measured from it.
         let reach = first.follower.start_place() + top;
         match closure {
             Closure::SecondBaseRadius(base) => {
@@ -126,7 +127,7 @@ impl Conjugate {
         })
     }
 
-    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It is equal at every θ.
+    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It does not depend on θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()

@@ -52,7 +52,7 @@ impl Continuity {
 }
 
 impl Cam {
-    /// Angle of the first jump, larger than rounding errors, in the derivative of the given order (0 = lift … 3 = jerk).
+    /// Angle of the first jump that is larger than rounding errors, in the derivative of the given order (0 = lift … 3 = jerk).
     pub fn first_jump(&self, order: usize) -> Option<f64> {
         self.jumps(order).first().map(|jump| jump.at)
     }
@@ -86,7 +86,7 @@ impl Cam {
             at: x.at,
             value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
         });
-        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
+        // A derivative that is zero up to rounding errors has no jumps: the threshold also scales with the size of the cam.
         let size = (HARDLY_MOVES * self.follower.prime_radius()).max(STILL);
         let above = |range: f64| move |x: &Extreme| x.value.abs() > (JUMP * range).max(ROUNDING);
         let mut jumps: Vec<Extreme> = jump.filter(above(size)).collect();

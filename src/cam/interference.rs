@@ -72,7 +72,7 @@ impl Cam {
                 };
                 (Body::Face, deepest(&profile, depth))
             } else {
-                // Squares, and no turn into space: most of the time of a roller's design was spent here.
+                // Squared distances in the cam's frame: this loop takes most of the time of a design with a roller.
                 let near =
                     |p: &ProfilePoint| -((p.x - centre[0]).powi(2) + (p.y - centre[1]).powi(2));
                 let (square, point) = deepest(&profile, near);

@@ -137,8 +137,8 @@ impl SizeLimits {
 const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 
-/// Minimum base radius (m; for a barrel: radius of the cylinder) for which `cam`, with its other dimensions, fits its law and satisfies the limits,
-/// with a relative accuracy of 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
+/// Minimum base radius, m, for which `cam`, with its other dimensions, fits its law and satisfies the limits; for a barrel, minimum radius of the
+/// cylinder. The relative accuracy is 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
 ///
 /// For a translating flat face the result is a closed form. Otherwise the cam grows in steps of a quarter until it is feasible, and bisection refines
 /// the size.

@@ -87,7 +87,7 @@ impl People<'_> {
                 }
             }
         }
-        // Walkers alike are no seeds of their own.
+        // For walkers with equal forces, fewer starts exist than cams; `filled` assigns the remaining cams.
         filled(owner, count, &|_, _| 0.0)
     }
 

@@ -26,7 +26,7 @@ impl Point {
     fn shared(&self, other: &Point) -> f64 {
         let distance = self.distance(other);
         let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
-        // Between the two cams the error of one rises and that of the other falls.
+        // Between the forces of the two individual cams, the error of one walker increases and that of the other decreases.
         let (mut near, mut far) = (0.0, distance);
         for _ in 0..STEPS {
             let middle = 0.5 * (near + far);
@@ -118,7 +118,7 @@ fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let whole: f64 = weights.iter().sum();
     let places = points.first().map_or(0, |p| p.at.len());
     if places == 0 {
-        // All are one point.
+        // All points coincide.
         let errors: Vec<f64> = points.iter().map(|p| p.least).collect();
         return (dot(&errors, shares), errors);
     }

@@ -49,7 +49,7 @@ pub struct Cover {
 ///
 /// # Errors
 ///
-/// As for one cam; the force belongs to a single walker.
+/// The errors of the design of one cam; the force belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -79,7 +79,7 @@ impl People<'_> {
             }
         }
         let mut out: Vec<Cover> = out.into_iter().map(|c| c.1).collect();
-        // What so many cams cannot do, fewer cannot.
+        // A lower bound for k cams is also a lower bound for fewer cams.
         let mut least = 0.0_f64;
         for cover in out.iter_mut().rev() {
             cover.bound = cover.bound.map(|b| b.max(least));

@@ -69,7 +69,7 @@ impl Errors {
 ///
 /// # Errors
 ///
-/// As for [`covers`](super::covers).
+/// The errors of [`covers`](super::covers).
 pub fn folds(scene: &Scene, force: &ForceCurve, cams: usize, search: &Search) -> Result<Vec<Fold>> {
     let Some(population) = force.population.as_deref() else {
         return Ok(Vec::new());

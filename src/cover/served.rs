@@ -41,7 +41,7 @@ pub struct Assigned {
 ///
 /// # Errors
 ///
-/// As for one cam.
+/// The errors of the design of one cam.
 pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<Vec<Assigned>> {
     let mut best: Vec<Assigned> = Vec::new();
     let problem = Problem::resolve(scene, Some(force))?;
@@ -52,7 +52,7 @@ pub fn served_by(scene: &Scene, cams: &[Design], force: &ForceCurve) -> Result<V
             continue;
         }
         for (best, own) in best.iter_mut().zip(own) {
-            // Of one walker the smaller error is smaller in percent and in newtons.
+            // For one walker, the smaller error in newtons is also the smaller error in percent.
             if own.error.rms_error_n < best.error.rms_error_n {
                 *best = own;
             }

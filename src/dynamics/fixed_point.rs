@@ -38,7 +38,7 @@ pub struct Settled<D> {
 ///
 /// # Errors
 ///
-/// As for a single design.
+/// The errors of a single design.
 pub fn settled<D>(
     mut given: Vec<f64>,
     allowed: f64,

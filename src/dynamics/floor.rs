@@ -258,7 +258,7 @@ impl Floor {
         still: &[Term],
         others: &[Term],
     ) -> Result<Vec<Term>> {
-        // The floor feels all feet: what the shaker lacks the others may press.
+        // All feet load the floor: where the shaker exerts no force at a harmonic, the other walkers may exert one.
         let size = |(a, b): &Term| a.hypot(*b);
         let both = still.iter().zip(others);
         let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
@@ -272,7 +272,7 @@ impl Floor {
             .collect())
     }
 
-    /// Gₙ = 1/(1 − M Hₙ) for the harmonics from the first on: ratio of the force of a shaker with a given mass, kg, on the moving floor and on a
+    /// Gₙ = 1/(1 − M Hₙ) for the harmonics from the first on: ratio of the force of a shaker of mass M, kg, on the moving floor to its force on a
     /// rigid floor. Zero at the resonance of an undamped mode.
     pub fn felt(&self, mass: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
         let of = |n: usize| self.accelerance(n, n as f64 * speed);

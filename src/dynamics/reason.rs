@@ -11,7 +11,7 @@ use crate::wording::{self, Language};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum ModelReason {
     /// The user selected the model.
     AskedFor,
@@ -58,7 +58,7 @@ impl ModelReason {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum LiftoffMargin {
     HeldFromBothSides,
     NoLiftoff { speed: Quantity },
@@ -70,7 +70,7 @@ pub enum LiftoffMargin {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum ForceMargin {
     /// The drive has neither mass nor spring nor preload.
     NoForce,
@@ -91,7 +91,7 @@ pub enum ForceMargin {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum Vibration {
     /// Springs in series without mass: no vibration, but a part of the lift deflects the train.
     NoMass,
@@ -107,7 +107,7 @@ pub enum Vibration {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum RunNote {
     SecondCamBears {
         part: Quantity,

@@ -57,7 +57,7 @@ pub enum DynamicsError {
     Train,
     /// An undamped natural frequency equals a harmonic.
     Resonance { cycles: f64 },
-    /// The flexible model needs a stiffness.
+    /// The flexible model requires a stiffness.
     NoTrain,
     /// An open law has no steady vibration.
     OpenVibration,
@@ -65,7 +65,7 @@ pub enum DynamicsError {
     HeldByGroove,
     /// The conjugate pair constrains the follower from both sides, so it cannot lift off.
     HeldByPair,
-    /// The contact model needs a law of one turn.
+    /// The contact model requires a law of one turn.
     NotOneTurn,
     /// Motor data are out of range.
     Motor,
@@ -81,15 +81,15 @@ pub enum DynamicsError {
         needed: Quantity,
         speed: Quantity,
     },
-    /// Too few rows of a speed programme.
+    /// A speed programme has too few rows.
     FewProgrammeRows { rows: usize },
-    /// A row of a speed programme is out of order or has no positive speed.
+    /// The time of a row of a speed programme does not increase, or its speed is not positive.
     ProgrammeRow { row: usize },
-    /// A speed programme needs a cam that turns.
+    /// A speed programme requires a rotating cam.
     ProgrammeTurns,
-    /// A programme cannot keep the limit of the acceleration.
+    /// No programme satisfies the limit of the acceleration.
     ProgrammeAcceleration { most: Quantity },
-    /// The cam loses its contact or its smallest force at any speed of the programme.
+    /// The follower loses contact, or the force is below its limit, at any speed of the programme.
     ProgrammeContact { least: Quantity, limit: Quantity },
     /// The motor does not reach a torque at a speed.
     ProgrammeMotor {
@@ -108,9 +108,9 @@ pub enum DynamicsError {
     ContactUnderMotor,
     /// Only the rigid model supports a moving floor.
     FloorNotRigid,
-    /// No steady motion of shaft and floor was found.
+    /// No common steady motion of shaft and floor was found.
     FloorAndShaft,
-    /// A polydyne cam needs a closed law.
+    /// A polydyne cam requires a closed law.
     OpenPolydyne,
     /// The target of a polydyne cam is not smooth enough.
     PolydyneJump {

@@ -38,23 +38,23 @@ pub enum SceneError {
     NotOfDrive { drive: &'static str },
     /// An arm has a mass instead of a moment of inertia.
     MassOfArm,
-    /// A value instead of a table.
+    /// A value is given instead of a table.
     NotTable { typed: String, section: String },
-    /// A text is not a hardness with its scale.
+    /// The text is not a hardness with its scale.
     NotHardness { typed: String },
-    /// A text is not a measure of the errors of several walkers.
+    /// The text is not a measure of the errors of several walkers.
     NotRobust { typed: String },
-    /// A text is not a range of step frequencies.
+    /// The text is not a range of step frequencies.
     NotFrequencies { typed: String },
-    /// A value instead of a list of tables.
+    /// A value is given instead of a list of tables.
     NotList { typed: String, list: String },
-    /// A value instead of a text.
+    /// A value is given instead of a text.
     NotText { typed: String },
-    /// A value that is neither a text nor a list of texts.
+    /// The value is neither a text nor a list of texts.
     NotTexts { typed: String },
     /// The value is neither true nor false.
     NotFlag { typed: String },
-    /// A value that is not a whole number in the range.
+    /// The value is not a whole number in the range.
     NotCount {
         typed: String,
         low: usize,
@@ -66,7 +66,7 @@ pub enum SceneError {
         low: usize,
         high: usize,
     },
-    /// A value that is not a number with its unit.
+    /// The value is not a number with its unit.
     NotQuantity { typed: String, example: String },
     /// A word is unknown; with the nearest known word.
     UnknownWord {
@@ -74,17 +74,17 @@ pub enum SceneError {
         nearest: Option<String>,
         known: String,
     },
-    /// A number that must be positive.
+    /// The number is not positive.
     NotPositive { typed: String, example: String },
-    /// A number that must not be negative.
+    /// The number is negative.
     Negative { typed: String, example: String },
-    /// A number outside its range.
+    /// The number is outside its range.
     Outside {
         typed: String,
         low: Quantity,
         high: Quantity,
     },
-    /// A pressure angle of 90° or more.
+    /// The pressure angle is 90° or more.
     NotAcute { typed: String },
     /// A key that the follower requires is missing.
     NeededByFollower {
@@ -112,9 +112,9 @@ pub enum SceneError {
     ValueNotTable { part: String },
     /// Both a recording and a model are given.
     FileAndModel,
-    /// A text is not a load factor with its phase.
+    /// The text is not a load factor with its phase.
     NotHarmonic { typed: String },
-    /// A text of `machine.learned_force` is not a force with its phase.
+    /// The text of `machine.learned_force` is not a force with its phase.
     NotLearnedForce { typed: String },
     /// There are more harmonics of `machine.learned_force` than supported.
     LearnedForces { given: usize, most: usize },
@@ -190,9 +190,9 @@ pub enum SceneError {
     NoLoadWithoutStall,
     /// A unit was given for points for Fusion, which always reads centimetres.
     PointsOfFusion,
-    /// A nameplate without rated torque or rated speed.
+    /// A nameplate lacks the rated torque or the rated speed.
     HalfNameplate,
-    /// A synchronous speed that is not above the rated speed.
+    /// The synchronous speed is not above the rated speed.
     NotSynchronous,
     /// The torque of a motor does not decrease with its speed.
     MotorCurve,

@@ -77,14 +77,14 @@ pub enum SynthError {
     FollowerNeeds,
     /// A range of angles is not within one turn.
     NoRange { start: Quantity, end: Quantity },
-    /// More conditions than the degree of the polynomial allows.
+    /// There are more conditions than the degree of the polynomial allows.
     DegreeTooLow {
         conditions: usize,
         fixed: usize,
         degree: usize,
         excess: usize,
     },
-    /// Fewer conditions than the degree of the polynomial requires.
+    /// There are fewer conditions than the degree of the polynomial requires.
     DegreeTooHigh {
         conditions: usize,
         fixed: usize,

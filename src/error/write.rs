@@ -19,7 +19,7 @@ use crate::units::Quantity;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // the messages of wording/en/write.ftl say what each field is
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum WriteError {
     FolderRefuses {
         fault: String,
@@ -81,7 +81,7 @@ pub enum WriteError {
         allowed: Quantity,
     },
     EcamOfMotor,
-    /// A name that the controller does not accept.
+    /// The controller does not accept the name.
     EcamName {
         name: String,
         longest: usize,

@@ -148,7 +148,7 @@ impl Cycles {
         if leads.len() < 6 {
             return Ok(());
         }
-        // φ = … + c x², x = 0 … 1 over the log: the speed changes by 2c/(2πK) of itself.
+        // φ = … + c x² with x = 0 … 1 over the log: the relative change of the speed is 2c/(2πK).
         let change = 2.0 * polynomial(&leads, 2)[2] / (TAU * leads.len() as f64);
         match change.abs() > DRIFT {
             true => Err(log.refused(drift(self.speed, [1.0 - 0.5 * change, 1.0 + 0.5 * change]))),
@@ -314,7 +314,7 @@ impl Fitted {
                 }
             }
             let factor = (normal / samples.max(1.0)).cholesky();
-            // A cycle with a gap has directions that its samples do not see.
+            // If a cycle has a gap, its samples do not determine all unknowns.
             let sound = factor.filter(|f| f.l_dirty().diagonal().min() > UNSEEN);
             let factor = sound.ok_or_else(|| log.refused(LogError::Gap { cycle, samples }))?;
             let solved = factor.solve(&(right / samples));

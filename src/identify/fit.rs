@@ -100,7 +100,7 @@ pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start
     for _ in 0..if shifts.is_empty() { 0 } else { STEPS } {
         let model = solver.model(&values);
         let left = difference(&stack.means(&at), &model);
-        // What the free columns cannot follow of the shifts.
+        // Part of the effect of the shifts that the free columns cannot represent.
         let free = (0..values.len()).filter(|i| solver.is_free(&values, *i));
         let mut used: Vec<Vec<f64>> = free.map(|i| solver.scaled(i)).collect();
         let count = used.len();
@@ -135,7 +135,7 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     let used: Vec<Vec<f64>> = columns.chain(stack.slopes(&model)).collect();
     let operator = inverse(&used);
     let left = difference(&stack.means(at), &model);
-    // Scatter of the residual of all logs by the cycles of each.
+    // Scatter of the residual of all logs, from the cycles of each log.
     let mut variance = vec![0.0; left.len()];
     for (run, part) in measured.iter().zip(stack.parts()) {
         let residuals = run.map(|c| {
@@ -167,7 +167,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
             f64::INFINITY
         }
     };
-    // About the least squares without signs, whose scatter this is; the value within the signs is one of the possible ones.
+    // Interval about the least-squares estimate without sign constraints, because the scatter belongs to this estimate. It also contains the value
+    // with sign constraints.
     let estimate = |value: f64, row: Option<&Vec<f64>>, scale: f64| {
         let known = row.map(|row| (value + dot(row, &left), half(row)));
         let (centre, half) = known
@@ -197,8 +198,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Squared effect on an estimate of a repeatable residual with unit components: the maximum for a residual that differs between logs and for one that
-/// is equal in all.
+/// Squared effect on an estimate of a repeatable residual with unit components. It is the maximum for a residual that differs between logs and for
+/// one that is equal in all logs.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];

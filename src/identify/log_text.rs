@@ -187,7 +187,7 @@ impl Names<'_> {
         let of_unit = |i: &usize| matches!(self.unit(*i), Unit::Known(q, _) if q == which);
         let of_name = |i: &usize| match self.unit(*i) {
             Unit::Known(quantity, _) if quantity != which => false,
-            // A position in millimetres is not an angle.
+            // A position in millimetres is not an angle: its unit excludes the column.
             Unit::Other(_) if which != 0 && which != FORCE => false,
             _ => self.means(which, *i),
         };

@@ -11,7 +11,7 @@
 //! damping therefore widens their intervals. Several logs share the parameters and a delay; a second speed separates mass and stiffness. A parameter
 //! whose interval contains 0, or is wider than half its value, is not identified (theory §10).
 //!
-//! The next cam corrects every repeatable force error, identified or not: [`recut`] adds the repeatable difference from the design to the machine
+//! The next cam corrects every repeatable force error, identified or not. [`recut`] adds the repeatable difference from the design to the machine
 //! (`machine.learned_force`) and designs again within all limits.
 
 mod cycles;

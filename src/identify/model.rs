@@ -51,7 +51,7 @@ impl Clock {
         let duration: Vec<f64> = speed.iter().map(|w| 1.0 / (w * slowness)).collect();
         let (mut sum, step) = (0.0, TAU / ANGLES as f64);
         let time = duration.iter().enumerate().map(|(i, p)| {
-            // Parts reach from the middle between two angles to the next.
+            // Each part extends from the middle between two angles to the next middle.
             sum += if i == 0 {
                 0.0
             } else {
@@ -98,7 +98,7 @@ impl Clock {
         self.phase.iter().map(|p| value(harmonics, *p)).collect()
     }
 
-    /// The motion at a speed multiplied by `by`.
+    /// The motion at `by` times the speed.
     pub fn faster(&self, by: f64) -> Clock {
         Clock {
             phase: self.phase.clone(),

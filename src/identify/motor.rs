@@ -46,9 +46,9 @@ fn of_run(design: &Design, fitted: &Fitted, place: usize) -> Vec<Parameter> {
     let inertia = columns(&|i| speed(i) * slope[i], true);
     let constant = columns(&|_| 1.0, torque.is_some());
     let line = columns(&|i| speed(i) - run.cycles.speed, true);
-    // Zero of the load cell, which the other columns would take up.
+    // Zero of the load cell; without this column, the other columns would represent it.
     let bias = columns(&|i| law.svaj(angle(i)).v, false);
-    // The load of every cycle: what its force does along the law.
+    // Work of the force along the law in every cycle.
     let load = |force: &[f64]| {
         let force = clock.at_angles(force);
         let power: Vec<f64> = (0..ANGLES)

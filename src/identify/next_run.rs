@@ -47,7 +47,7 @@ pub(super) fn next_run(
 ) -> Option<NextRun> {
     let open: Vec<&Parameter> = parameters.iter().filter(|p| !p.identifiable).collect();
     let groups = fitted.shifts.len();
-    // A further log without angle has a phase of its own.
+    // The phase of a further log without an angle is an additional unknown.
     let count = groups + usize::from(!fitted.runs[0].cycles.by_angle);
     let of_run = |place: usize, clock: &Clock| {
         let rates = |g: usize| fitted.shifts.get(g).map_or(0.0, |s| s.rates[place]);
@@ -130,7 +130,7 @@ fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) ->
     let cycles = fitted.fit.measured.iter().map(|m| m.each.len() - 1).sum();
     let variances = fitted.fit.measured.iter().flat_map(|m| m.variance());
     let noise = t95(cycles) * variances.fold(0.0_f64, f64::max).sqrt();
-    // The residual of a further run has as many harmonics as those of the logs.
+    // The residual of a further run is assumed to have as many harmonics as those of the logs.
     let runs = fitted.runs.len();
     let harmonics = fitted.fit.harmonics * (runs + 1) / runs;
     let doubt = t95(harmonics) * fitted.fit.component.sqrt();

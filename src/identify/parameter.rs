@@ -44,7 +44,7 @@ impl Parameter {
         }
     }
 
-    /// A parameter estimated by its inverse. If it may be infinite, its value is the minimum possible one.
+    /// A parameter estimated by its inverse. If the inverse may be 0, the value is the minimum possible one.
     pub(super) fn inverse(key: &'static str, found: Estimate) -> Parameter {
         let of = Parameter::of(key, found, true);
         let inverse = |x: f64| (x > 0.0).then(|| 1.0 / x);

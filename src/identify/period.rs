@@ -39,7 +39,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     }
     check_gaps(log, time, expected)?;
     let none = || log.refused(no_cycle(TAU / expected));
-    // Fewer samples than two per cycle show no cycle, and would be spread over cells without end.
+    // With fewer than two samples per cycle, no cycle is detectable, and the number of cells would be unlimited.
     if length / expected > 0.5 * time.len() as f64 {
         return Err(none());
     }
@@ -61,7 +61,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
         return Err(log.refused(drift(1.0, speeds)));
     }
     let (mut lag, strength) = whole.ok_or_else(none)?;
-    // Over more and more cycles the lag is known better and better.
+    // The lag is determined more accurately over an increasing number of cycles.
     let mut cycles = 1.0;
     while 2.0 * cycles * lag < 0.8 * cells.len() as f64 {
         let middle = (2.0 * cycles * lag).round() as usize;

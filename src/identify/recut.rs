@@ -42,8 +42,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS difference between repeatable force and target, N; on a moving axis without its mean, which is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N: remaining noise, effect of the limits, harmonics that were not corrected, and friction that
-    /// changes sign at other angles.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that were not corrected,
+    /// and the friction that changes sign at other angles.
     pub predicted_rms_n: f64,
 }
 
@@ -58,8 +58,8 @@ const OTHER_SPEED: f64 = 0.1;
 ///
 /// # Errors
 ///
-/// As [`super::identify`]; a design without target; no log within 10 % of the speed of the design; a residual that is only noise; errors of the new
-/// design.
+/// The errors of [`super::identify`]; the design has no target; no log is within 10 % of the speed of the design; the residual is only noise; errors
+/// of the new design.
 pub fn recut(
     design: &Design,
     scene: &Scene,
@@ -84,7 +84,7 @@ pub fn recut(
     let count = measured.mean.len();
     let noise = measured.variance();
     let from = usize::from(design.problem.drive.kind == DriveKind::MovingAxis);
-    // The wanted force is one over time: by the cam angle it is another where the speed varies than the design took it for.
+    // The required force is a function of time. Over the cam angle it differs from that of the design if the speed varies differently.
     let in_time = design.target_in_time().unwrap_or(target);
     let wanted: Vec<f64> = clock.time.iter().map(|t| in_time.at(*t)).collect();
     let taken = (0..ANGLES).map(|i| target.at(angle(i)));
@@ -112,12 +112,12 @@ pub fn recut(
         .filter(|(_, t)| t.key != "log.bias" && t.key != "drive.preload")
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t))
         .collect();
-    // Friction that is not identified is not designed for, but it changes sign with the velocity of the new law.
+    // Friction that is not identified is not part of the model, but its sign changes with the velocity of the new law.
     let rubbing = (fitted.terms.iter().enumerate())
         .filter(|(i, t)| t.effect == Effect::Coulomb && !found.parameters[*i].identifiable)
         .map(|(i, t)| (fitted.fit.each[i].value - t.nominal, t));
     let rubbing: Vec<(f64, &Term)> = used.iter().copied().chain(rubbing).collect();
-    // What parameters change under a design's law.
+    // Change of the force by the parameters under the law of a design.
     let changed_by = |terms: &[(f64, &Term)], of: &Design| -> Vec<f64> {
         let machine = Machine::new(of, scene, clock);
         let mut sum = vec![0.0; ANGLES];
@@ -145,7 +145,7 @@ pub fn recut(
         }
         made = synth::design(&Problem::resolve(&next, force)?, search)?;
     }
-    // What the parameters change under the last law, less what it was designed for.
+    // Change by the parameters under the last law, minus the change for which it was designed.
     let [now, before_it] = [&made, design].map(|of| changed_by(&rubbing, of));
     let taken = |i: usize| {
         made.problem.learned_force(angle(i)) - design.problem.learned_force(angle(i)) - own[i]

@@ -65,7 +65,7 @@ impl Law {
         pieces.finish(true)
     }
 
-    /// The break of a span if it equals an angle to rounding, otherwise the angle.
+    /// The break of a span if it equals an angle up to rounding errors, otherwise the angle.
     fn near_break(&self, theta: f64) -> f64 {
         let (i, u) = self.poly().locate(theta);
         match u {

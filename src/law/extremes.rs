@@ -1,4 +1,4 @@
-//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its derivatives, its jumps, and scaled
+//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its derivatives, jumps, and scaled
 //! coefficients.
 
 use std::f64::consts::TAU;

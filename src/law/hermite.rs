@@ -35,8 +35,8 @@ const MAX_DEGREE: usize = 40;
 /// Fraction of the maximum singular value below which a singular value counts as zero. The conditions then do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold to rounding relative
-/// to the maximum value.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold up to rounding
+/// errors relative to the maximum value.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -56,7 +56,7 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
     check(conditions, start, end)?;
     let n = conditions.len();
     let width = end - start;
-    // Rows are scaled so that each derivative's largest weight is near 1.
+    // Rows are scaled so that the maximum weight of each derivative is near 1.
     let scales: Vec<f64> = conditions
         .iter()
         .map(|c| (0..c.order).fold(1.0, |f, r| f * width / (n - 1 - r) as f64))
@@ -74,7 +74,7 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
     }
     let lu = matrix.clone().full_piv_lu();
     let mut b = lu.solve(&values).ok_or_else(|| not_fixed(n))?;
-    // One refinement removes what elimination lost.
+    // One step of iterative refinement removes the rounding errors of the elimination.
     if let Some(correction) = lu.solve(&(&values - &matrix * &b)) {
         b += correction;
     }
@@ -109,7 +109,7 @@ fn check(conditions: &[Condition], start: f64, end: f64) -> Result<()> {
         }
         .into());
     }
-    // Angles that were turned from degrees may miss the ends by rounding.
+    // Angles converted from degrees may differ from the ends by rounding errors.
     let slack = 1e-9 * (end - start);
     for (i, c) in conditions.iter().enumerate() {
         let condition = i + 1;

@@ -180,7 +180,7 @@ impl Law {
             return theta;
         }
         let t = (theta - start).rem_euclid(length);
-        // rem_euclid may round up to the length itself.
+        // `rem_euclid` may round up to the length itself.
         if t < length { start + t } else { start }
     }
 
@@ -190,8 +190,8 @@ impl Law {
         self.svaj_on(i, u)
     }
 
-    /// Span that contains an angle, and position on this span. At a break, and up to rounding before it, the next span is used. All rows of all
-    /// tables are therefore on the same side of a jump.
+    /// Span that contains an angle, and position on this span. At a break, and up to rounding errors before it, the next span is used. All rows of
+    /// all tables are therefore on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();

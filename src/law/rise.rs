@@ -166,8 +166,8 @@ impl Rise {
     ///
     /// # Errors
     ///
-    /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file instead of numbers, which
-    /// [`scene::with_motions`](crate::scene::with_motions) reads.
+    /// The name is unknown (with the nearest known name). Parameters are not numbers, too many or out of range. A file is given instead of numbers;
+    /// [`scene::with_motions`](crate::scene::with_motions) reads such files.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some(file) = Rise::named_file(text) {
             let (motion, file) = ("table".to_string(), file.to_string());
@@ -289,7 +289,7 @@ fn names() -> Vec<&'static str> {
     catalogue.chain(["dwell"]).collect()
 }
 
-/// Law of a section that VDI 2143 names by one letter: rest, constant velocity.
+/// Law of a section that has one letter in VDI 2143: rest, constant velocity.
 fn of_vdi(word: &str) -> Option<&'static str> {
     match word {
         "r" => Some("dwell"),
@@ -298,7 +298,7 @@ fn of_vdi(word: &str) -> Option<&'static str> {
     }
 }
 
-/// Names of the laws between the two ends that a word such as `R-U` names after VDI 2143; `None` for other words.
+/// Names of the laws between the two ends in a word such as `R-U` (VDI 2143); `None` for other words.
 fn between_ends(word: &str) -> Option<Vec<String>> {
     let letters: Vec<String> = (word.chars().filter(|c| !"-–_ ".contains(*c)))
         .map(|c| c.to_uppercase().to_string())

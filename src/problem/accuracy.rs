@@ -24,8 +24,8 @@ impl Problem {
         self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
     }
 
-    /// RMS force error, N, above which a design fails: the required accuracy, otherwise 0.5 % of the mean plus the sensor noise or the step-to-step
-    /// spread of the recording, whichever is larger. `None` without a target force, or if the scene switches this check off.
+    /// RMS force error, N, above which a design fails. It is the required accuracy. Without one it is 0.5 % of the mean plus the sensor noise or the
+    /// step-to-step spread of the recording, whichever is larger. `None` without a target force, or if the scene switches this check off.
     pub fn largest_error(&self) -> Option<f64> {
         let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
         let asked = self.asked_error();
@@ -70,8 +70,8 @@ impl Problem {
         0.2 * self.force.map_or(0.0, |force| force.spread_n)
     }
 
-    /// Whether the scene requires a positive contact force although the drive has neither a spring nor a force at rest, so that its mean force over a
-    /// turn is zero.
+    /// Whether the scene requires a positive contact force although the drive has neither a spring nor a force at rest. The mean force over a turn is
+    /// then zero.
     pub(crate) fn presses_too_little(&self) -> bool {
         let asked = self.limits[LimitKind::ForceMin].is_some_and(|least| least > 0.0);
         asked && self.drive.spring_rate <= 0.0 && self.drive.rest_force <= 0.0
@@ -82,7 +82,8 @@ impl Problem {
         self.largest_error().filter(|_| self.band.is_none())
     }
 
-    /// [`Problem::largest_error`], if it is a limit of the law: the objective is not the force error over the turn, and a cam can satisfy the limit.
+    /// [`Problem::largest_error`], if it is a limit of the law. This requires that the objective is not the force error over the turn, and that a cam
+    /// can satisfy the limit.
     pub fn limited_error(&self) -> Option<f64> {
         let is_minimised = self.objective() == Minimise::ForceError && !self.is_weighed();
         let asked = self.allowed_error().filter(|most| *most > 0.0)?;

@@ -29,7 +29,7 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub(crate) fn objective_over(
         &self,
         spans: usize,
@@ -46,7 +46,7 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub(crate) fn spans_without_limits(
         &self,
         accuracy: f64,

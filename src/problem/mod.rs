@@ -127,8 +127,7 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// The limits of a scene. Where none is given for the contact pressure of a drive with a force, the allowable one of hardness or materials is the
-/// limit.
+/// The limits of a scene. If a drive with a force has no limit on the contact pressure, the allowable pressure of hardness or materials is the limit.
 fn limits(scene: &Scene, drive: &Drive) -> Limits {
     let mut limits = scene.limits.clone();
     if !limits.unjudged.contact_pressure && !drive.is_idle() {
@@ -172,8 +171,8 @@ impl Problem {
         })
     }
 
-    /// As [`Problem::resolve`], for a multiple of a force that other problems share, and without notes on scene and recording. In a sweep of closed
-    /// forms the notes need a third of the time of a row, and no row prints them.
+    /// Resolves the problem as [`Problem::resolve`] does, for a multiple of a force that other problems share, and without notes on scene and
+    /// recording. The notes would take a third of the time of a row in a sweep of closed forms, and no row prints them.
     pub(crate) fn of_multiple(
         scene: &Scene,
         force: Option<(&Arc<ForceCycle>, f64)>,
@@ -193,7 +192,7 @@ impl Problem {
         };
         let gait = scene.gait.as_ref();
         let mean = force.map(|(cycle, times)| cycle.mean.times(times));
-        // A load model brings nothing but its force.
+        // A load model provides only its force, without notes or questions.
         let given = force.and_then(|(cycle, _)| cycle.given());
         let curve = given.map(|curve| &**curve);
         let (drive, scaling) = machine::of_force(scene, mean)?;
@@ -352,7 +351,7 @@ fn open_questions(
     let is_assumed = |note: &force::Note| matches!(note, force::Note::StrideAssumed { .. });
     let open = force::Note::doubts(notes).into_iter().map(opened);
     open.filter(|(question, notes)| {
-        // With its own speed the machine needs no stride time.
+        // If the machine has its own speed, the stride time is not required.
         let is_settled =
             has_speed && *question == OpenQuestion::Clock && notes.iter().all(is_assumed);
         !is_settled && !gait.accept.contains(question)

@@ -51,7 +51,7 @@ impl Problem {
         segments.filter_map(|(i, segment)| {
             let most = segment.motion.factors().ok()?.ca;
             let rounded = segment.motion.rounded_acceleration();
-            // A dwell has neither.
+            // A dwell has neither rounding nor acceleration.
             (rounded > OF_ROUNDING * most).then(|| Note::RoundedTable {
                 segment: i + 1,
                 share: Quantity::share((rounded / most).min(1.0)),
@@ -72,7 +72,7 @@ impl Problem {
 
     /// Notes on the force balance of a moving axis (theory §1): mean(F) = M g, free fall, minimum stroke.
     fn closure(&self) -> Vec<Note> {
-        // On a shaft whose speed varies the target is what is left for the mean speed.
+        // With a varying shaft speed, the target is the remainder for the mean speed, so it is not used here.
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {
             return Vec::new();
         };

@@ -1,4 +1,4 @@
-//! A problem for a shaft with varying speed: the target over the cam angle, and the force added by the speed.
+//! A problem for a shaft with varying speed: the target over the cam angle, and the force that the variation of the speed adds.
 //!
 //! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). With Δ of the previous
 //! iterate, the force is still linear in the law: Δ is subtracted from target, band and limits of the force. Families, certificates and checks remain

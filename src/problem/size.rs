@@ -44,7 +44,7 @@ impl Problem {
                 .iter()
                 .any(|kind| self.limits[*kind].is_some()),
         };
-        // Where the lengths allow no size, sizing after the law reports them.
+        // If the dimensions permit no size, the sizing after the law reports them.
         let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
         let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
         priced
@@ -65,7 +65,7 @@ impl Problem {
         };
         let least = least.max(self.outside_bore() + self.cam.roller_radius);
         let most = most.min(pivot);
-        // At the very ends an arm is stretched out: its angle there has no derivative by the radius.
+        // At the ends of the range the arm is stretched out: its angle has no derivative with respect to the radius there.
         let room = STRETCHED * (most - least);
         Some([least + room, most - room])
     }
@@ -134,8 +134,8 @@ pub enum Size {
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m: it leaves the wall of a hub around the hole for the shaft, as far as the limits on
-/// prime radius and diameter allow. `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
+/// Minimum automatic base radius, m, with the wall of a hub around the hole for the shaft, if the limits on prime radius and diameter permit it.
+/// `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
     let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let of_diameter = match (limits[LimitKind::Diameter], highest) {

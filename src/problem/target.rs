@@ -172,7 +172,7 @@ impl Target {
         let factor = self.scaling.factor;
         let waves = self.cycle.series().first(count).iter();
         let waves = waves.map(move |(a, b)| (factor * a, factor * b));
-        // A finite series has no others.
+        // The further harmonics of a finite series are zero.
         waves.chain(std::iter::repeat((0.0, 0.0))).take(count)
     }
 
@@ -265,7 +265,7 @@ pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f6
 /// A force as a piecewise cubic over θ ∈ [0, 2π], N.
 pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     let n = force.force_n.len();
-    // TAU·n/n need not be TAU: the last break is set, not computed.
+    // TAU·n/n may differ from TAU by a rounding error: the last break is set exactly.
     let breaks = (0..n).map(|i| TAU * i as f64 / n as f64);
     let breaks = breaks.chain([TAU]).collect();
     let cells = force_cycle::cells(force, force.slopes());

@@ -89,7 +89,7 @@ impl Walkers {
         if is_asked || reference.kind == DriveKind::MovingAxis {
             return with(adjust).map(Some);
         }
-        // Another speed is not the same machine times a factor where springs, dampers and masses act together.
+        // With springs, dampers and masses together, a machine at another speed is not a multiple of the reference machine.
         let fixed = Adjust {
             speed: false,
             ..adjust

@@ -91,7 +91,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// As [`Gait::model_force`].
+    /// The errors of [`Gait::model_force`].
     pub fn model_force(&self) -> Result<Option<ForceCurve>> {
         let force = self.gait.as_ref().map(Gait::model_force);
         Ok(force.transpose()?.flatten())

@@ -111,7 +111,7 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
 
 /// Replaces every file name of a motion in the scene by the rows of the file. If a segment has no angle or lift, the value of the file is used.
 ///
-/// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with its unit (`angle_deg`, `lift
+/// The header of the table names a column `angle` (`length` for a translating cam) and a column `lift`, each with its unit (`angle_deg`, `lift
 /// [mm]`). `read` returns the path for messages and the content of a file.
 ///
 /// # Errors
@@ -156,7 +156,7 @@ pub fn with_motions(
         let rows = Rows::read(&path, &bytes)?;
         rows.put(segment, &key, &path)?;
         let motion = rows.written();
-        // Report an error in the rows as an error in the file.
+        // Reports an error in the rows as an error in the file.
         Rise::from_name(&motion).map_err(|e| e.in_file(&path))?;
         segment.insert("motion".to_string(), Value::String(motion));
     }

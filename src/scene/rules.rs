@@ -73,7 +73,7 @@ const RULES: [Rule; 13] = [
     completeness,
 ];
 
-/// As [`check`], with the original values in messages.
+/// Checks as [`check`] does, with the original values in messages.
 pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     weighed_phases(scene)?;
     for rule in RULES {
@@ -295,7 +295,7 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// Checks that a target force is combined with one turn of a disc cam, that other motions are programmes, and that an arm has a fixed pivot.
+/// Checks three conditions: a target force is combined with one turn of a disc cam, other motions are programmes, and an arm has a fixed pivot.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {

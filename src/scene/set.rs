@@ -9,7 +9,7 @@ use crate::error::{Placed, Result, SceneError};
 ///
 /// # Errors
 ///
-/// A text without `=`; a path through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
+/// The text has no `=`; the path leads through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')
@@ -30,13 +30,13 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
 ///
 /// # Errors
 ///
-/// A path through a value or to a missing entry.
+/// The path leads through a value or to a missing entry.
 pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let parts: Vec<&str> = key.split('.').collect();
     let Some((last, path)) = parts.split_last() else {
         return Ok(());
     };
-    // A table of constants takes the place of the name of a material.
+    // A table of constants replaces the name of a material.
     if let ["cam", material @ ("material" | "follower_material")] = path
         && let Some(cam) = table.get_mut("cam").and_then(Value::as_table_mut)
         && cam.get(*material).is_some_and(Value::is_str)

@@ -36,7 +36,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// As [`read`](super::read()).
+    /// The errors of [`read`](super::read()).
     pub fn with(&self, key: &str, value: &str) -> Result<Scene> {
         let mut table = self.to_table();
         set(&mut table, &format!("{key}={value}"))?;

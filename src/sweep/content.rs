@@ -78,7 +78,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// A missing recording; a folder without recordings; errors of [`Plan::validate`].
+    /// A recording is missing; a folder contains no recordings; errors of [`Plan::validate`].
     pub fn new<'a, F: scene::Files + 'a>(
         subject: Subject,
         files: impl Fn(usize) -> &'a F,
@@ -90,7 +90,7 @@ impl Sweep {
             let files = files(scene);
             for name in gait.files(files)? {
                 let bytes = files.read(&name)?;
-                // Equal files are held once.
+                // Equal files are stored once.
                 let shared = contents
                     .entry((bytes.len(), checksum(&bytes)))
                     .or_insert(bytes);
@@ -106,7 +106,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Plan::validate`].
+    /// The errors of [`Plan::validate`].
     pub fn with_files(subject: Subject, files: Files) -> Result<Sweep> {
         subject.validate()?;
         Ok(Sweep { subject, files })
@@ -191,7 +191,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Sweep::run`].
+    /// The errors of [`Sweep::run`].
     pub fn table(&self) -> Result<Records> {
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
         let records = self.run(0..self.rows()?, jobs, &Halt::never, &|| false)?;
@@ -202,7 +202,7 @@ impl Sweep {
     ///
     /// # Errors
     ///
-    /// As [`Sweep::run`].
+    /// The errors of [`Sweep::run`].
     pub fn runner<'a>(&'a self, halts: Halts<'a>, clock: Option<Clock<'a>>) -> Result<Runner<'a>> {
         Ok(match &self.subject {
             Subject::Designs(plan) => Runner::of_plan(plan, &self.files, halts, clock),
@@ -270,7 +270,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// An invalid tolerance; a design whose manufacturing errors cannot be sampled.
+    /// A tolerance is invalid, or the manufacturing errors of the design cannot be sampled.
     pub fn runner(&self, design: &Design) -> Result<Runner<'static>> {
         self.samples_of(design).map(Runner::of_samples)
     }

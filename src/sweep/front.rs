@@ -46,10 +46,10 @@ pub struct Front {
     points: Vec<Point>,
 }
 
-/// Relative difference below which two values are equal up to rounding.
+/// Relative difference below which two values are equal up to rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether `a` is not worse than `b`, up to rounding, in every objective.
+/// Whether `a` is not worse than `b`, up to rounding errors, in every objective.
 fn covers(a: &[f64], b: &[f64]) -> bool {
     let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
     a.iter().zip(b).all(no_worse)
@@ -63,7 +63,7 @@ impl Front {
             return;
         }
         if let Some(i) = self.points.iter().position(|p| covers(&p.values, values)) {
-            // The next design is likely covered by the same one.
+            // The same design is likely to dominate the next one, so it is compared first.
             self.points.swap(0, i);
             return;
         }

@@ -39,7 +39,7 @@ pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
         Ok(attempt) => return Ok(attempt),
         Err(refusal) => refusal,
     };
-    // The law first: what is shown matters more than why, and the time may end before both are found.
+    // The law is computed first: it is more important than the reason, and the time limit may end the search before both are found.
     match without_limits(problem, search, &refusal)? {
         Ok(attempt) => Ok(Attempt {
             refusal: Some(Arc::from(refusal)),
@@ -64,8 +64,8 @@ pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
     on_cam(problem, families::law(problem, search)?)
 }
 
-/// The law without a nonconvex limit on the diameter, if it keeps that limit: it is then the best one under it too, and the sequence of convex
-/// programs need not find it.
+/// The law without a nonconvex limit on the diameter, if it satisfies this limit. It is then also the optimum with the limit, and the sequence of
+/// convex programs is not needed.
 fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>> {
     if !limits::diameter_is_nonconvex(problem) {
         return Ok(None);
@@ -124,7 +124,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
         },
         ..bare.law.clone()
     });
-    // Where the time is over, least squares get all the time that they take: a moment.
+    // After the time limit, the least-squares problem is solved without a limit, because it takes little time.
     let endless = Search::default().below_base_circle();
     let is_late = search.halt.is_asked();
     let timely = (!is_late)
@@ -136,11 +136,11 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
         Some(Err(_)) if search.halt.is_asked() => families::law(&quick(&bare), &endless)?,
         Some(Err(_)) => families::law(&bare, &endless)?,
     };
-    // The optimum under the limits that misses the accuracy keeps its proof, as where the force error is minimised.
+    // The optimum within the limits keeps its certificate although it violates the accuracy, as if the force error were minimised.
     if of_accuracy {
         return on_cam(problem, law);
     }
-    // Nothing is proved of a law that breaks the limits.
+    // The certificate does not apply to a law that violates the limits.
     let unproved = |mut law: SolvedLaw| {
         law.easing.clear();
         law.solver.certificate = None;

@@ -49,7 +49,7 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
         (&own, scale)
     };
     let svaj = shape.svaj.map(|range| range.map(|x| factor * x));
-    // Where nothing fixes the lift, the lowest point stands on the base circle.
+    // If nothing determines the level of the lift, the minimum lift is on the base circle.
     let level = if k == 0.0 {
         -svaj[0][0]
     } else {
@@ -148,8 +148,8 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, given or the minimum for curvature and bore, and the minimum radius of curvature on it, from the minimum of s + a and the maximum
-/// lift.
+/// Base radius, and minimum radius of curvature on it, from the minimum of s + a and the maximum lift. The base radius is given, or it is the minimum
+/// for curvature and bore.
 fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {
@@ -176,7 +176,7 @@ fn passes(problem: &Problem, figures: &Figures) -> bool {
             LimitKind::PressureAngleRise | LimitKind::PressureAngleFall => {
                 (LimitKind::PressureAngle, limit)
             }
-            // Power that is given back is limited, too.
+            // Recuperated power is also limited.
             LimitKind::Power => (LimitKind::Torque, limit / problem.drive.speed),
             other => (other, limit),
         };

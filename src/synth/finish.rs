@@ -33,7 +33,7 @@ pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: R
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let out_of_time = search.halt.was_heard();
     let infeasible = match refusal {
-        // Without an answer nothing is proved: the law that was found is judged as it is.
+        // If the search was stopped early, infeasibility is not proved, and the law found so far is judged as it is.
         Some(refusal) if out_of_time && !refusal.is_found() => None,
         Some(refusal) => Some(infeasible::explain(problem, &refusal)),
         None if cam.checks.iter().any(too_large) => infeasible::bore_against_size(problem),

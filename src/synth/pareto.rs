@@ -1,5 +1,5 @@
-//! Trade-off fronts: minimum force error for each size of the cam, or for each jerk, acceleration or stroke. Each of these is a convex limit, so
-//! minimising the force error for each value gives every point of the front.
+//! Trade-off fronts: minimum force error for each size of the cam, or for each jerk, acceleration or stroke. Each of these quantities has a convex
+//! limit, so minimising the force error for each value gives every point of the front.
 
 use super::design::Design;
 use super::design::figures::{FIGURES, Figure, Figures};
@@ -60,7 +60,7 @@ const MOST_SPANS: usize = 64;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 pub fn traded(pair: &str) -> Result<&'static Figure> {
-    // The message names the prime radius as its example.
+    // The prime radius is the example in the message.
     let others = || Figure::traded_names().filter(|name| *name != "prime_radius");
     let known = || others().collect::<Vec<_>>().join(", ");
     let (a, b) = pair
@@ -170,7 +170,7 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
         let own = first.cam.law.poly().pieces();
         law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
     }
-    // The accuracy would fail what the front is there to show.
+    // The check of the accuracy would fail for most points of the front.
     Ok(problem.with_law(law).without_accuracy())
 }
 
@@ -196,7 +196,7 @@ pub fn trade(
     }
     let most = bound.turned(of(&free)) * INSIDE;
     let held = |value: f64| design(&bound.held(&open, bound.turned(value)), search);
-    // Demands may keep even the unlimited law farther away than that.
+    // Conditions may cause a larger force error even for the unlimited law.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
     let good = |design: &Design| {
@@ -217,7 +217,7 @@ pub fn trade(
             _ => low = middle,
         }
     }
-    // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
+    // Values below that of the unlimited law may be infeasible, for example if a bore determines the size.
     if high == most && !held(most).is_ok_and(|d| good(&d)) {
         let (allowed, design) = (of(&free), free);
         return Ok(vec![Trade { allowed, design }]);

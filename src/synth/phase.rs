@@ -59,7 +59,7 @@ fn deepest(
         }
     }
     let Some((near, error)) = best else {
-        // Without a law at any phase the conflict is explained at the first.
+        // If no phase has a law, the conflict is diagnosed at the first phase.
         return match failure {
             Some(e) => Err(e),
             None => Ok(Cow::Owned(problem.at_phase(0.0))),

@@ -26,7 +26,7 @@ pub fn verdict(
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
     failed.sort_by_key(|c| c.name.severity());
-    // The weight on a moving axis explains the whole error, and the larger of two pressure angles both.
+    // The weight on a moving axis explains the whole force error. Of two pressure angles, only the larger one is reported.
     let has_gap = problem.mean_force_gap().is_some();
     failed.retain(|c| match c.name {
         Criterion::RmsError => !has_gap,
@@ -95,10 +95,10 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     if drive.kind != DriveKind::MovingAxis || force.min_n >= drive.rest_force {
         return Reason::ContactLost { at, pull };
     }
-    // F = M(g + ω²a): it vanishes where ω² = g/(−a).
+    // F = M(g + ω²a) is zero for ω² = g/(−a).
     let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.worst)).sqrt();
     let speed = Quantity::new(fastest, Dimension::AngularSpeed);
-    // No limit shapes a law that is prescribed.
+    // Limits have no effect on a prescribed law.
     match problem.law.family {
         Family::Program | Family::Polynomial => Reason::LiftsOffAsPrescribed { at, pull, speed },
         Family::Spline | Family::Auto | Family::Harmonic | Family::DoubleHarmonic => {

@@ -113,7 +113,7 @@ pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Optio
     let meant: Vec<&str> = parts(&typed)
         .filter_map(|part| nearest(part, every()))
         .collect();
-    // Per thousand of the parts of a name.
+    // Matching parts of a name, per thousand.
     let alike = |name: &str| {
         let found = parts(name).filter(|part| meant.contains(part)).count();
         1000 * found / parts(name).count().max(1)

@@ -86,7 +86,7 @@ impl Words {
     /// A text with its arguments, which are inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
-            // Whole numbers choose plural forms.
+            // Whole numbers select plural forms.
             let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
             (name.to_string(), value)
         });

@@ -39,8 +39,8 @@ impl Halt {
         }
     }
 
-    /// A condition that stops computations when `asked` returns true, and at the latest after a given number of polls. This number is reached at the
-    /// same step on every machine.
+    /// A condition that stops computations when `asked` returns true, or after a given number of polls. The number of polls does not depend on the
+    /// machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

@@ -51,7 +51,7 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("W", 1.0, [2, 1, -3, 0]),
     ("kW", 1e3, [2, 1, -3, 0]),
     ("%", 0.01, [0, 0, 0, 0]),
-    // An explicit ratio, for shares that must not be mistaken for percentages.
+    // An explicit ratio, for fractions that must not be confused with percentages.
     ("ratio", 1.0, [0, 0, 0, 0]),
 ];
 
@@ -84,7 +84,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let unit = unit.trim();
     if unit.is_empty() {
         let text = text.to_string();
-        // Twelve digits hide the rounding of the product.
+        // Rounding to twelve digits removes the rounding error of the product.
         let percent = (value * 1e14).round() / 1e12;
         return match dimension {
             Dimension::Ratio => in_range(value, text),
@@ -211,7 +211,7 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
     let mut factor = 1.0;
     let mut exponents = [0; 4];
     let mut sign = 1;
-    // Turns per minute as drawings and name plates write them.
+    // Revolutions per minute, as written in drawings and on nameplates.
     let per_minute = matches!(expression, "1/min" | "min^-1" | "min⁻¹");
     let expression = match dimension {
         Dimension::AngularSpeed if per_minute => "rpm",
@@ -270,9 +270,9 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
 fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let fits = |u: &&(&'static str, f64, Exponents)| u.2 == dimension.exponents();
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
-    // A second number has no unit that it resembles.
+    // If the unit is itself a number, no similar unit is suggested.
     let worded = !unit.starts_with(|c: char| c.is_ascii_digit());
-    // Preference: same dimension and same letters; same dimension; same letters; any unit.
+    // Order of preference: same dimension and same letters; same dimension; same letters; any unit.
     let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))

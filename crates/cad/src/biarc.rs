@@ -40,13 +40,14 @@ impl Arcs {
             if half == 0.0 {
                 continue;
             }
-            // The height of an arc of angle 2h on radius r is r(1 − cos h).
+            // The height of an arc with the angle 2h and the radius r is r(1 − cos h).
             let chord = [u - x, v - y];
             let radius = 0.5 * chord[0].hypot(chord[1]) / half.sin().abs();
             let widest = (1.0 - distance / radius).clamp(-1.0, 1.0).acos();
             let parts = (half.abs() / widest).ceil().max(1.0);
             for k in 1..parts as usize {
-                // Seen from the start, the point at the fraction f of the arc is at a distance of sin(f h)/sin(h) chords, turned by (f − 1) h.
+                // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is that of the chord,
+                // rotated by (f − 1) h.
                 let along = k as f64 / parts * half;
                 let (long, (sin, cos)) = (along.sin() / half.sin(), (along - half).sin_cos());
                 out.push([
@@ -68,8 +69,8 @@ struct Biarc {
     tangent: [f64; 2],
 }
 
-/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps), for a law with velocity jumps, and for a
-/// tolerance that is not positive or below rounding errors.
+/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps) and for a law with velocity jumps. Also
+/// `None` if the tolerance is not positive or below rounding errors.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
@@ -111,7 +112,7 @@ fn follow(
 ) -> Option<()> {
     let biarc = Biarc::between(from, to);
     let circles = biarc.circles();
-    // The largest distance, or the first one above the tolerance.
+    // The maximum distance, or the first one above the tolerance.
     let stray = |count: usize| {
         let mut most: f64 = 0.0;
         for k in 1..count {
@@ -146,7 +147,7 @@ impl Biarc {
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
         let vv = dot(v, v);
         let vt = dot(v, t);
-        // d²·2(1 − T₀·T₁) + 2d·v·t − v·v = 0, in the form that survives T₀ = T₁.
+        // d²·2(1 − T₀·T₁) + 2d·v·t − v·v = 0, in the form that is also valid for T₀ = T₁.
         let bend = 2.0 * (1.0 - dot(from.t, to.t));
         let root = (vt * vt + bend * vv).sqrt();
         let d = if vt + root > 0.0 {
@@ -157,7 +158,7 @@ impl Biarc {
         let joint = [0, 1].map(|k| 0.5 * (from.p[k] + d * from.t[k] + to.p[k] - d * to.t[k]));
         let first = [joint[0] - from.p[0], joint[1] - from.p[1]];
         let second = [to.p[0] - joint[0], to.p[1] - joint[1]];
-        // Chord and tangent enclose half the arc; the bulge is the tangent of a quarter.
+        // The angle between chord and tangent is half the angle of the arc; the bulge is the tangent of a quarter of this angle.
         let bulge = |a: [f64; 2], b: [f64; 2]| (0.5 * cross(a, b).atan2(dot(a, b))).tan();
         let arms = [
             to.p[0] - d * to.t[0] - from.p[0] - d * from.t[0],
@@ -221,7 +222,7 @@ pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
         return Vec::new();
     };
     let c = [b[0] - a[0], b[1] - a[1]];
-    // A counter-clockwise arc lies to the right of its chord.
+    // A counter-clockwise arc is on the right-hand side of its chord.
     let on_arc = |q: &[f64; 2]| bulge * cross(c, [q[0] - a[0], q[1] - a[1]]) < 0.0;
     [[x + r, y], [x - r, y], [x, y + r], [x, y - r]]
         .into_iter()

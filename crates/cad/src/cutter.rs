@@ -55,8 +55,9 @@ pub struct CutterPath {
     pub gouges: Vec<Gouge>,
 }
 
-/// Path of a cutter of radius `tool` (m) around the outside of the cam: the parallel curve of the profile at this distance, along the exact normals
-/// at `points` equal steps of the cam angle. Gouging in concave parts is detected by the exact curvature, elsewhere at the `points` of the profile.
+/// Path of a cutter of radius `tool` (m) around the outside of the cam. It is the parallel curve of the profile at this distance, along the exact
+/// normals, at `points` equal steps of the cam angle. Gouging in concave parts is detected by the exact curvature, elsewhere at the `points` of the
+/// profile.
 ///
 /// # Errors
 ///

@@ -115,7 +115,7 @@ pub(crate) fn hole(bore: &Bore) -> String {
     let mut d = format!("M{}", place(edge[0]));
     for (i, from) in edge.iter().enumerate() {
         let to = place(edge[(i + 1) % edge.len()]);
-        // Counter-clockwise in the cam's frame is sweep 0 where y points down.
+        // A counter-clockwise arc in the cam's frame has the sweep flag 0 if y points downwards.
         d += &match from[2] {
             0.0 => format!("L{to}"),
             _ => format!("A{r:.6} {r:.6} 0 0 0 {to}", r = MM * bore.radius()),

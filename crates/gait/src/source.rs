@@ -11,12 +11,12 @@ use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
-/// Reads a file that is one cycle: a text marked as a cycle, as [`ForceCurve::to_csv`] writes it, or any table if a period or a span is given. `None`
+/// Reads a file that is one cycle: a text marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or a span is given. `None`
 /// for other files. With a span, the stance in a recording fills the span; `feet` selects the stances.
 ///
 /// # Errors
 ///
-/// A line that is not a number; too few samples; several forces; a phase without a period.
+/// A line is not a number; there are too few samples or several forces; a phase is given without a period.
 pub fn one_cycle(
     path: &Path,
     bytes: &[u8],
@@ -29,7 +29,7 @@ pub fn one_cycle(
             span_rad: None,
             ..options.clone()
         };
-        // A table that is not a recording covers the span as it is.
+        // A table that is not a recording covers the span unchanged.
         if let Ok(recording) = read(path, bytes, &raw) {
             let found = stances(&recording);
             let file = name(path);

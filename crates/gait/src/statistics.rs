@@ -69,7 +69,7 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
 /// Minimum and maximum; `None` without values.
 pub(super) fn ends(values: &[f64]) -> Option<(f64, f64)> {
     let first = *values.first()?;
-    // Eight at once: no comparison waits for the one before, and each takes one instruction, for no value is NaN.
+    // Eight values at once: no comparison depends on the previous one. Each takes one instruction, because no value is NaN.
     let (mut low, mut high) = ([first; 8], [first; 8]);
     let (eights, rest) = values.as_chunks::<8>();
     for eight in eights {

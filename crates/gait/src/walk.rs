@@ -1,4 +1,4 @@
-//! Consecutive strides of a recording as one force over time, and their variability.
+//! Consecutive strides of a recording as one force over time, and the variability of the strides.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -17,15 +17,15 @@ const OF_STRIDE: usize = 128;
 const PHASES: usize = 64;
 /// Number of harmonics of the step frequency.
 const HARMONICS: usize = 4;
-/// Difference, s, up to which the end of a stride is the start of the next one.
+/// Maximum difference, s, between the end of a stride and the start of the next one for consecutive strides.
 const SAME_S: f64 = 1e-6;
-/// Relative change of the stride time from the first quarter of the strides to the last above which the pace changes.
+/// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace changes.
 const STEADY: f64 = 0.05;
 
-/// Consecutive strides of a recording as one force over time, which repeats without end.
+/// Consecutive strides of a recording as one force over time, repeated periodically.
 ///
-/// Unbroken runs of eight or more used strides follow one another, each from a heel strike to a heel strike of the same foot. What lies between the
-/// runs (turns, standing, rejected strides) and shorter runs are left out.
+/// Unbroken sequences (runs) of eight or more used strides are joined. Each run lasts from a heel strike to a heel strike of the same foot. The parts
+/// between the runs (turns, standing, rejected strides) and shorter runs are omitted.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -41,15 +41,15 @@ const STEADY: f64 = 0.05;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walk {
-    /// Force of both feet as recorded at equal steps of time, N, from the first heel strike on: 128 samples for each stride.
+    /// Recorded force of both feet at equal steps of time, N, from the first heel strike on: 128 samples per stride.
     samples: Arc<[f64]>,
-    /// Force relative to the recorded one.
+    /// Factor of the force, relative to the recorded force.
     factor: f64,
     /// Duration of all strides, s.
     pub duration_s: f64,
     /// Number of strides of each unbroken run.
     pub runs: Vec<usize>,
-    /// Times of the heel strikes of both feet in turn, s, two for each stride; the first is 0.
+    /// Times of the heel strikes, s, alternating between both feet, two per stride; the first is 0.
     pub steps_s: Vec<f64>,
     /// Whether one foot was recorded, and the other one is assumed to repeat it half a stride later.
     pub is_one_foot: bool,
@@ -76,15 +76,16 @@ pub struct Variability {
     pub runs: usize,
     /// Mean duration of a step, s.
     pub step_time_s: f64,
-    /// Standard deviation of the step time about the mean of its foot, relative to the mean of both; of half the stride time if one foot was recorded.
+    /// Standard deviation of the step time from the mean of its foot, relative to the mean of both feet. If one foot was recorded, half the stride
+    /// time replaces the step time.
     pub step_time_cv: f64,
     /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of the stride.
     pub amplitude_cv: f64,
-    /// The same for the first four harmonics of the step frequency.
+    /// Coefficients of variation of the amplitudes of the first four harmonics of the step frequency.
     pub harmonics_cv: [f64; HARMONICS],
     /// Correlation of the deviations of a step time and the next one.
     pub autocorrelation: f64,
-    /// Mean stride time of the last quarter of the strides less that of the first, relative to the mean.
+    /// Mean stride time of the last quarter of the strides minus that of the first quarter, relative to the mean.
     pub drift: f64,
 }
 
@@ -101,14 +102,14 @@ impl Interpretation {
     }
 }
 
-/// Whether a stride that starts at a time, s, follows one that ends at another.
+/// Whether a stride that starts at `start`, s, follows a stride that ends at `end`, s.
 fn meets(end: f64, start: f64) -> bool {
     (start - end).abs() < SAME_S
 }
 
 impl Walk {
-    /// Walk of strides, each given by its first heel strike, that of the other foot and its end, s, in order of time, with the force, N, at a time of
-    /// the stride of an index. `None` without eight consecutive strides.
+    /// Creates a walk from strides in order of time, each with its first heel strike, the heel strike of the other foot and its end, s. `force` gives
+    /// the force, N, for the index of a stride and a time. `None` without eight consecutive strides.
     pub fn of(
         strikes: &[[f64; 3]],
         is_one_foot: bool,
@@ -166,8 +167,8 @@ impl Walk {
         }
     }
 
-    /// Consecutive strides of the walk, of which the mean stride time is nearest to that of all, blended with their neighbours where they meet again;
-    /// `None` for more strides than the walk has.
+    /// Consecutive strides whose mean stride time is nearest to the mean of all strides, blended at the joint of the last and the first stride.
+    /// `None` if the walk has fewer strides.
     pub fn typical(&self, strides: usize) -> Option<Walk> {
         let starts = self.strides_s();
         let usual = self.duration_s / self.strides() as f64;
@@ -214,7 +215,7 @@ impl Walk {
         self.samples.iter().map(|f| self.factor * f).collect()
     }
 
-    /// Heel strikes of the strides with the end of the last one, s.
+    /// Heel strikes at which the strides begin, and the end of the last stride, s.
     fn strides_s(&self) -> Vec<f64> {
         let starts = self.steps_s.iter().step_by(2).copied();
         starts.chain([self.duration_s]).collect()
@@ -229,7 +230,7 @@ impl Walk {
         mean(&parts)
     }
 
-    /// Whether the stride time changes by more than 5 % from the first quarter of the strides to the last.
+    /// Whether the stride time changes by more than 5 % from the first to the last quarter of the strides.
     pub fn changes_pace(&self) -> bool {
         self.variability().drift.abs() > STEADY
     }
@@ -277,7 +278,7 @@ impl Walk {
         }
     }
 
-    /// Step times, s: of both feet in turn, or stride times if one foot was recorded.
+    /// Step times, s, alternating between both feet; stride times if one foot was recorded.
     fn step_times(&self) -> Vec<f64> {
         let every = if self.is_one_foot { 2 } else { 1 };
         let strikes = self.steps_s.iter().step_by(every).copied();
@@ -313,7 +314,7 @@ impl Walk {
         std::array::from_fn(|h| 2.0 * cosine[h].hypot(sine[h]) / PHASES as f64)
     }
 
-    /// Force, N, at a time of the walk, s, linear between samples.
+    /// Force, N, at a time of the walk, s, by linear interpolation between samples.
     fn at(&self, time: f64) -> f64 {
         let n = self.samples.len();
         let x = (time / self.duration_s).rem_euclid(1.0) * n as f64;
@@ -323,7 +324,7 @@ impl Walk {
     }
 }
 
-/// Deviations of the step times of a range from the mean of their foot; the feet take turns.
+/// Deviations of the step times of a range from the mean of their foot; the feet alternate.
 fn about(range: std::ops::Range<usize>, steps: &[f64], feet: usize) -> Vec<f64> {
     let of_foot = |foot: usize| {
         let own: Vec<f64> = steps.iter().skip(foot).step_by(feet).copied().collect();

@@ -241,7 +241,7 @@ fn forward_of_width(core: &[f64], w: usize, x: &mut [f64], start: usize) {
         let value = x[i] * column[0];
         x[i] = value;
         let (column, below) = (&column[1..], &mut x[i + 1..]);
-        // Where the whole column lies inside the matrix, its length is constant.
+        // If the whole column is inside the matrix, its length is constant.
         match below.get_mut(..w - 1) {
             Some(below) => take_off(below, column, value),
             None => take_off(below, column, value),
@@ -309,7 +309,7 @@ impl ArrowFactor {
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
-        // Rows of limits have few neighbouring entries: everything before the first stays zero.
+        // Rows of limits have few adjacent entries: everything before the first entry remains zero.
         let start = x.iter().position(|v| *v != 0.0).unwrap_or(a.n);
         let start = start.min(m);
         forward_in_band(&a.core, a.band + 1, &mut x[..m], start);

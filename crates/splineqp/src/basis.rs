@@ -102,7 +102,7 @@ impl Basis {
                 out
             }
             Basis::Harmonic { count } => {
-                // Two pieces per wave of the highest harmonic: quadrature of degree 7 sees it well.
+                // Two pieces per wave of the highest harmonic are sufficient for a quadrature of degree 7.
                 let n = (2 * count).max(4);
                 (0..=n)
                     .map(|i| std::f64::consts::TAU * i as f64 / n as f64)
@@ -136,7 +136,7 @@ impl Basis {
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
-                // Loops of known length cost a third; quintics are the usual degree.
+                // Loops of constant length take a third of the time; quintics are the default.
                 5 => row_on_span(space, 5, (i, u), weights),
                 degree => row_on_span(space, degree, (i, u), weights),
             },
@@ -260,7 +260,7 @@ pub fn by_steps(weights: &mut [f64]) {
         sum -= *weight;
         *weight = sum;
     }
-    // Rounding alone: no step follows the last coefficient.
+    // The last sum is only a rounding error, because no step follows the last coefficient.
     if let Some(last) = weights.last_mut() {
         *last = 0.0;
     }
@@ -269,7 +269,7 @@ pub fn by_steps(weights: &mut [f64]) {
 /// Converts values of the B-splines on a span to entries of their coefficients.
 fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     let (first, all) = (space.index(span, 0), space.dimension());
-    // Few spans let one coefficient appear twice on a span of a periodic spline: its weights add.
+    // With few spans, one coefficient may occur twice on a span of a periodic spline: its weights are added.
     if values.len() > all {
         let mut out = Entries::with_capacity(all);
         for (i, &value) in values.iter().enumerate() {

@@ -95,7 +95,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
     let slack = lagrangian.slack;
     let mut gap = slack + project_off_equalities(program, &mut lagrangian.residual, x);
     let residual = &lagrangian.residual;
-    // A gradient is small beside its largest term, or where the whole typical lift along it is nothing to the objective.
+    // The gradient is negligible if it is small relative to its largest term, or if the typical lift along it hardly changes the objective.
     let along: f64 = residual.iter().map(|r| r.abs()).sum::<f64>() * program.length;
     let left = largest(residual) / lagrangian.largest_term.max(f64::MIN_POSITIVE);
     let left = left.min(along / size);
@@ -196,8 +196,7 @@ fn with_further_variables<N: Names>(
         (component / own.max(f64::MIN_POSITIVE)).min(moved)
     };
     for cone in &program.cones {
-        // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
-        // orthogonal to its variables.
+        // The multiplier of the cone is the cost minus the contribution of the rows. It must lie in the cone and be orthogonal to the variables.
         let largest_of = |values: &Values| {
             let sizes = cone.members().map(|k| values[k].abs());
             sizes.fold(0.0, f64::max)
@@ -232,7 +231,7 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
         .sum();
     let costs = || program.cost.iter();
     let beside: f64 = costs().map(|(k, cost)| (cost * extra[k]).abs()).sum();
-    // A variable of typical value and a peak of its limits' scale are terms too, also where they are 0.
+    // A variable of typical value and a peak of the scale of its limits are terms too, even if they are 0.
     let sizes = costs().filter(|(k, _)| *k != PEAK);
     let sizes = sizes.map(|(k, cost)| cost.abs() * program.typical(k));
     let peaks = program.limits.iter().filter(|l| l.is_peak());

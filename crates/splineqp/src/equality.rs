@@ -151,7 +151,7 @@ fn correct<N: Names>(
     let rank = kept.len();
     let matrix = nalgebra::DMatrix::from_fn(rank, rank, |i, j| s[kept[i]][kept[j]]);
     let decomposed = matrix.lu();
-    // The second pass removes the residual that the condition of S leaves.
+    // The second pass reduces the residual that the condition number of S causes.
     for _ in 0..2 {
         let rhs = nalgebra::DVector::from_fn(rank, |i, _| {
             let e = &equalities[kept[i]];

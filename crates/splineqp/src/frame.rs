@@ -26,7 +26,7 @@ impl Frame {
         let mut along = Vec::with_capacity(self.r.len() + 1);
         along.resize(self.r.len(), 0.0);
         let mut left = square(&rest);
-        // Where most of z cancels, a second pass restores orthogonality to rounding.
+        // If most of z cancels, a second pass restores orthogonality up to rounding errors.
         for _ in 0..2 {
             let before = left;
             for (q, d) in self.q.chunks_exact(z.len()).zip(&mut along) {

@@ -54,7 +54,7 @@ impl Quadratic {
             match basis {
                 Basis::Spline { space, .. } => {
                     let as_before = table.fit(space, i, &rule, weights);
-                    // Equal spans under one weight differ in their target only.
+                    // Equal spans with the same weight differ only in their target.
                     if let Some(weight) = weight {
                         table.weigh(&rule, |u| width / total * weight(start + u * width));
                     } else if !as_before {
@@ -101,7 +101,7 @@ impl Quadratic {
         for k in 0..n {
             for l in 0..=k {
                 let (i, j, apart) = (space.index(span, k), space.index(span, l), k - l);
-                // On few spans two functions of a span are one coefficient.
+                // With few spans, two functions of a span may have the same coefficient.
                 self.hessian.add_pair(i, j, apart, gram[l * n + apart]);
             }
         }
@@ -335,7 +335,7 @@ impl Table {
 
     /// Sets the products with the target at the nodes. Returns half its weighted square.
     fn pull(&mut self, target: &[f64]) -> f64 {
-        // Loops of known length cost half; quintics with a node for each function are the rule.
+        // Loops of constant length take half the time; quintics with one node per function are the default.
         match target.len() {
             6 => self.pull_at(6, target),
             nodes => self.pull_at(nodes, target),

@@ -69,7 +69,7 @@ settings! {
         active: usize = 400,
         /// Excess, relative to the scale of the limit, above which a row is violated; far below the tolerance of the iterations.
         resolved: f64 = 1e-12,
-        /// Violation below which a law without further progress is accepted as exact to rounding.
+        /// Violation below which a law without further progress is accepted as exact up to rounding errors.
         resolved_at_last: f64 = 1e-7,
         /// Fraction of the minimum violation so far. An iteration with a violation above this fraction made no progress.
         progress: f64 = 0.9,
@@ -77,7 +77,7 @@ settings! {
         patience: usize = 4,
         /// Squared fraction of a row outside the span of the active rows below which the row is dependent.
         dependent: f64 = 1e-13,
-        /// Distance, relative to the piece, between a new row and an old row of the same limit below which the new row replaces the old one.
+        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-5,
         /// Maximum number of iterations that refine contacts.
         refinements: usize = 8,
@@ -190,7 +190,7 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// As `ActiveSetSettings::dependent`, for the planes of the quadratic program.
+        /// The same fraction as `ActiveSetSettings::dependent`, for the planes of the quadratic program.
         dependent: f64 = 1e-25,
         /// Violation of a dependent plane below which it is a rounding error.
         rounding: f64 = 1e-9,
@@ -208,7 +208,7 @@ settings! {
         largest_margin: f64 = 1e-6,
         /// Residual of the solver for a second-order cone, which is not refined.
         cone_margin: f64 = 1e-7,
-        /// Distance, relative to the piece, between a new row and an old row of the same limit below which the new row replaces the old one.
+        /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-4,
         /// Gap and feasibility tolerance of the interior-point method. Smaller ones end in "insufficient progress" for some fits; the refinement
         /// restores the digits.
@@ -223,7 +223,7 @@ settings! {
         least_objective: f64 = 1e-6,
         /// Fraction of the objective below which xᵀr is small.
         small: f64 = 1e-9,
-        /// As `ActiveSetSettings::dependent`, for equalities.
+        /// The same fraction as `ActiveSetSettings::dependent`, for equalities.
         dependent: f64 = 1e-20,
     }
 }

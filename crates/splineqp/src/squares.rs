@@ -83,7 +83,7 @@ pub fn least_worst(
     let mut order: Vec<usize> = (0..squares.len()).collect();
     let mut rows = worst_first(squares, last, &mut order, ENTERING);
     if caps.is_some() {
-        // The level above which squares count has to have as many rows.
+        // There must be enough rows to determine the level above which squares count.
         rows = order.clone();
     }
     for _ in 0..ROUNDS {
@@ -178,7 +178,7 @@ fn solve(
         b.push(-square.constant);
     }
     let linear = b.len() - 1;
-    // ρ + 1 ≥ ‖(ρ − 1, 2v)‖
+    // From the cone ρ + 1 ≥ ‖(ρ − 1, 2v)‖.
     for end in [1.0, -1.0] {
         entries.push((b.len(), rho, -1.0));
         b.push(end);

@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle, the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam the base height;
-    /// for a barrel its radius.
+    /// Radius of the base circle: the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam it is the base
+    /// height, for a barrel the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -240,7 +240,7 @@ impl Follower {
         }
     }
 
-    /// The follower on the base circle for which it is at `start` when s = 0; `None` if there is none.
+    /// The follower on the base circle for which it is at `start` when s = 0; `None` if no such follower exists.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
         let base = self.base_radius_at(start);
@@ -248,7 +248,7 @@ impl Follower {
     }
 
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot reach the prime circle;
-    /// [`Cam::check`](super::Cam::check) rejects this.
+    /// [`Cam::check`](super::Cam::check) rejects such an arm.
     pub fn start_angle(&self) -> Option<f64> {
         let (c, prime) = (self.pivot()?[0].abs(), self.prime_radius());
         Some(match self.arm() {

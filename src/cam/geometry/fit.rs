@@ -10,8 +10,8 @@ use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {
-    /// Rejects invalid dimensions: lengths that are not positive, an offset beyond the prime circle, an arm that is too short, a swing beyond the
-    /// dead centres, a pivot inside the cam.
+    /// Rejects invalid dimensions: lengths that are not positive, an offset beyond the prime circle, an arm that is too short. Also rejects a swing
+    /// beyond the dead centres, and a pivot inside the cam.
     ///
     /// Undercut and steep pressure angles are not errors of the input. The verdict of a synthesis reports them.
     ///
@@ -26,11 +26,12 @@ impl Cam {
         }
     }
 
-    /// As [`Cam::check`], but the pivot may lie within the outline of the cam, because the arm is in another plane (permitted by CAM-DAS).
+    /// Checks as [`Cam::check`] does, but the pivot may lie within the outline of the cam, because the arm is in another plane (permitted by
+    /// CAM-DAS).
     ///
     /// # Errors
     ///
-    /// As [`Cam::check`].
+    /// The errors of [`Cam::check`].
     pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
         let (low, high) = Follower::lift_range(&self.law);

@@ -157,7 +157,7 @@ impl Kind for FlatOnArm {
             pitch: point,
             normal: [side * sin, cos],
             rho,
-            // From the foot of the pivot on the face the contact lies c cos ξ/(1 + σξ′) along it.
+            // Distance along the face from the foot of the perpendicular from the pivot to the contact: c cos ξ/(1 + σξ′).
             tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
         }
     }
@@ -205,7 +205,7 @@ impl Kind for CircleOnArm {
         let length = square.sqrt();
         let bend = t[1] * rate[0] - t[0] * rate[1];
         let unit = self.radius / length;
-        // Motion (σ sin ξ, cos ξ) against the normal (−t₁, t₀).
+        // Scalar product of the motion (σ sin ξ, cos ξ) and the normal (−t₁, t₀).
         let push = t[0] * cos - side * t[1] * sin;
         let lean = side * t[0] * sin + t[1] * cos;
         Contact {

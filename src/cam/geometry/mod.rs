@@ -62,7 +62,7 @@ impl Geometry {
                 base: 0.0,
                 radius,
             }),
-            // On an arm: above.
+            // Arms are handled above.
             Follower::RollerTranslating { .. }
             | Follower::MushroomTranslating { .. }
             | Follower::RollerOscillating { .. }

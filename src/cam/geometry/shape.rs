@@ -79,9 +79,9 @@ impl Cam {
         }
     }
 
-    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
-    /// perpendicular from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS); on a mushroom along the chord from the middle
-    /// of the arc. `None` for rollers and knife edges.
+    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of a
+    /// perpendicular: from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS). On a mushroom they are measured along the
+    /// chord from the middle of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -103,8 +103,8 @@ impl Cam {
 
     /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
     ///
-    /// Where the profile is nearest to the centre or farthest from it, its normal is radial and the follower at rest: the radius there is that of
-    /// the base circle on which the follower would start at that lift. Exact for a profile without undercut.
+    /// Where the distance of the profile from the centre is extreme, its normal is radial and the follower is at rest. The radius there equals the
+    /// radius of the base circle on which the follower would have this position at s = 0. Exact for a profile without undercut.
     pub fn radii(&self) -> Option<[Extreme; 2]> {
         let follower = &self.follower;
         let start = follower.start_place();

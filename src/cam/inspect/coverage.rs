@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 const GAP: (f64, f64) = (0.05, 4.0);
 
 /// First and last cam angle of the longest unmeasured part of the outline; `None` if the measured points cover the outline. The outline has points at
-/// equal cam angles. `angles` are the measured ones, rad, in ascending order.
+/// equal cam angles. `angles` are the measured cam angles, rad, in ascending order.
 pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
     let n = outline.len();
     let length = |i: usize| {
@@ -30,7 +30,7 @@ pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
         (gap, [*from, *to])
     };
     let (gap, ends) = (angles.iter().zip(next).map(gap)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    // Without the gap: all points may lie close together.
+    // Mean distance without the gap, because all points may lie close together.
     let mean = (along[n] - gap) / (angles.len() as f64 - 1.0);
     (gap > GAP.0 * along[n] && gap > GAP.1 * mean).then_some(ends)
 }

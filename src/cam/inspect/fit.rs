@@ -138,7 +138,7 @@ impl Exact<'_> {
         let here = self.samples[near].theta;
         let along = |s: &Sample| {
             let [x, y] = [q[0] - s.p[0], q[1] - s.p[1]];
-            // The tangent in the sense of growing θ is the outward normal turned to the right.
+            // The tangent in the direction of increasing θ is the outward normal rotated clockwise by a quarter turn.
             x * s.normal[1] - y * s.normal[0]
         };
         let at = |theta: f64| {

@@ -1,8 +1,8 @@
 //! Inspection of a manufactured cam: deviations of measured points from the profile.
 //!
 //! Centre and zero angle of the cam are unknown in the measuring frame. The best fit is the rigid motion (rotation and shift) with the minimum sum of
-//! squared normal distances to the exact profile. The Gauss–Newton method finds it: the distance of a point changes by n·J(q − b) per rotation and by
-//! n per shift, with the normal n at the foot point. The sum has other local minima, so the search starts from many angles.
+//! squared normal distances to the exact profile. It is computed by the Gauss–Newton method. The distance of a point changes by n·J(q − b) per
+//! rotation and by n per shift, with the normal n at the foot point. The sum has other local minima, so the search starts from many angles.
 //!
 //! Points far outside the scatter of the others are outliers. They are listed and excluded from the fit. Points of the mirror image are rejected, and
 //! a part of the profile without points is reported.
@@ -30,8 +30,8 @@ const PROFILE: usize = 2880;
 const OTHER: f64 = 0.1;
 /// Maximum number of iterations that detect and exclude outliers.
 const OUTLIER_ROUNDS: usize = 3;
-/// Thresholds above which the points belong to the mirror image: ratio of the residuals of cam and mirror image, and deviation from the cam relative
-/// to its maximum radius.
+/// Thresholds above which the points belong to the mirror image. The first is the ratio of the residuals of cam and mirror image. The second is the
+/// deviation from the cam relative to its maximum radius.
 const MIRRORED: (f64, f64) = (10.0, 1e-5);
 
 /// Deviation of a measured point from the profile.
@@ -165,7 +165,7 @@ impl Cam {
             }
         }
         if best.rms > OTHER * (high - low) {
-            // Steps towards the points of another cam may lead ever farther away; laid on its middle they are near.
+            // The fit may diverge for points of another cam. The error states a finite distance: that with coinciding centres, if it is smaller.
             let outline: Vec<[f64; 2]> = exact.samples.iter().map(|s| s.p).collect();
             let (angle, pivot, place) = (0.0, middle(points), middle(&outline));
             let laid = Pose {

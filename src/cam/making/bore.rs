@@ -76,7 +76,7 @@ impl Keyway {
     }
 
     fn of(row: &[f64; 3]) -> Keyway {
-        // Divided, not multiplied by 1e-3: the nearest numbers to those of the standard.
+        // Division by 1000 gives the floating-point numbers nearest to those of the standard; multiplication by 1e-3 does not.
         Keyway {
             width: row[1] / 1e3,
             depth: row[2] / 1e3,
@@ -143,7 +143,7 @@ impl Bore {
         let (sin, cos) = angle.sin_cos();
         let (half, top) = (0.5 * key.width, self.radius() + key.depth);
         let [top_corner, foot] = self.corner_angles(key);
-        // From +y, to either side.
+        // Angle from +y, equal on both sides.
         let aside = cos.abs().atan2(sin);
         if aside <= top_corner {
             top / sin
@@ -164,7 +164,7 @@ impl Bore {
         let (half, top) = (0.5 * key.width, r + key.depth);
         let foot = (r * r - half * half).sqrt();
         let [_, aside] = self.corner_angles(key);
-        // The round part in two pieces: from the left foot of the keyway over the lowest point to the right one.
+        // The round part as two arcs: from the left foot of the keyway to the lowest point, and from there to the right foot.
         let quarter = 0.25 * (std::f64::consts::PI - aside);
         vec![
             [half, foot, 0.0],

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// Maximum pressure of a line contact over the yield strength at which no point below the surface yields: the maximum shear 0.300 p₀ is then half of
-/// the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
+/// Maximum pressure of a line contact, relative to the yield strength, at which no point below the surface yields. The maximum shear 0.300 p₀ is then
+/// half of the yield strength (Tresca; Johnson 1985, Contact Mechanics, §6.1).
 const FIRST_YIELD: f64 = 0.5 / 0.300;
 
 /// Elastic constants of one body.
@@ -36,7 +36,7 @@ pub const STEEL: Material = Material {
     poisson: 0.3,
 };
 
-/// Materials with known constants: typical values of the grade in brackets, recalled from the standards and data sheets that are named.
+/// Materials with known constants: typical values of the grade in brackets, quoted from memory of the named standards and data sheets.
 ///
 /// ```
 /// use gaitcam::cam::Stock;
@@ -70,7 +70,7 @@ pub enum Stock {
 }
 
 impl Stock {
-    /// Every material.
+    /// All materials.
     pub const ALL: &'static [Stock] = <Stock as strum::VariantArray>::VARIANTS;
 
     /// Name in a scene file.
@@ -110,7 +110,7 @@ impl Stock {
     }
 }
 
-/// Constants of a material as a scene states them; missing ones are those of steel.
+/// Material constants given in a scene; missing ones are those of steel.
 ///
 /// ```
 /// use gaitcam::cam::StatedMaterial;
@@ -120,7 +120,7 @@ impl Stock {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct StatedMaterial {
-    /// The known material whose constants apply where none is stated.
+    /// The known material whose constants are used for values that are not stated.
     pub stock: Option<Stock>,
     /// Stated Young's modulus, Pa.
     pub young: Option<f64>,
@@ -140,7 +140,7 @@ impl StatedMaterial {
         }
     }
 
-    /// Allowable contact pressure, Pa; `None` where neither it nor a known material is stated.
+    /// Allowable contact pressure, Pa; `None` if neither it nor a known material is stated.
     pub fn allowable_pressure(&self) -> Option<f64> {
         let usual = || self.stock.filter(|_| self.young.is_none());
         let usual = || usual().map(Stock::allowable_pressure);

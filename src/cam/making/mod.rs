@@ -21,7 +21,7 @@ pub use material::{Material, STEEL, StatedMaterial, Stock};
 pub struct Making {
     /// The material by its designation; `None` = steel.
     pub material: Option<String>,
-    /// Constants of the material; those of steel where nothing is stated.
+    /// Constants of the material; missing ones are those of steel.
     pub stated: StatedMaterial,
     /// Hardness of the surface.
     pub hardness: Option<Hardness>,

@@ -29,7 +29,7 @@ struct Engine<'a> {
     surfaces: &'a [Surface],
     drive: &'a Drive,
     restitution: f64,
-    /// Free motion y″ + γ y′ + κ y + f = 0, per radian.
+    /// Damping γ of the free motion y″ + γ y′ + κ y + f = 0, per radian.
     gamma: f64,
     kappa: f64,
     push: f64,
@@ -90,7 +90,7 @@ impl Engine<'_> {
         let mut now = self.run.start;
         let mut surface = self.highest(now);
         self.marks.push(Mark::On(surface));
-        // In the air: the flight, and the profile it has just left with the angle until which it recedes.
+        // During a flight: the flight, the index of the profile that the mass left, and the angle until which the gap certainly opens.
         let mut air: Option<(Flight, usize, f64)> = None;
         while now < end && self.run.impacts.len() < limits.impacts {
             if let Some((flight, left, blind)) = air.take() {
@@ -253,7 +253,7 @@ impl Engine<'_> {
         let top = (1..PARTS)
             .max_by(|&a, &b| gap(at(a)).total_cmp(&gap(at(b))))
             .unwrap_or(1);
-        // Golden section between the neighbours of the best part.
+        // Golden section between the neighbours of the best sample.
         let (mut a, mut b) = (at(top - 1), at(top + 1));
         let ratio = 0.618_033_988_749_895;
         for _ in 0..40 {
@@ -341,8 +341,8 @@ fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -
             return Some(at);
         }
         let free = (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
-        // Profiles that coincide (both on the base circle) are stepped over in small parts; the crossing
-        // itself is found again from the last open gap.
+        // Intervals where the profiles coincide (both on the base circle) are passed in small steps. The crossing itself is then searched from the
+        // last open gap.
         let small = 1e-7;
         if free < small && gap > floor && opening < 0.0 {
             if free <= 4.0 * f64::EPSILON * at.abs().max(1.0) {

@@ -43,7 +43,7 @@ impl Flight {
             // y″ decays from its first value.
             return (-self.curvature).max(0.0);
         }
-        // y″ obeys the same homogeneous equation: (y″)² + (y‴)²/κ never grows.
+        // y″ satisfies the same homogeneous equation, so (y″)² + (y‴)²/κ does not increase.
         let third = -self.gamma * self.curvature - self.kappa * self.rate;
         self.curvature.hypot(third / self.kappa.sqrt())
     }

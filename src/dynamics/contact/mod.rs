@@ -178,7 +178,7 @@ impl ContactRun {
             .filter(|s| !matches!(s.phase, Phase::Contact { .. }))
             .map(|s| (s.to.min(to) - s.from.max(from)).max(0.0))
             .sum();
-        // An empty sum is −0.0, which no report should print.
+        // An empty sum is −0.0. Adding 0.0 removes the sign from reports.
         (0.0 + lost) / (to - from)
     }
 

@@ -1,8 +1,8 @@
 //! Exact response of a small linear system to a piecewise polynomial input.
 //!
 //! z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a fixed vector per Bernstein coefficient
-//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential to rounding; doubling extends the result
-//! to the full width. There is no cancellation at any frequency, and no time stepping.
+//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential up to rounding errors; doubling extends
+//! the result to the full width. There is no cancellation at any frequency, and no time stepping.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
@@ -42,7 +42,7 @@ pub struct Linear {
 struct Step {
     width: f64,
     carry: Matrix2<f64>,
-    /// One vector per Bernstein coefficient of the input.
+    /// Vectors of the response, one per Bernstein coefficient of the input.
     push: Vec<Vector2<f64>>,
 }
 
@@ -72,14 +72,14 @@ impl Linear {
             turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
         let closing = Matrix2::identity() - turn;
-        // The smallest singular value measures the distance from an eigenvalue 1 of the turn.
+        // The smallest singular value is the distance of the propagation matrix of a turn from a matrix with the eigenvalue 1.
         let singular = closing.singular_values();
         let margin = NEAR_RESONANCE * singular.max().max(1.0);
         if singular.min() <= margin || singular.min().is_nan() {
             return None;
         }
         let last = once.last().copied().unwrap_or_default();
-        // At the start of a turn the state is z₀ + kick; `once` began with the kick alone.
+        // At the start of a turn the state is z₀ + kick; `once` contains the kick alone.
         let start = closing.lu().solve(&last)?;
         Some(run(&steps, forcing, start + kick(0), &kick))
     }
@@ -91,7 +91,7 @@ impl Linear {
         let mut which = Vec::with_capacity(breaks.len() - 1);
         for pair in breaks.windows(2) {
             let width = pair[1] - pair[0];
-            // Widths that differ by the rounding of their ends are one width.
+            // Widths that differ only by the rounding errors of their ends are treated as equal.
             let same = |s: &Step| (s.width - width).abs() <= 4.0 * f64::EPSILON * extent;
             let recent = which.last().filter(|&&i: &&usize| same(&steps[i])).copied();
             let known = recent.or_else(|| steps.iter().position(same));

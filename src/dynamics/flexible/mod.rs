@@ -194,7 +194,7 @@ fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     }
 }
 
-/// Values at the breaks from the right; at the end from the left.
+/// Values at the breaks from the right, at the end from the left.
 fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
     let last = p.pieces() - 1;
     (0..=last)
@@ -213,7 +213,7 @@ fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector
         output: Vec::new(),
         theta,
     };
-    // Without mass the damper's force follows from balance: N = F + (k x + c ω x′).
+    // Without mass, the damper force follows from the balance of forces: N = F + (k x + c ω x′).
     let extra = if drive.mass <= 0.0 {
         train.damping * drive.speed
     } else {

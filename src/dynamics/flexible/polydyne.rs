@@ -6,10 +6,10 @@
 //! F(y) = F₀ + k y + c ẏ + m ÿ = k₁ (s − y) + c₁ (ṡ − ẏ)
 //! ```
 //!
-//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping it is algebraic: s = y + F(y)/k₁, and a
-//! sum of sinusoids has 1/(1 + i r τ) at each frequency r. Otherwise x and its first three derivatives, which obey the same equation under the
-//! derivatives of F, are computed at the breaks of F in the periodic steady state, and joined by polynomials of degree 7. Source: Dudley's polydyne
-//! relation, y and s in the letters of [`super`].
+//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping it is algebraic: s = y + F(y)/k₁, and
+//! each sinusoid of frequency r is multiplied by 1/(1 + i r τ). Otherwise x and its first three derivatives obey the same equation with the
+//! derivatives of F. They are computed at the breaks of F in the periodic steady state and joined by polynomials of degree 7. Source: Dudley's
+//! polydyne relation, with the symbols of [`super`].
 
 use super::Train;
 use super::linear::{Linear, Matrix2, Vector2};
@@ -48,7 +48,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
         return Err(DynamicsError::OpenPolydyne.into());
     }
     let weights = drive.weights();
-    // The cam's acceleration takes two derivatives more than the force does.
+    // The acceleration of the cam requires two more derivatives than the force.
     let needed = 2 + weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
     let (smooth, broken_at) = continuous_derivatives(target, needed);
     if smooth < needed {

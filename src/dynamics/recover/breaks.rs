@@ -72,7 +72,7 @@ pub fn between_breaks(
     }
 }
 
-/// Stations of every interval between two breakpoints, including both. The angles of a closed cycle continue beyond its end.
+/// Stations of every interval between two breakpoints, including both breakpoints. The angles of a closed cycle continue beyond its end.
 fn stretches(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -95,7 +95,7 @@ fn stretches(
         ends.insert(0, (rows[0], first[0]));
         ends.push((last[1], rows[n - 1]));
     }
-    // Breakpoints a rounding error apart enclose nothing.
+    // Breakpoints that differ only by rounding errors enclose no interval.
     ends.retain(|(from, to)| to.theta - from.theta > 1e-6 * step);
     ends.into_iter()
         .map(|(from, to)| {
@@ -172,7 +172,7 @@ fn with_rows_as_breaks(
         }
         let k = inner.partition_point(|b| *b <= at);
         let near = |b: f64| (at - b).abs() <= NO_PIECE * step;
-        // The cycle begins at its first row, however near a breakpoint.
+        // The cycle begins at its first row, even if a breakpoint is near.
         let begins = cycle.closed && i % rows.len() == 0 && (at - from).abs() > 1e-9 * step;
         if begins || !(near(poly.breaks()[k]) || near(poly.breaks()[k + 1])) {
             further.push(at);
@@ -189,7 +189,7 @@ fn with_rows_as_breaks(
 fn beginning_at(poly: &PiecewisePoly, start: f64, length: f64, step: f64) -> PiecewisePoly {
     let n = poly.pieces();
     let end = start + length;
-    // The piece that begins the cycle: the break within rounding of `start` or of its end.
+    // The span that begins the cycle: its break equals `start` or the end of the cycle up to rounding errors.
     let turn = (0..n)
         .find(|&i| poly.breaks()[i] > end - 1e-6 * step)
         .unwrap_or(0);

@@ -41,12 +41,12 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
 
 /// Recovers the lift of an emitted cam from its points and the breakpoints of its law.
 ///
-/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted: first those at which only the
-/// jerk jumps, then all.
+/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted. Those at which only the jerk
+/// jumps are omitted first, then all.
 ///
 /// # Errors
 ///
-/// As [`recover_over`].
+/// The errors of [`recover_over`].
 pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
     let few = |breaks: &Vec<[ProfilePoint; 2]>| ROWS_BETWEEN_BREAKS * breaks.len() <= points.len();
     let breaks = [3, 2]
@@ -157,7 +157,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
 /// Quartic C³ lift through the slopes, shifted to the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
-    // A closed lift has no mean slope: subtract the mean that noise leaves.
+    // The mean slope of a closed lift is zero: the mean caused by noise is subtracted.
     let drift = if closed {
         slopes.iter().sum::<f64>() / n as f64
     } else {

@@ -15,7 +15,7 @@ pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
 pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     let n = values.len();
     let right = |i: usize| 3.0 * (values[(i + 1) % n] - values[(i + n - 1) % n]) / step;
-    // Sherman and Morrison: the corners 1 are taken out by u = (−4, 0 … 1), v = (1, 0 … −1/4).
+    // Sherman–Morrison formula: the corner entries 1 are eliminated with u = (−4, 0 … 1), v = (1, 0 … −1/4).
     let mut ratio = vec![0.0; n];
     let mut x = vec![0.0; n];
     let mut z = vec![0.0; n];

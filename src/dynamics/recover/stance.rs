@@ -64,7 +64,7 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let away = [-side * (p[0] - pivot), p[1]];
     let far = away[0].hypot(away[1]);
     let (gap, sum) = (arm - far, arm + far);
-    // The triangle pivot, contact, centre: tan(δ/2) without the cancellation of an arc cosine.
+    // Triangle of pivot, contact and centre: tan(δ/2), without the cancellation of an arc cosine.
     let open = ((radius - gap) * (radius + gap)).max(0.0) / ((sum - radius) * (sum + radius));
     if (radius - gap.abs()) < -1e-12 * arm {
         return None;

@@ -53,7 +53,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     if drive.mass <= 0.0 && drive.damping <= 0.0 {
         return None;
     }
-    // A speed at which inertia (or damping) surely outweighs springs somewhere, if any does.
+    // A speed at which inertia or damping certainly exceeds the springs at some angle, if it ever does.
     let highest = most.value;
     let least_a = extremes([0.0, 0.0, 1.0], 0.0).0;
     let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
@@ -75,7 +75,7 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
         };
         let [k, c, m, _] = here.weights();
         let (worst, largest) = extremes([k, c, m], drive.rest_force);
-        // A force that only touches zero, as in a dwell without preload, is not a lift-off.
+        // A force that only reaches zero, as in a dwell without preload, does not cause lift-off.
         if worst.value >= -NO_PULL * largest.value.abs() {
             break;
         }

@@ -94,9 +94,9 @@ impl<K: Kind> Pressed for K {
         let [g, cam] = self.velocities(contact.point);
         let rubbing = dot([cam[0] - at.v * g[0], cam[1] - at.v * g[1]], tangent);
         let drag = friction * 1.0_f64.copysign(rubbing);
-        // Under a negative force of the rigid model friction still opposes the sliding.
+        // Under a negative force of the rigid model, friction also opposes the sliding.
         let pressed = dot(n, g) + drag * 1.0_f64.copysign(force) * dot(tangent, g);
-        // Where friction locks the follower the force is divided by zero.
+        // Where friction locks the follower, the force is divided by zero.
         let pressed = if pressed > 0.0 { pressed } else { 0.0 };
         let normal = if force == 0.0 { 0.0 } else { force / pressed };
         let rub = if drag == 0.0 {
@@ -108,7 +108,7 @@ impl<K: Kind> Pressed for K {
             normal * n[0] + rub * tangent[0],
             normal * n[1] + rub * tangent[1],
         ];
-        // Cam and follower have one velocity along the normal: only friction adds to F·v.
+        // Cam and follower have the same velocity along the normal: only friction adds to F·v.
         let torque = force * at.v + rub * rubbing;
         let forces = Forces {
             normal,
@@ -158,7 +158,7 @@ impl FollowerContact {
         torque[0]
     }
 
-    /// As [`FollowerContact::torque`], at many points of the motion with their forces.
+    /// Computes [`FollowerContact::torque`] at many points of the motion with their forces.
     pub fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64]) -> Vec<f64> {
         let mut torques = vec![0.0; motion.len().min(forces.len())];
         self.fill(friction, motion, forces, &mut torques);
@@ -176,7 +176,7 @@ impl FollowerContact {
 
     /// Contact at one point of the motion, at the cam speed `speed`, rad/s.
     pub fn at(&self, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
-        // A roller's own friction is in its bearing and is left out.
+        // The friction of a roller acts in its bearing and is neglected.
         let friction = if self.rubs { friction } else { 0.0 };
         let (contact, forces) = self.kind().forces(friction, at, force);
         let rubbing = if self.rubs { forces.rubbing } else { 0.0 };
@@ -203,11 +203,11 @@ impl FollowerContact {
     /// Signed speed of the contact along the profile per unit of θ, and sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
-            // A face on an arm turns with it against the cam.
+            // The face rotates with the arm, opposite to the cam.
             let turning = 1.0 + self.pivot.map_or(0.0, |_| self.side * at.v);
             return (contact.rho * turning, 1.0 / contact.rho);
         }
-        // The circle's centre moves along the pitch curve.
+        // The centre of the circle moves along the pitch curve.
         let [own, cam] = self.kind().velocities(contact.pitch);
         let length = (at.v * own[0] - cam[0]).hypot(at.v * own[1] - cam[1]);
         let radius = self.geometry.radius();

@@ -39,8 +39,8 @@ const STEP: usize = 6;
 /// Minimum relative decrease of the error for another minimum to be selected.
 const LOWER: f64 = 1e-6;
 
-/// Difference between forces at equal angles, with speed, rad/s, and time, s, and a target at equal times of one period, minimised over the phase of
-/// the target. Forces and target begin at the same angle.
+/// Difference between forces at equal angles and a target at equal times of one period, minimised over the phase of the target. The forces are given
+/// with speed, rad/s, and time, s. Forces and target begin at the same angle.
 pub fn error_in_time(
     forces: &[f64],
     speed: &[f64],

@@ -69,7 +69,7 @@ pub struct Shaft {
     pub motor_power_mean_w: f64,
     /// Angle between the minimum lift, at which the shaft starts from rest, and the point at which it stops, rad; `None` if it does not stop.
     pub stops_at_rad: Option<f64>,
-    /// Minimum inertia, kg·m², to 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
+    /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,
     /// Work of the motor minus the work of friction and load, relative to the alternating work of a turn. It measures the numerical error.
     pub energy_balance: f64,
@@ -240,7 +240,7 @@ impl Motion {
         let Some(nominal) = motor.nominal.filter(|most| !enough(most)) else {
             return Ok(());
         };
-        // Another no-load speed of the same stall torque is another slope.
+        // For the same stall torque, another no-load speed gives another slope.
         let needed = match motor.line {
             TorqueLine::Slope(slope) => Motor {
                 line: TorqueLine::Stall(slope * nominal),
@@ -268,9 +268,9 @@ impl Motion {
         let balance = turn.motor_work - motor.friction * TAU - turn.load_work;
         let swing = load.swing(self.mean);
         let stops = load.stop_from_rest(motor, turn.no_load, lowest);
-        // The torque falls with the speed.
+        // The torque decreases with the speed, so its extremes are at the extreme speeds.
         let torques = [min, max].map(|w| motor.torque(w, turn.no_load)[0].abs());
-        // Without a load both works are rounding.
+        // Without a load, both works are rounding errors.
         let least = ROUNDING * motor.inertia * self.mean * self.mean;
         Some(Shaft {
             mean: self.mean,

@@ -91,7 +91,7 @@ impl Steady {
         newton(load, motor, speed, stages, turn.no_load).ok_or(Stall::Below(least * LEAST_FACTOR))
     }
 
-    /// Minimum inertia, kg·m², to 1 %, for which this shaft does not stop; 0 if any inertia is sufficient.
+    /// Minimum inertia, kg·m², with an accuracy of 1 %, for which this shaft does not stop; 0 if any inertia is sufficient.
     pub fn least_inertia(&self, load: &Load, motor: &Motor, speed: f64) -> f64 {
         let goal = motor.inertia / RANGE;
         let coarse = load.every(COARSE);
@@ -135,7 +135,7 @@ impl Steady {
         if own == other {
             return self.stages.clone();
         }
-        // As if all steps were alike: near enough to start from.
+        // Treats all steps as equal, which is accurate enough for an initial guess.
         let at = |i: usize, k: usize| {
             let x = (i as f64 + PLACES[k]) * own as f64 / other as f64;
             let j = (x as usize).min(own - 1);
@@ -163,8 +163,8 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed relative to its mean, and RMS change of the force over time relative to its mean, linearised in the change of speed. This is
-/// the first Newton step from a constant speed, rad/s. The phase minimises the change.
+/// Range of the speed and RMS change of the force over time, each relative to its mean and linearised in the change of speed. This is the first
+/// Newton step from a constant speed, rad/s. The phase minimises the change.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
@@ -174,7 +174,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (mut low, mut high, mut sum) = (0.0_f64, 0.0_f64, 0.0);
     // Sums of squares and products of the change and of the slope of the force.
     let (mut square, mut product, mut steepness) = (0.0, 0.0, 0.0);
-    // What the shaft is ahead of a constant speed, rad.
+    // Lead of the shaft over a shaft with constant speed, rad.
     let mut ahead = 0.0;
     for (step, line) in load.steps.iter().zip(&lines) {
         let changes: [f64; STAGES] =
@@ -208,7 +208,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
 
 /// Energies at the extremes within a step, from the derivatives at its stages.
 fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item = f64> {
-    // E′ = a + b x + c x², x from the middle of the step in parts of it.
+    // E′ = a + b x + c x² with x measured from the middle of the step, as a fraction of the step.
     let side = PLACES[2] - PLACES[1];
     let [a, b, c] = [
         rates[1],

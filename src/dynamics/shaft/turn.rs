@@ -123,7 +123,7 @@ impl Step {
             let at = stage + 1;
             let apart = |i: usize, k: usize| ALL_PLACES[i] - ALL_PLACES[k];
             let others = |i: usize| (0..5).filter(move |k| *k != i && *k != at);
-            // Lagrange's polynomials, one after the other less that of the stage: constants have no slope.
+            // Lagrange polynomials, each minus that of the stage: constants have no slope.
             let term = |i: usize| {
                 let by_others: f64 = others(i).map(|k| apart(at, k) / apart(i, k)).product();
                 by_others * (values[i] - values[at]) / apart(i, at)
@@ -192,7 +192,7 @@ impl Load {
         high - low
     }
 
-    /// The load with its steps merged to about `count` steps.
+    /// The load with adjacent steps merged, so that about `count` steps remain.
     pub fn every(&self, count: usize) -> Load {
         let at_once = (self.steps.len() / count).max(1);
         if at_once == 1 {

@@ -25,7 +25,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    // The contact model has no floor and no motor.
+    // The contact model supports neither a floor nor a motor.
     let is_steady = input.machine.floor.is_none() && p.shaft.is_none();
     let can_lift_off = !p.held && p.cycle == Cycle::TURN && is_steady;
     if can_lift_off && let Some(why) = asks_for_contact(p, &rigid, mean) {
@@ -77,7 +77,7 @@ fn compared(
 
 fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelReason> {
     let scale = mean.abs();
-    // Without mass a small force is not close to lift-off: only a negative force needs the contact model.
+    // Without mass, a small force does not indicate lift-off: only a negative force requires the contact model.
     let asked = if p.drive.mass > 0.0 {
         rigid.force.min < MARGIN * scale
     } else {
@@ -106,7 +106,7 @@ fn force_margin(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> For
     }
     let liftoff = liftoff_margin(p, rigid);
     let low = rigid.force.min;
-    // A pure inertia force has no mean to relate the margin to.
+    // A pure inertia force has no mean value to which the margin could be related.
     if mean.abs() <= 1e-9 * largest {
         return ForceMargin::InertiaOnly {
             low: p.load(low),
@@ -142,7 +142,7 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
 /// is transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
-        // Without mass there is no vibration, but the train deflects: always run the flexible model.
+        // Without mass there is no vibration, but the train deflects: the flexible model is always used.
         return (f64::INFINITY, Vibration::NoMass);
     };
     let zeta = train.damping / (2.0 * p.drive.mass * natural);

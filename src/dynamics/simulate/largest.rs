@@ -47,7 +47,7 @@ impl Prepared {
         let Some(face) = input.machine.face else {
             return;
         };
-        // The pressure grows with the product of force and curvature.
+        // The pressure increases with the product of force and curvature.
         let product = |t: &Touch| (t.normal * t.curvature).abs();
         let values: Vec<f64> = (0..forces.len()).map(|i| product(&touched(i))).collect();
         let highest = self.largest(input, &values, follows, product);
@@ -130,7 +130,7 @@ impl Prepared {
         let breaks = turns
             .iter()
             .flat_map(|turn| self.lift.breaks().iter().map(move |b| b + turn));
-        // A break within rounding of another would leave an interval of no length.
+        // A break that differs from another only by rounding errors would leave an interval of length zero.
         let room = 1e-9 * (to - from);
         let mut cut = vec![from];
         for b in breaks.filter(|b| *b < to - room) {

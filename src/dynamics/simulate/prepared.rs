@@ -251,7 +251,7 @@ impl Prepared {
         sign * self.contact.torque(friction, Svaj { v, ..at }, force)
     }
 
-    /// As [`Prepared::torque`], at the rows of a cycle.
+    /// Computes [`Prepared::torque`] at the rows of a cycle.
     pub fn torques(&self, input: &Run, forces: &[f64]) -> Vec<f64> {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let turned = |at: &Svaj| Svaj {
@@ -296,7 +296,7 @@ impl Prepared {
 fn phase_value(values: &[f64], part: f64) -> f64 {
     let n = values.len();
     let x = part.rem_euclid(1.0) * n as f64;
-    // A sample's own angle, met within rounding, is that sample.
+    // A position that equals that of a sample up to rounding errors is the position of this sample.
     let nearest = x.round();
     if (x - nearest).abs() < 1e-6 {
         return values[nearest as usize % n];

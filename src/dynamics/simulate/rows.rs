@@ -26,7 +26,7 @@ impl Prepared {
         (self.shaft.as_ref()).map_or(self.drive.speed, |shaft| shaft.speed[row])
     }
 
-    /// Difference over time between the forces at the rows and the target, if the speed varies.
+    /// Difference between the forces at the rows and the target as functions of time, if the speed varies.
     pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
         let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
         let period = self.cycle.length / self.drive.speed;

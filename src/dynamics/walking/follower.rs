@@ -16,7 +16,7 @@ use crate::units::{Dimension, Quantity};
 /// Minimum and maximum number of steps of the shaft between two rows, and its steps per time constant of the motor.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
-/// Relative difference of the motor's torque from the required one above which it cannot follow.
+/// Relative difference between the available and the required torque of the motor above which the motor cannot follow.
 const SAME_TORQUE: f64 = 1e-6;
 
 /// A cam that follows a programme, at the times of its rows.
@@ -43,11 +43,11 @@ pub struct ProgrammeRun {
     pub angle: Vec<f64>,
     /// Speed of the camshaft, rad/s.
     pub speed: Vec<f64>,
-    /// Angular acceleration, rad/s².
+    /// Angular acceleration of the camshaft, rad/s².
     pub acceleration: Vec<f64>,
-    /// Velocity, m/s, of the follower; rad/s of an arm.
+    /// Velocity of the follower, m/s; for an arm, rad/s.
     pub follower_velocity: Vec<f64>,
-    /// Acceleration, m/s², of the follower; rad/s² of an arm.
+    /// Acceleration of the follower, m/s²; for an arm, rad/s².
     pub follower_acceleration: Vec<f64>,
     /// Contact force, N; for an arm, divided by its lever.
     pub force_n: Vec<f64>,
@@ -58,8 +58,8 @@ pub struct ProgrammeRun {
 }
 
 impl ProgrammeRun {
-    /// The run of the emitted cam that follows a programme, from a cam angle on; with a motor its speed is commanded, without one it is that of the
-    /// shaft. The model is rigid.
+    /// Simulates an emitted cam that follows a programme, from a cam angle on. With a motor, the programme is the commanded no-load speed; without
+    /// one, it is the speed of the shaft. The model is rigid.
     ///
     /// # Errors
     /// A cam that is not closed, an emitted profile without smooth lift, a motor whose shaft stops.
@@ -71,7 +71,8 @@ impl ProgrammeRun {
         }
     }
 
-    /// Differences of the response from that to a force, N, at the rows, which contain so many strides; the last row repeats the first.
+    /// Differences between the responses to the cam's force and to a recorded force, N, at the rows. The rows contain the given number of strides;
+    /// the last row repeats the first.
     pub fn misfits(&self, recorded_n: &[f64], strides: usize) -> [Misfit; 3] {
         let last = self.time_s.len() - 1;
         let duration = self.time_s[last] - self.time_s[0];
@@ -79,7 +80,7 @@ impl ProgrammeRun {
         of(recorded_n).misfits(&of(&self.force_n))
     }
 
-    /// Root mean square of the difference from a force, N, at the rows.
+    /// Root mean square of the difference from a recorded force at the rows, N.
     pub fn rms_error(&self, recorded_n: &[f64]) -> f64 {
         let off = self.force_n.iter().zip(recorded_n).skip(1);
         let square: f64 = off.map(|(a, b)| (a - b).powi(2)).sum();
@@ -121,7 +122,7 @@ impl<'a> Follower<'a> {
         self.law.svaj(angle.rem_euclid(TAU))
     }
 
-    /// The run at a prescribed speed.
+    /// Simulates the run at a prescribed speed.
     pub(super) fn prescribed(&self, programme: &SpeedProgramme, start: f64) -> ProgrammeRun {
         let inertia = self.motor.map_or(0.0, |m| m.inertia);
         let friction = self.motor.map_or(0.0, |m| m.friction);
@@ -174,10 +175,11 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// No-load speed of the motor at the rows of a prescribed run, rad/s, with which the motor gives its torque; its speed without a motor.
+    /// No-load speed of the motor at the rows of a prescribed run, rad/s, for which the motor has the torque of the run; without a motor, the speed
+    /// of the run.
     ///
     /// # Errors
-    /// A motor that does not reach the torque or the no-load speed.
+    /// The motor does not reach the torque or the no-load speed.
     pub(super) fn command(&self, run: &ProgrammeRun) -> Result<Vec<f64>> {
         let Some(motor) = self.motor else {
             return Ok(run.speed.clone());
@@ -221,10 +223,10 @@ impl<'a> Follower<'a> {
         ]
     }
 
-    /// The run of a motor under a commanded speed: the second of two consecutive passes, by the classical Runge–Kutta method.
+    /// Simulates the run of a motor under a commanded speed: the second of two consecutive passes, by the classical Runge–Kutta method.
     ///
     /// # Errors
-    /// A shaft that stops.
+    /// The shaft stops.
     fn commanded(
         &self,
         motor: &Motor,

@@ -1,4 +1,5 @@
-//! Walking as it is: the response of a mode to a recorded walk and to a cam, and the speed of the cam with which its force varies as recorded.
+//! Recorded walking. The response of a structural mode to a recorded walk is compared with the response to a cam. A cam speed is computed for which
+//! the force varies as recorded.
 
 mod follower;
 mod mode;

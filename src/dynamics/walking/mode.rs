@@ -1,7 +1,7 @@
-//! A mode of unit mass under a force that repeats without end, tuned about the step frequency.
+//! Mode of unit mass under a periodically repeated force, tuned about the step frequency.
 //!
 //! A force of period T has lines at k/T. With mean square Pₖ of line k at ω = 2πk/T, a mode of frequency ωₘ and damping ratio ζ has the mean square
-//! acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. Nothing is left out at the start, and no other window is chosen.
+//! acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part is omitted, and no other window is used.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,10 +13,10 @@ use crate::poly::amplitudes;
 /// Number of equally spaced frequencies of the mode, and their range relative to the step frequency.
 const TUNINGS: usize = 401;
 const BAND: [f64; 2] = [0.9, 1.1];
-/// Number of harmonics of the stride frequency; the mode hardly responds to higher ones.
+/// Number of harmonics of the stride frequency; the response to higher ones is negligible.
 const OF_STRIDE: usize = 48;
 
-/// The lines of a force that repeats.
+/// Spectral lines of a force that repeats.
 ///
 /// ```
 /// use gaitcam::dynamics::RepeatedForce;
@@ -38,10 +38,10 @@ pub struct RepeatedForce {
 }
 
 impl RepeatedForce {
-    /// Damping ratios of the modes, as of footbridges of steel, of composite decks and of concrete.
+    /// Damping ratios of the modes, typical of footbridges of steel, of composite decks and of concrete.
     pub const DAMPING_RATIOS: [f64; 3] = [0.003, 0.005, 0.01];
 
-    /// Lines of a force, N, at equal steps of its duration, s, which contains so many strides of two steps.
+    /// Lines of a force, N, at equal steps of its duration, s. The duration contains `strides` strides of two steps.
     pub fn new(force: &[f64], duration_s: f64, strides: usize) -> RepeatedForce {
         let lines = amplitudes(force);
         let lines = lines.iter().enumerate().skip(1).take(OF_STRIDE * strides);
@@ -56,7 +56,7 @@ impl RepeatedForce {
         }
     }
 
-    /// Lines of the strides of a recording, repeated without end.
+    /// Lines of the strides of a recording, repeated periodically.
     pub fn of(walk: &Walk) -> RepeatedForce {
         RepeatedForce::new(&walk.force_n(), walk.duration_s, walk.strides())
     }
@@ -88,7 +88,7 @@ impl RepeatedForce {
         self.about(self.step_frequency_hz, damping_ratio)
     }
 
-    /// Highest RMS acceleration, m/s², of a mode of 1 kg tuned through 0.9 … 1.1 of the step frequency.
+    /// Maximum RMS acceleration, m/s², of a mode of 1 kg tuned from 0.9 to 1.1 of the step frequency.
     pub fn peak(&self, damping_ratio: f64) -> f64 {
         self.response(damping_ratio).into_iter().fold(0.0, f64::max)
     }
@@ -98,12 +98,12 @@ impl RepeatedForce {
         self.strides >= RepeatedForce::strides_for(damping_ratio)
     }
 
-    /// Minimum number of strides of which the lines are closer than the bandwidth of a mode.
+    /// Minimum number of strides for which the distance of the lines is less than the bandwidth of a mode.
     pub fn strides_for(damping_ratio: f64) -> usize {
         (0.5 / (PI * damping_ratio)).ceil() as usize
     }
 
-    /// Differences of the responses to another force from those to this one, about the step frequency of this one.
+    /// Differences between the responses to another force and to this force, about the step frequency of this force.
     pub fn misfits(&self, other: &RepeatedForce) -> [Misfit; 3] {
         RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {
             let at = self.step_frequency_hz;
@@ -140,7 +140,7 @@ pub struct Misfit {
     pub damping_ratio: f64,
     /// Mean of |ln(response ratio)| over 0.9 … 1.1 of the step frequency.
     pub misfit: f64,
-    /// Highest response to the second force, relative to that of the first.
+    /// Maximum response to the second force, relative to the maximum response to the first.
     pub peak_ratio: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The speed of the camshaft over time that gives a cam the steps of a recorded walk.
+//! Speed of the camshaft over time for which a cam reproduces the steps of a recorded walk.
 
 use std::f64::consts::TAU;
 
@@ -11,13 +11,13 @@ use crate::error::{DynamicsError, Result};
 use crate::force::Walk;
 use crate::units::{Dimension, Quantity};
 
-/// Smoothing relative to the cube of a step time that leaves a speed practically constant, and that which changes nothing.
+/// Smoothing parameters, relative to the cube of a step time, for a practically constant speed and for a practically unsmoothed one.
 const SMOOTHEST: f64 = 1e9;
 const LEAST: f64 = 1e-6;
 /// Number of halvings of the smoothing on its logarithmic scale.
 const HALVINGS: usize = 24;
 
-/// What a programme has to keep.
+/// Bounds that a programme satisfies.
 ///
 /// ```
 /// use gaitcam::dynamics::Bounds;
@@ -27,13 +27,13 @@ const HALVINGS: usize = 24;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Largest angular acceleration, rad/s².
+    /// Maximum angular acceleration, rad/s².
     pub acceleration: f64,
-    /// Smallest contact force, N.
+    /// Minimum contact force, N.
     pub force_min: f64,
 }
 
-/// A programme for a recorded walk.
+/// Programme for a recorded walk, with the run of the cam.
 ///
 /// ```
 /// use gaitcam::dynamics::{Bounds, Followed};
@@ -54,22 +54,22 @@ pub struct Bounds {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// The programme: the speed of the shaft, or with a motor its no-load speed.
+    /// Programme: the speed of the shaft; with a motor, its no-load speed.
     pub programme: SpeedProgramme,
-    /// The cam that follows the programme.
+    /// Run of the cam that follows the programme.
     pub run: ProgrammeRun,
     /// The recorded force at the rows, N.
     pub recorded_n: Vec<f64>,
-    /// Differences of the response from that to the recorded force.
+    /// Differences between the responses to the force of the cam and to the recorded force.
     pub misfits: [Misfit; 3],
-    /// Largest deviation of a step of the programme from the recorded one, s.
+    /// Maximum deviation of a step time of the programme from the recorded one, s.
     pub step_error_s: f64,
-    /// Root mean square of the difference of the forces, N.
+    /// Root mean square of the difference between both forces, N.
     pub rms_error_n: f64,
 }
 
-/// Cam angles of the heel strikes of a walk, rad, increasing; a turn is a stride of two steps, or one step. The heel strike that begins the cycle of the
-/// force is at the angle `first`, that of the other foot at the fraction `middle` of a stride.
+/// Cam angles of the heel strikes of a walk, rad, increasing. One turn is a stride of two steps, or one step. The heel strike that begins the cycle
+/// of the force is at the angle `first`; that of the other foot is at the fraction `middle` of a stride.
 fn strike_angles(walk: &Walk, steps_per_turn: usize, first: f64, middle: f64) -> Vec<f64> {
     let angle = |i: usize| match steps_per_turn {
         1 => TAU * i as f64,
@@ -79,14 +79,14 @@ fn strike_angles(walk: &Walk, steps_per_turn: usize, first: f64, middle: f64) ->
 }
 
 impl SpeedProgramme {
-    /// Times of the rows of a walk: those of its force, and its end.
+    /// Times of the rows of a walk, s: the times of its force, and its end.
     fn times(walk: &Walk) -> Vec<f64> {
         let count = walk.samples();
         let at = |i: usize| walk.duration_s * i as f64 / count as f64;
         (0..=count).map(at).collect()
     }
 
-    /// The programme that passes a cam angle at each heel strike, smoothed, with the angle of its first row.
+    /// Smoothed programme that passes a cam angle at each heel strike, with the angle of its first row.
     fn of(walk: &Walk, angles: &[f64], turns: f64, lambda: f64) -> (SpeedProgramme, f64, Periodic) {
         let mean = TAU * turns / walk.duration_s;
         let off = angles.iter().zip(&walk.steps_s);
@@ -99,8 +99,9 @@ impl SpeedProgramme {
 }
 
 impl Followed {
-    /// The speed with which a cam has the step times of a walk, as little smoothed as the bounds and the motor require. `steps_per_turn` is 1 or 2; the
-    /// cycle of the cam's force begins at the cam angle `first`, and the other foot strikes at the fraction `middle` of it.
+    /// Computes the speed for which a cam has the step times of a walk, with the minimum smoothing that the bounds and the motor permit.
+    /// `steps_per_turn` is 1 or 2. The cycle of the cam's force begins at the cam angle `first`; the other foot strikes at the fraction `middle` of
+    /// the cycle.
     ///
     /// # Errors
     /// A cam that breaks a bound even at constant speed, a motor that cannot follow; a cam or machine without a rigid run.

@@ -16,12 +16,12 @@ use crate::error::{DynamicsError, Result};
 pub struct SpeedProgramme {
     /// Times of the rows, s, increasing.
     pub time_s: Vec<f64>,
-    /// Speed at these times, rad/s; the last one belongs to the end of the programme.
+    /// Speed at these times, rad/s; the last value belongs to the end of the programme.
     pub speed: Vec<f64>,
 }
 
 impl SpeedProgramme {
-    /// A programme of at least three rows.
+    /// Creates a programme of at least three rows.
     ///
     /// # Errors
     /// Fewer rows, times that do not increase, or speeds that are not positive.
@@ -39,7 +39,7 @@ impl SpeedProgramme {
         Ok(SpeedProgramme { time_s, speed })
     }
 
-    /// Cam angle at the rows, rad, from its first value on.
+    /// Cam angles at the rows, rad, from the angle `start` on.
     pub fn angles(&self, start: f64) -> Vec<f64> {
         let mut angle = start;
         let steps = self.time_s.windows(2).zip(self.speed.windows(2));
@@ -50,7 +50,7 @@ impl SpeedProgramme {
         std::iter::once(start).chain(next).collect()
     }
 
-    /// Acceleration at the rows, rad/s²: the mean of both sides.
+    /// Acceleration at the rows, rad/s²: the mean of the slopes on both sides.
     pub(super) fn accelerations(&self) -> Vec<f64> {
         let steps = self.time_s.windows(2).zip(self.speed.windows(2));
         let slopes: Vec<f64> = steps.map(|(t, w)| (w[1] - w[0]) / (t[1] - t[0])).collect();
@@ -60,7 +60,7 @@ impl SpeedProgramme {
             .collect()
     }
 
-    /// Duration, s.
+    /// Duration of the programme, s.
     pub fn duration_s(&self) -> f64 {
         self.time_s[self.time_s.len() - 1] - self.time_s[0]
     }

@@ -1,7 +1,7 @@
-//! Periodic cubic smoothing spline (Reinsch 1967): of all curves it has the smallest Σ (p(tₖ) − yₖ)² + λ ∫ p″², and passes through yₖ for λ = 0.
+//! Periodic cubic smoothing spline (Reinsch 1967): the curve with the minimum of Σ (p(tₖ) − yₖ)² + λ ∫ p″². It passes through yₖ for λ = 0.
 //!
-//! With steps hₖ, R the cyclic matrix of the integrals of hat functions and Q that of second differences, the second derivatives γ at the knots solve
-//! (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ: a cyclic system with two diagonals on either side.
+//! The steps are hₖ. R is the cyclic matrix of the integrals of hat functions, Q the cyclic matrix of second differences. The second derivatives γ at
+//! the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The system is cyclic with two diagonals on either side.
 
 /// A periodic cubic spline.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,7 +61,7 @@ impl Periodic {
         }
     }
 
-    /// Value and first two derivatives.
+    /// Value and first two derivatives at the time `t`.
     pub fn at(&self, t: f64) -> [f64; 3] {
         let n = self.knots.len();
         let t = self.knots[0] + (t - self.knots[0]).rem_euclid(self.period);
@@ -81,13 +81,13 @@ impl Periodic {
         ]
     }
 
-    /// Largest absolute second derivative, which is at a knot.
+    /// Maximum absolute second derivative, which occurs at a knot.
     pub fn most_bend(&self) -> f64 {
         self.bends.iter().fold(0.0, |most, b| most.max(b.abs()))
     }
 }
 
-/// A symmetric cyclic matrix with two diagonals on either side: rows of the diagonal and the two entries after it, modulo the size.
+/// A symmetric cyclic matrix with two diagonals on either side. Each row contains the diagonal entry and the two entries after it, modulo the size.
 struct Cyclic {
     rows: Vec<[f64; 3]>,
 }
@@ -99,13 +99,13 @@ impl Cyclic {
         }
     }
 
-    /// Adds to the entry of a row and a column that is at most two after it.
+    /// Adds a value to an entry whose column is at most two after its row.
     fn add(&mut self, row: usize, column: usize, value: f64) {
         let n = self.rows.len();
         self.rows[row][(column + n - row) % n] += value;
     }
 
-    /// The solution x of A x = b: the last two unknowns border a band.
+    /// Solution x of A x = b, with the last two unknowns as the border of a band.
     fn solve(&self, right: &[f64]) -> Vec<f64> {
         let n = self.rows.len();
         let m = n - 2;
@@ -136,7 +136,7 @@ impl Cyclic {
         rest.chain(last).collect()
     }
 
-    /// Solves the leading band of `m` rows for several right sides, by A = L D Lᵀ.
+    /// Solves the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
     fn solve_band(&self, m: usize, columns: &mut [Vec<f64>]) {
         let mut lower = vec![[0.0; 2]; m];
         let mut diagonal = vec![0.0; m];

@@ -24,7 +24,7 @@ impl Extent {
     }
 }
 
-/// Checks that the sum of the lengths equals the extent to rounding.
+/// Checks that the sum of the lengths equals the extent up to rounding errors.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());
@@ -132,7 +132,7 @@ fn cure(
 ) -> JoinCure {
     let [vb, va] = joint.sides.map(|at| at.v);
     if vb * va > 0.0 {
-        // A motion's end velocity is inverse to its length.
+        // The end velocity of a motion is inversely proportional to its length.
         let other = segments[after].angle * va / vb;
         return JoinCure::LetCover {
             segment: name(segments, after),
@@ -156,7 +156,7 @@ pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Res
     if low.value >= -rounding {
         return Ok(draft.law);
     }
-    // Report the first segment below; later ones may only stay below.
+    // Reports the first segment below the base circle; later segments may be below it only as a consequence.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
     let peaks = depth.peaks_above(rounding, f64::NEG_INFINITY, f64::INFINITY);
     let beyond = |at: f64, depth: f64| {

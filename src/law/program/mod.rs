@@ -36,7 +36,7 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     checks::on_base_circle(draft, segments, extent)
 }
 
-/// As [`program`], but permits jumps of lift and velocity and a lift below the base circle, for reports on invalid laws.
+/// Composes the law as [`program`] does, but permits jumps of lift and velocity and a lift below the base circle. For reports on invalid laws.
 ///
 /// # Errors
 ///

@@ -129,7 +129,7 @@ impl End {
         2 * moves + accelerates
     }
 
-    /// Name of [`End::joins`], the neighbours that fit this end, in a language.
+    /// Name in a language of the neighbours that fit this end ([`End::joins`]).
     pub fn joins_in(&self, language: Language) -> String {
         wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
     }

@@ -26,7 +26,7 @@ fn single(coef: Vec<f64>, waves: Vec<Wave>) -> Law {
     pieces.finish(false)
 }
 
-/// Constant acceleration, then equal deceleration.
+/// Constant acceleration, then constant deceleration of equal magnitude.
 pub(super) fn parabolic() -> Law {
     let mut pieces = Pieces::starting_at(0.0);
     pieces.push(0.5, vec![0.0, 0.0, 0.5], Vec::new());
@@ -68,7 +68,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
         (0.5 * c, Zone::Constant(-1.0)),
         (0.5 * b, quarter(PI / b, -1.0, 0.0)),
     ];
-    // Integrated from rest with unit peak acceleration; the lift reached sets the scale.
+    // The acceleration is integrated from rest with unit peak; the resulting lift determines the scale.
     let mut pieces = Pieces::starting_at(0.0);
     let (mut s, mut v) = (0.0, 0.0);
     for (width, zone) in zones.into_iter().filter(|z| z.0 > SLIVER) {
@@ -81,7 +81,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
                 v += a * width;
             }
             Zone::Wave { rate, cos, sin } => {
-                // a = cos·C + sin·S integrates to v + (cos·S + sin·(1 − C))/rate and once more.
+                // a = cos·C + sin·S is integrated to v + (cos·S + sin·(1 − C))/rate, and integrated once more to the lift.
                 let square = rate * rate;
                 let wave = Wave {
                     rate,
@@ -98,7 +98,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
         }
     }
     let reached = s;
-    // The last break may miss 1 by rounding: stretching to exactly 1 mends it.
+    // The last break may differ from 1 by rounding errors: the shape is stretched to exactly 1.
     let mut whole = Pieces::starting_at(0.0);
     whole.push_shape(&pieces.finish(false), 1.0, 0.0, 1.0 / reached, false);
     Ok(whole.finish(false))
@@ -107,7 +107,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
 /// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity. It is infinite for a flat face, which moves
 /// in simple harmonic motion.
 ///
-/// For a roller, a polynomial approximates the root √(ratio² − sin²) to rounding.
+/// For a roller, a polynomial approximates the root √(ratio² − sin²) up to rounding errors.
 pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     if ratio.is_infinite() && ratio > 0.0 {
         return Ok(simple_harmonic());

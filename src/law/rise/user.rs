@@ -153,7 +153,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
         }));
         return hermite_birkhoff(&conditions, 0.0, 1.0).ok();
     }
-    // Not-a-knot: two inner points next to each end carry no knot, which saves the four conditions.
+    // Not-a-knot: the two inner points next to each end have no knot, which saves the four conditions.
     let inner = if rest {
         &points[1..n - 1]
     } else {
@@ -163,7 +163,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     breaks.extend(inner.iter().map(|p| p.0));
     breaks.push(1.0);
     let space = SplineSpace::clamped(TABLE_DEGREE, &breaks, &vec![1; inner.len()]);
-    // By their place from end to end: the matrix is banded and totally positive, so elimination needs no pivots.
+    // Equations in the order of their positions: the matrix is banded and totally positive, so elimination needs no pivots.
     let end = |at: f64| end_conditions.iter().filter(move |c| c.0 == at);
     let lift = |p: &(f64, f64)| (p.0, 0, p.1);
     let rows = points[..1]

@@ -20,7 +20,7 @@ pub struct FitKey {
     pub degree: usize,
 }
 
-/// Basis functions, objective, and the force difference only.
+/// Basis functions, objective, and the part of the objective that measures the force difference.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
 /// Cached fits to one cycle of force.
@@ -36,7 +36,7 @@ impl Fits {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn objective(
         &self,
         key: FitKey,
@@ -53,7 +53,7 @@ impl Fits {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn spans(
         &self,
         key: FitKey,

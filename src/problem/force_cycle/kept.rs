@@ -20,7 +20,7 @@ impl<V: Clone> Kept<V> {
     ///
     /// # Errors
     ///
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn get<E>(
         &self,
         is_same: impl Fn(&V) -> bool,

@@ -135,7 +135,7 @@ impl ForceCycle {
 
     /// Mean over the cycle of the squared difference between the cubics and a constant force, N².
     pub fn mean_square_from(&self, force: f64) -> f64 {
-        // The mean of Hermite's cubics over a period is that of the samples.
+        // The mean of the Hermite cubics over a period equals the mean of the samples.
         let mean = self.mean.mean_n;
         let about_mean = || self.cells().mean_square_from(mean);
         self.mean_square.get_or_init(about_mean) + (force - mean).powi(2)
@@ -149,8 +149,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once: for a finite series from the remaining
-    /// harmonics, otherwise from the cubics.
+    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once. For a finite series they follow from the
+    /// remaining harmonics, otherwise from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {

@@ -32,7 +32,8 @@ pub struct Series {
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// Harmonics of samples. If the upper half of the harmonics is rounding errors, the samples belong to a finite series, such as a load model.
+    /// Harmonics of samples. If the upper half of the harmonics contains only rounding errors, the samples belong to a finite series, such as a load
+    /// model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
@@ -52,7 +53,7 @@ impl Series {
     }
 
     fn new(mean_n: f64, waves: Vec<(f64, f64)>, is_finite: bool) -> Series {
-        // From the highest down, so that small remainders keep their digits.
+        // The sum starts at the highest harmonic, so that small remainders keep their digits.
         let mut rest = vec![0.0; waves.len() + 1];
         for (count, (a, b)) in waves.iter().enumerate().rev() {
             rest[count] = rest[count + 1] + 0.5 * (a * a + b * b);
@@ -72,7 +73,7 @@ impl Series {
     }
 
     /// Root mean square and maximum difference, N, between the force and a sum of harmonics about the same mean plus `gap`, by Parseval's theorem.
-    /// Harmonics that agree to rounding count as equal.
+    /// Harmonics that agree up to rounding errors count as equal.
     pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
         let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
         let is_apart = |x: f64| if x.abs() > rounding { x } else { 0.0 };

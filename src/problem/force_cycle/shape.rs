@@ -46,7 +46,7 @@ impl Shape {
         let velocity = weighted(&lift, [0.0, 1.0, 0.0, 0.0]);
         let bent = weighted(&lift, [1.0, 0.0, 1.0, 0.0]);
         let [forces, velocities, bends] = [force, &velocity, &bent].map(harmonic_values);
-        // F·v has twice as many harmonics: the grid holds them, and those of its square.
+        // F·v has twice as many harmonics as F: the grid resolves them and those of their squares.
         let torques = forces.iter().zip(velocities);
         let torques: Vec<f64> = torques.map(|(f, v)| (mean + f) * v).collect();
         let spectrum = amplitudes(&torques);
@@ -85,7 +85,7 @@ impl Shape {
             }
             let (before, after) = (quotients[(i + n - 1) % n], quotients[(i + 1) % n]);
             if here >= before && here >= after {
-                // The top of the parabola through the three.
+                // Maximum of the parabola through the three values.
                 let bend = before - 2.0 * here + after;
                 let off = if bend < 0.0 {
                     0.5 * (before - after) / bend
@@ -114,7 +114,7 @@ impl Shape {
                 break;
             }
             if step.abs() < FLAT {
-                // What is left of the way changes the value by the rest of a parabola.
+                // The remaining step changes the value by the rest of a parabola.
                 return most.max(f / g + 0.5 * step * slope / (g * g));
             }
             at += step;

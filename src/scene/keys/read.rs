@@ -73,7 +73,7 @@ fn count(typed: &Toml, low: usize, high: usize) -> Option<Value> {
 }
 
 fn texts(typed: &Toml) -> Option<Value> {
-    // A bare number is the text of that number: a load factor, or the number of a column.
+    // A bare number is treated as text: a load factor, or the number of a column.
     let one = |v: &Toml| match v {
         Toml::String(text) => Some(text.clone()),
         Toml::Integer(_) | Toml::Float(_) => Some(v.to_string()),
@@ -94,7 +94,7 @@ fn number(
     path: &str,
 ) -> Result<Option<Value>> {
     let value = match typed {
-        // No limit is chosen by the program.
+        // `"auto"` is a missing value, except for limits, which the program never selects.
         Toml::String(s) if s == "auto" && key.limit.is_none() => return Ok(None),
         Toml::String(s) => parse(s, dimension).map_err(|e| e.at_key(path))?,
         Toml::Integer(0) => 0.0,

@@ -89,7 +89,7 @@ impl Key {
         }
     }
 
-    /// Whether a scene may contain the key. Example: a follower on an arm has no offset.
+    /// Whether a scene may contain the key; for example, a follower on an arm has no offset.
     pub fn exists(&self, scene: &Scene) -> bool {
         (self.exists)(scene)
     }

@@ -120,7 +120,7 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// `cam.material`: a known material, in English or Spanish, or a designation of steel; an empty text is not a material.
+/// Access to `cam.material`: a known material, in English or Spanish, or a designation of steel. An empty text means that no material is given.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {
@@ -183,7 +183,7 @@ pub(super) const FORCE_MIN: Access = Access {
     },
 };
 
-/// Access to `limits.hertz_pressure`. "none" disables the limit and its default.
+/// Access to `limits.hertz_pressure`. The word "none" also switches the default off.
 pub(super) const HERTZ_PRESSURE: Access = Access {
     get: |s, _| {
         bound(

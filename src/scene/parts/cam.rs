@@ -121,8 +121,8 @@ impl CamSpec {
         1.0 / (cam.compliance() + follower.compliance())
     }
 
-    /// Allowable pressure of the contact, Pa: the lower one of cam and follower. That of the cam is stated, or follows from its hardness or its
-    /// material. `None` if nothing is known.
+    /// Allowable pressure of the contact, Pa: the lower one of cam and follower. The allowable pressure of the cam is stated, or follows from its
+    /// hardness or its material. `None` if no value is known.
     pub fn allowable_pressure(&self) -> Option<f64> {
         let making = &self.making;
         let of_hardness = making.hardness.map(|h| h.allowable_pressure());
@@ -152,8 +152,8 @@ impl CamSpec {
         }
     }
 
-    /// Default distance from the pivot of an arm at which forces act, m: the length of the arm, or the pivot distance for a flat face. `None` for a
-    /// translating follower.
+    /// Default distance from the pivot of an arm at which forces act, m. It is the length of the arm; for a flat face it is the pivot distance.
+    /// `None` for a translating follower.
     pub fn lever(&self) -> Option<f64> {
         let arm = if self.follower.is_flat() {
             self.pivot_distance.map(f64::abs)

@@ -89,7 +89,7 @@ impl WalkersSpec {
         if self.phases.is_empty() {
             let mut state = 0_u64;
             let drawn = (1..self.count).map(|_| {
-                // SplitMix64 (Steele, Lea, Flood 2014).
+                // Pseudo-random numbers by SplitMix64 (Steele, Lea, Flood 2014).
                 state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
                 let mut z = state;
                 z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -188,7 +188,7 @@ impl Gait {
     ///
     /// # Errors
     ///
-    /// Those of [`Gait::model_force`].
+    /// The errors of [`Gait::model_force`].
     pub(crate) fn series(
         &self,
         frequency: Option<f64>,

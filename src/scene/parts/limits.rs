@@ -27,7 +27,7 @@ pub struct Limits {
 impl Index<LimitKind> for Limits {
     type Output = Option<f64>;
 
-    /// Bound of a limit. For [`LimitKind::PressureAngle`] it is the bound on the rise.
+    /// Bound of a limit. For [`LimitKind::PressureAngle`] the result is the bound on the rise.
     fn index(&self, kind: LimitKind) -> &Option<f64> {
         &self.bounds[place(kind)]
     }

@@ -118,8 +118,8 @@ impl MotorSpec {
             || self.curve.is_some()
     }
 
-    /// Torque of the straight line at standstill, N·m, and its no-load speed, rad/s: stated, or from the nameplate of an induction motor, whose torque
-    /// vanishes at its synchronous speed.
+    /// Torque of the straight line at standstill, N·m, and its no-load speed, rad/s. They are stated, or follow from the nameplate of an induction
+    /// motor, whose torque vanishes at its synchronous speed.
     fn straight(&self) -> Option<(f64, Option<f64>)> {
         if let Some(stall) = self.stall_torque {
             return Some((stall, self.no_load_speed));

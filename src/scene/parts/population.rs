@@ -216,7 +216,7 @@ impl FromStr for StepFrequencies {
         let read = match (parts.as_slice(), typed.trim().strip_prefix("normal")) {
             (_, Some(both)) => {
                 let both = both.trim();
-                // "1.87 Hz 0.19 Hz": the first quantity ends where the second number begins.
+                // "1.87 Hz 0.19 Hz": the first quantity ends before the second number.
                 let cut = both.match_indices(' ').map(|m| m.0).find(|i| {
                     let rest = both[*i..].trim_start();
                     *i > 0 && rest.starts_with(|c: char| c.is_ascii_digit())

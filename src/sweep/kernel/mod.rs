@@ -151,7 +151,7 @@ impl<'a> Kernel<'a> {
             .get(scene)
             .ok_or(SweepError::NoScene { scene })?;
         let mut table = named.table.clone();
-        // Words first: they may replace what numbers belong to.
+        // Words are set first, because they may replace the entries of numbers.
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Words(w) = column {
                 key.write_words(&mut table, &w[row])?;
@@ -203,7 +203,7 @@ impl<'a> Kernel<'a> {
             return Row::spectral(&figures, problem.target.as_ref());
         }
         match design(&problem, &Search::until((self.halts)())) {
-            // A result that a clock cut short differs from run to run.
+            // A result that a time limit ended early differs from run to run.
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
@@ -269,7 +269,7 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// Force of a load model or of load factors in the scene, for a body weight of 1 N if the force is proportional to the weight.
+/// Force of a load model or of load factors in the scene. The body weight is 1 N if the force is proportional to the weight.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;

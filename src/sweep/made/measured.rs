@@ -150,7 +150,7 @@ fn lever(cam: &Cam, theta: f64) -> f64 {
         None => normal[0] * sin + normal[1] * cos,
         Some([c, _]) => {
             let arm = [point.x - c * cos, point.y + c * sin];
-            // A pivot on +x lifts clockwise, one on −x counter-clockwise.
+            // With a pivot on +x, a clockwise rotation lifts the follower; with a pivot on −x, a counter-clockwise one.
             -c.signum() * (normal[1] * arm[0] - normal[0] * arm[1])
         }
     }
@@ -175,7 +175,7 @@ impl Series {
             .min((PI / widest_gap(values)) as usize);
         let columns = DMatrix::from_fn(n, 2 * most + 1, |i, k| column(k, values[i].0));
         let qr = columns.qr();
-        // Components of the values along the orthogonalised columns: each lowers the sum of squares by its own square.
+        // Components of the values along the orthogonalised columns. Each component reduces the sum of squares by its own square.
         let mut shares = DVector::from_iterator(n, values.iter().map(|v| v.1));
         let mut square = shares.norm_squared();
         qr.q_tr_mul(&mut shares);

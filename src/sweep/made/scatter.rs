@@ -65,7 +65,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// As [`Tolerance::parse`].
+    /// The errors of [`Tolerance::parse`].
     pub fn read(&self) -> Result<Vec<Tolerance>> {
         self.tolerances
             .iter()
@@ -108,7 +108,7 @@ impl Scattered {
     ///
     /// # Errors
     ///
-    /// An invalid tolerance; a design whose manufacturing errors cannot be sampled.
+    /// A tolerance is invalid, or the manufacturing errors of the design cannot be sampled.
     pub(in crate::sweep) fn samples_of(&self, design: &Design) -> Result<Samples> {
         Ok(Samples {
             scatter: Scatter::new(design)?,

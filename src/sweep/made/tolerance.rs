@@ -199,7 +199,7 @@ impl Scatter {
         if design.cam.follower.is_oscillating() {
             return Err(SweepError::ScatterOfArm.into());
         }
-        // The last function is the rate of the target.
+        // The last function is the derivative of the target with respect to its phase.
         let mut products = vec![vec![0.0; count + 1]; count + 1];
         let mut row = vec![0.0; count + 1];
         let counts = OverTime::of(design, target);

@@ -35,7 +35,7 @@ impl Column {
             (Column::Numbers(list), AxisValue::Number(x)) => list.push(x),
             (Column::Words(list), AxisValue::Words(w)) => list.push(w),
             (Column::Words(list), AxisValue::Number(x)) => list.push(Arc::from(format!("{x}"))),
-            // A word where numbers stand: the scene's reader will refuse what is not a number.
+            // A word among numbers becomes NaN; the reader of the scene then rejects it.
             (Column::Numbers(list), AxisValue::Words(_)) => list.push(f64::NAN),
         }
     }

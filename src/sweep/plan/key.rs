@@ -29,7 +29,7 @@ struct Number {
     row: &'static keys::Key,
     /// Index of a list entry.
     index: usize,
-    /// Dimension of the numbers. Example: the stroke of an arm is an angle, otherwise a length.
+    /// Dimension of the numbers, which depends on the follower: the stroke of an arm is an angle, otherwise a length.
     dimension: Dimension,
 }
 
@@ -74,7 +74,7 @@ impl Key {
                 Err(e) => fault = fault.or(Some(e)),
             }
         }
-        // Words such as "auto", "free" and "spread" are for the scene's reader.
+        // Words such as "auto", "free" and "spread" are left to the reader of the scene.
         let words = values.iter().any(|v| !starts_a_number(v));
         match fault {
             Some(e) if !words => Err(e.placed(Place::Key(name.to_string()))),
@@ -155,7 +155,7 @@ impl Key {
     ///
     /// # Errors
     ///
-    /// As [`set`](crate::scene::set).
+    /// The errors of [`set`](crate::scene::set).
     pub fn write_number(&self, table: &mut Table, value: f64) -> Result<()> {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
@@ -164,7 +164,7 @@ impl Key {
     ///
     /// # Errors
     ///
-    /// As [`set`](crate::scene::set).
+    /// The errors of [`set`](crate::scene::set).
     pub fn write_words(&self, table: &mut Table, words: &str) -> Result<()> {
         let text = keys::find(&self.name).is_some_and(|k| matches!(k.kind, Kind::Text));
         let words = if text {

@@ -138,7 +138,7 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// As [`Axis::parse`].
+    /// The errors of [`Axis::parse`].
     pub fn of(table: Table, vary: &[&str], sampling: Sampling) -> Result<Plan> {
         let axis = |text: &&str| Axis::parse(text, sampling != Sampling::Grid);
         Ok(Plan {
@@ -226,8 +226,8 @@ impl Plan {
         batch
     }
 
-    /// Checks that the plan is valid: it has rows, each key can be varied and occurs once, and each value is valid with at least one combination of
-    /// the others.
+    /// Checks that the plan is valid. It must have rows, each key can be varied and occurs once, and each value is valid with at least one
+    /// combination of the others.
     ///
     /// # Errors
     ///
@@ -298,7 +298,7 @@ impl Plan {
                     None => return Ok(()),
                     Some(error) => fault = Some(error),
                 },
-                // Keys that do not go together are a fault of the row: other values may go.
+                // If the keys are only inconsistent, the row has the error: other values may be valid.
                 Err(_) if scene::read_keys(&table).is_ok() => return Ok(()),
                 Err(e)
                     if e.place == Place::Key(axis.key.name().to_string())
@@ -372,7 +372,7 @@ fn trial_values(axis: &Axis) -> Vec<AxisValue> {
         (Values::Words(_) | Values::Numbers(_), Some(n)) => {
             (0..n.min(TRIED_VALUES)).map(|i| axis.value(i)).collect()
         }
-        // Every range of allowed numbers is convex: if both ends are valid, all between are.
+        // Every range of permitted numbers is convex: if both ends are valid, all values between them are valid.
         _ => vec![axis.sampled(0.0), axis.sampled(1.0)],
     }
 }

@@ -63,7 +63,7 @@ fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
     ((slice as f64 + within) / count as f64).min(1.0 - f64::EPSILON / 2.0)
 }
 
-/// Permutation of 0 … count − 1 that needs no memory: a four-round Feistel network on the next even power of two, applied until the result lies in
+/// Permutation of 0 … count − 1 that needs no memory. A four-round Feistel network on the next even power of two is applied until the result lies in
 /// the range.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();

@@ -49,7 +49,7 @@ fn number(out: &mut String, x: f64) {
         return;
     }
     if x.is_finite() && x.abs() >= 1e16 {
-        // Without the sign that the exponent would get below.
+        // Without the plus sign that the formatter below writes in the exponent.
         let _ = write!(out, "{x:e}");
         return;
     }

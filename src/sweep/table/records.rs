@@ -94,7 +94,7 @@ impl Words {
         let mut known: HashMap<&str, i32> = HashMap::new();
         let mut before: (&str, i32) = ("", -1);
         for word in words {
-            // Neighbours mostly have the same word, often the very same text in memory.
+            // Adjacent rows mostly have the same word, often the same text in memory.
             if word.is_empty() {
                 out.codes.push(-1);
                 continue;

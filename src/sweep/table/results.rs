@@ -157,7 +157,7 @@ impl Row {
         }
     }
 
-    /// Row of a finished design. An infeasible scene has no cam, so the row contains only the required values.
+    /// Row of a finished design. An infeasible scene has no cam: its row contains only the values of the requirements.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
         let recording = design.target().and_then(|t| t.recording.as_deref());

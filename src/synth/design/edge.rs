@@ -134,7 +134,7 @@ impl<'a> Edge<'a> {
         let point = self.cam.point(theta);
         let [nx, ny] = self.cam.normal(&point);
         let (p, pitch) = ([point.x, point.y], [point.pitch_x, point.pitch_y]);
-        // A profile runs clockwise: its tangent is the outward normal turned to the right.
+        // A profile is traversed clockwise: its tangent is the outward normal rotated clockwise by a quarter turn.
         let t = [ny, -nx];
         let up = |[x, y]: [f64; 2], by: f64| [x, y + by];
         let (p, t, pitch) = match self.place {

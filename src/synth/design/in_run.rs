@@ -35,7 +35,7 @@ impl Design {
         let is_settled = self.infeasible.is_some() || every.all(|check| check.pass);
         let (verdict, reasons) = match is_settled {
             true => (self.verdict, self.reasons),
-            // What is said of a broken limit has the numbers of the run.
+            // Reasons about violated limits contain the values of the simulation.
             false => {
                 let own = verdict(&self.problem, &self.cam, &checks, &self.force);
                 (own.0, own.1.into_iter().map(of_run).collect())
@@ -63,7 +63,7 @@ impl Design {
         let exactly = |value: f64, row: Option<Extreme>| row.map(|row| Extreme { value, ..row });
         let force = |sign: f64| largest(&|row: &Row| sign * row.contact_force);
         match criterion {
-            // A force in flight is nothing: the prescribed one says by how much contact is lost.
+            // The force in flight is zero. The prescribed force shows by how much contact is lost.
             Criterion::Limit(LimitKind::ForceMin) if run.contact_lost => None,
             Criterion::Limit(LimitKind::ForceMin) => exactly(run.force.min, force(-1.0)),
             Criterion::Limit(LimitKind::ForceMax) => exactly(run.force.max, force(1.0)),

@@ -12,8 +12,8 @@ const GIVEN_BACK: f64 = 1e-12;
 
 /// Torque, power, lift-off and pressure of a rigid machine without friction, exact for the continuous law.
 ///
-/// A number is `None` if it is not defined: without a load, for a translating cam (which has no torque), without a lift-off speed, or for an undercut
-/// cam. Lift-off speed and pressure are also `None` on a moving floor.
+/// A number is `None` if it is not defined. Examples: no load, a translating cam (no torque), no lift-off speed, an undercut cam. Lift-off speed and
+/// pressure are also `None` on a moving floor.
 ///
 /// ```
 /// use gaitcam::law::Rise;

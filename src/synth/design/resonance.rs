@@ -48,7 +48,7 @@ impl Design {
         let last = first + step * (count - 1) as f64;
         let mut at: Vec<f64> = (0..count).map(|i| first + step * i as f64).collect();
         for mode in &floor.modes {
-            // Alone, and with the mass of the shaker.
+            // Resonance of the mode without the shaker, and with the mass of the shaker.
             let carried = self.problem.drive.mass * mode.ordinate.powi(2) / mode.mass;
             for frequency in [mode.frequency, mode.frequency / (1.0 + carried).sqrt()] {
                 for harmonic in 1..=MOST_RESONANT {

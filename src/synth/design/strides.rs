@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::force::{ForceCurve, Walk};
 use crate::scene::{CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Scene};
 
-/// Limits of the motion and the force, which hold for a servo axis too; the others are of a profile or of a shaft.
+/// Limits of motion and force, which also apply to a servo axis; the other limits apply to a profile or a shaft.
 const OF_MOTION: [LimitKind; 6] = [
     LimitKind::Stroke,
     LimitKind::Velocity,
@@ -21,17 +21,18 @@ const OF_MOTION: [LimitKind; 6] = [
 ];
 /// Minimum number of spans for each stride.
 const SPANS: usize = 24;
-/// Accepted force error relative to the mean, where the design has no limit.
+/// Accepted force error, relative to the mean, if the design has no limit.
 const ACCEPTED: f64 = 0.005;
 
 impl Design {
-    /// The design of so many consecutive recorded strides in one cycle, with these strides; `None` if fewer are recorded.
+    /// Designs one cycle for the given number of consecutive recorded strides; the result contains these strides. `None` if fewer strides are
+    /// recorded.
     ///
-    /// `scene` is that of this design. Its limits of lift, velocity, acceleration, jerk and force hold over all strides. The law closes without a step:
-    /// the strides are blended where they meet again.
+    /// `scene` is the scene of this design. Its limits of lift, velocity, acceleration, jerk and force hold over all strides. The law closes without
+    /// a jump: the strides are blended at the start of the cycle.
     ///
     /// # Errors
-    /// Faults of the scene.
+    /// Errors of the scene.
     pub fn of_strides(&self, scene: &Scene, strides: usize) -> Result<Option<(Design, Walk)>> {
         let Some(part) = self.walk().and_then(|walk| walk.typical(strides)) else {
             return Ok(None);

@@ -1,4 +1,4 @@
-//! The recorded walk against the cam at constant speed: the response of a mode tuned about the step frequency.
+//! Comparison of the recorded walk with the cam at constant speed: response of a mode tuned about the step frequency.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use crate::force::{StepStatistics, Walk};
 /// Number of equal angles of the cam's force.
 const SAMPLES: usize = 1024;
 
-/// The recorded walk and the cam at resonance.
+/// Responses to the recorded walk and to the cam at resonance.
 ///
 /// ```
 /// use gaitcam::force::{Feet, ReadOptions, force_curve};
@@ -37,7 +37,7 @@ pub struct OfWalker {
     pub resonance: Vec<AtResonance>,
 }
 
-/// Highest responses of a mode of 1 kg tuned through 0.9 … 1.1 of the step frequency.
+/// Maximum responses of a mode of 1 kg tuned from 0.9 to 1.1 of the step frequency.
 ///
 /// ```
 /// use gaitcam::synth::AtResonance;
@@ -49,18 +49,19 @@ pub struct OfWalker {
 pub struct AtResonance {
     /// Damping ratio of the mode.
     pub damping_ratio: f64,
-    /// RMS acceleration under the recorded strides, repeated without end, m/s².
+    /// RMS acceleration under the recorded strides, repeated periodically, m/s².
     pub recorded: f64,
     /// RMS acceleration under the cam at constant speed, m/s².
     pub mean_stride: f64,
-    /// Response to the cam relative to that to the recorded walk.
+    /// Response to the cam, relative to the response to the recorded walk.
     pub ratio: f64,
-    /// Whether the recorded strides suffice for this damping ratio: 2π ζ N ≥ 1 for N strides. Fewer make the recorded response too large.
+    /// Whether the number N of recorded strides is sufficient for this damping ratio: 2π ζ N ≥ 1. With fewer strides, the recorded response is too
+    /// large.
     pub resolved: bool,
 }
 
 impl Design {
-    /// The recorded strides on the scale of the target, N; `None` without a cam that turns once in a stride, or without eight consecutive strides of
+    /// Recorded strides in the scale of the target, N. `None` without a cam that makes one turn per stride, or without eight consecutive strides of
     /// one walker.
     pub fn walk(&self) -> Option<Walk> {
         let walk = self.force_of_one()?.walk.clone()?;
@@ -98,7 +99,7 @@ impl Design {
         self.target().filter(|_| turns && is_alone)
     }
 
-    /// The force of the cam at constant speed, N, at equal angles of a turn.
+    /// Force of the cam at constant speed, N, at equal angles of a turn.
     fn steady_force(&self) -> Vec<f64> {
         let drive = &self.problem.drive;
         let force = drive.force_curve(self.pressing());
@@ -106,7 +107,7 @@ impl Design {
         (0..SAMPLES).map(at).collect()
     }
 
-    /// The recorded walk, its lines and those of this cam at constant speed, where there is a [`Design::walk`].
+    /// The recorded walk, its spectral lines, and the lines of this cam at constant speed; `None` without a [`Design::walk`].
     pub fn repeated(&self) -> Option<(Walk, [RepeatedForce; 2])> {
         let walk = self.walk()?;
         let recorded = RepeatedForce::of(&walk);
@@ -115,7 +116,7 @@ impl Design {
         Some((walk, [recorded, cam]))
     }
 
-    /// Highest responses to the recorded walk and to this cam at constant speed, where [`Design::repeated`] has both.
+    /// Maximum responses to the recorded walk and to this cam at constant speed; `None` without [`Design::repeated`].
     pub fn walker(&self) -> Option<OfWalker> {
         let (walk, [recorded, cam]) = self.repeated()?;
         let resonance = RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {

@@ -101,7 +101,7 @@ fn is_smooth(basis: &Basis, angle: f64) -> bool {
     };
     let starts = || space.spans().iter().map(|s| s.start);
     let at_break = starts().any(|x| (x - angle).abs() < 1e-9);
-    // Every break of multiplicity 1 has its own function.
+    // Every break of multiplicity 1 belongs to one function of its own.
     let plain = space.dimension() == space.spans().len();
     !at_break || plain && space.degree() > 3
 }
@@ -124,7 +124,7 @@ pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let mut out: Vec<Equality> = Vec::new();
     for (d, dwell) in dwells.iter().enumerate() {
         let name = Demand::InDwell { dwell: d + 1 };
-        // From the dwell's first span on, so that neighbours in the list are neighbours on the turn.
+        // The list starts at the first span of the dwell, so that adjacent entries are adjacent on the turn.
         let mut spans: Vec<usize> = (0..space.spans().len()).collect();
         spans.rotate_left(
             space

@@ -23,7 +23,7 @@ const MOST_DEMANDS: usize = 2000;
 const HARMONIC_NODES: usize = 8;
 /// Number of quadrature nodes per span for the response of a floor.
 const FLOOR_NODES: usize = 16;
-/// Distance between the edge of a weight and a break below which they coincide, rad.
+/// Distance between the edge of a weighted range and a break below which they coincide, rad.
 const SAME_ANGLE: f64 = 1e-12;
 
 /// Program without limits, and the force-error objective alone.
@@ -184,7 +184,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
         .sum();
     let mut breaks = vec![0.0];
     let mut multiplicity = Vec::new();
-    // As smooth as the degree allows where rest and motion do not meet.
+    // Only the breaks between a dwell and a motion have a reduced smoothness; the splines are C^(degree − 1) at the others.
     let corner = degree.saturating_sub(smooth).max(1);
     for w in ends.windows(2) {
         let rests_here = resting(0.5 * (w[0] + w[1]));
@@ -282,7 +282,7 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     }
 }
 
-/// Target force minus the force at rest, at the nodes of every span of a basis.
+/// Required values of the force for a distance: target force minus the force at rest, at the nodes of every span of a basis.
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
@@ -385,7 +385,7 @@ fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     breaks.windows(2).map(of).sum()
 }
 
-/// Breaks from 0 to 2π together with edges. An edge that equals a break to rounding is replaced by the break.
+/// Breaks from 0 to 2π together with edges. An edge that equals a break up to rounding errors is replaced by the break.
 fn merged(breaks: &[f64], edges: &[f64]) -> Vec<f64> {
     let apart = |x: &f64| breaks.iter().all(|b| (b - x).abs() > SAME_ANGLE);
     let mut out: Vec<f64> = (breaks.iter().copied())

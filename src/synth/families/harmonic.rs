@@ -44,7 +44,7 @@ pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let wanted = problem.asked_error();
     let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;
     let count = found.law.waves(0).len();
-    // When every limit holds the spectral inverse is already the optimum (theory §1).
+    // If every limit holds, the spectral inverse is already the optimum (theory §1).
     let formulation = formulation::of_harmonics(problem, search, count, &found.law);
     if !formulation.is_broken_by(&found.coefficients) {
         return Ok(Ok(found));

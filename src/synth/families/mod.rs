@@ -67,7 +67,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     }
     let missed = |miss| Ok(ClosedForm::Missed(Some(miss)));
     let (family, wanted) = (FAMILY, problem.wanted_error());
-    // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
+    // At a resonance, a spline may still be feasible: it distributes the force of the missing harmonic.
     let (law, left_over) = match inverted(problem, problem.law.harmonics, wanted) {
         Ok(found) => found,
         Err(fault) => {
@@ -81,7 +81,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
         return missed(PassedOver::Accuracy { family, excess });
     }
     let checked = checked_cam(problem, &law.law, law.circle, None)?;
-    // Without a required accuracy the usual one applies.
+    // Without a required accuracy, the default accuracy applies.
     let error = checked.force.rms_error_n;
     if problem.accuracy.is_none() && error > wanted {
         let excess = excess(error);

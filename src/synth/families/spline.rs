@@ -157,8 +157,8 @@ fn while_worthwhile(
     }
 }
 
-/// Result with the minimum number of spans for which a law is feasible; if there is none, the result with the maximum number. The number of spans
-/// affects only band and accuracy.
+/// Result with the minimum number of spans for which a law is feasible. If no number is feasible, the result with the maximum number. The number of
+/// spans affects only band and accuracy.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
         match solve(problem, search, spans)? {
@@ -185,8 +185,8 @@ const NOTED: f64 = 1.05;
 /// Automatic number of spans above which a note gives the reason.
 const MANY: usize = 100;
 
-/// Notes on an automatic number of spans (or harmonics in closed form): the spread or noise of the recording limits it, or the accuracy requires
-/// many.
+/// Notes on an automatic number of spans (or harmonics in closed form). The spread or noise of the recording limits the number, or the accuracy
+/// requires many.
 pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
     let is_spline = family == Family::Spline;
     let auto = match problem.law.family {

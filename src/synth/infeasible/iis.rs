@@ -34,7 +34,7 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
         Failure::Infeasible => {
             let mut limits = conflicting_limits(problem, refusal);
             if let Some(nonconvex) = &refusal.nonconvex {
-                // Demands and convex limits have a common law: it was computed first.
+                // Conditions and convex limits have a common law, which was computed first.
                 if limits.is_empty() {
                     limits = nonconvex.names();
                 }
@@ -114,7 +114,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
             refusal.nonconvex.as_ref().map(|b| b.only(stays)),
         )
     };
-    // Where no law is found without any limit, the limits are not to blame.
+    // If no law is found without any limit, the limits are not the cause.
     if holds(&[]) != Some(true) {
         return Vec::new();
     }
@@ -138,7 +138,7 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     irreducible(&names, |kept| {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
-        // Without a demand the law rests on the base circle.
+        // Without a condition, a law that stays on the base circle is feasible.
         Some(kept.is_empty() || can_hold(problem, &trial, None) == Some(true))
     })
 }
@@ -164,7 +164,7 @@ fn can_hold(
         None => program.solve(),
     };
     match solution {
-        // What the exchange of rows could not bring inside the limits is no law.
+        // A solution that the exchange of rows did not bring within the limits is not a feasible law.
         Ok(own) if own.violation > BROKEN => Some(false),
         Ok(own) => Some(nonconvex.is_none_or(|limits| {
             let start = at_own_size(problem, program, &own).unwrap_or(own);

@@ -48,7 +48,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
-    // Rounding of what is nothing.
+    // A value that differs from zero only by rounding errors is zero.
     let value = if value.abs() < 1e-9 { 0.0 } else { value };
     unit.after(&exact(language, value))
 }

@@ -10,7 +10,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
 /// Number of profile points for the interference check.
 const INTERFERENCE_POINTS: usize = 360;
-/// Depth of interference relative to the prime radius that counts as rounding.
+/// Depth of interference relative to the prime radius that counts as a rounding error.
 const TOUCH: f64 = 1e-6;
 /// Weights of s + a for a flat face. The radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
@@ -98,14 +98,14 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let mut convex = Check::of(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
-    // The smallest cam that may come to a point does so to rounding of its own size.
+    // The smallest cam with a permitted cusp has a radius of zero up to rounding errors relative to its size.
     let rounding = GEOMETRY * cam.follower.prime_radius();
     convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
     convex.pass &= !curvature.undercut || curvature.convex.value.abs() <= rounding;
     let mut out = vec![convex];
     let roller = cam.follower.roller_radius();
     if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {
-        // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
+        // The roller must fit into the concave part: |ρ_cam| ≥ R_f.
         let worst = concave.map(|radius| -radius);
         out.push(Check::of(Criterion::Concave, worst, roller, GEOMETRY));
     }

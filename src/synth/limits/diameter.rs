@@ -1,8 +1,8 @@
 //! Limit on the diameter of the finished cam: twice the maximum radius of the profile about the centre of the shaft.
 //!
-//! Where the profile is farthest from the centre its normal is radial, so that only lift and size count ([`Cam::radii`]).
-//! On a given size, and where law and size are added, the limit is a row of the convex program. The prime radius of an arm and an open offset enter
-//! it nonlinearly: there it is one of the nonconvex limits.
+//! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). On a given
+//! size, or with law and size added, the limit is a row of the convex program. The prime radius of an arm and a free offset enter the limit
+//! nonlinearly: in these cases it is one of the nonconvex limits.
 
 use super::finished::GEOMETRY;
 use super::profile::{arm_at_rest, face_at_rest};
@@ -12,10 +12,10 @@ use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 use crate::synth::qp::{Limit, Meaning, RADIUS, RISE, Variable, only, structural};
 
-/// The nonconvex part of the limit: dimensions that fix the reach of the follower, m and rad.
+/// The nonconvex part of the limit: dimensions that determine the distance of the follower from the centre, m and rad.
 #[derive(Debug, Clone, Copy)]
 pub enum Diameter {
-    /// A follower that slides on a line with an open offset.
+    /// A follower that slides on a line with a free offset.
     Line {
         /// Maximum distance of the centre of roller or arc from the centre of the cam.
         reach: f64,
@@ -46,7 +46,7 @@ fn reach(problem: &Problem) -> Option<f64> {
     Some(0.5 * diameter + problem.cam.roller_radius)
 }
 
-/// The row of the convex program; `None` where the limit is absent or nonconvex.
+/// The row of the convex program; `None` if the limit is absent or nonconvex.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     let reach = reach(problem)?;
     let given = match problem.size() {
@@ -113,7 +113,7 @@ fn sized(problem: &Problem, bound: f64, size: Variable) -> Limit {
 }
 
 impl Diameter {
-    /// The nonconvex part of the limit of a problem; `None` where the limit is absent or linear.
+    /// The nonconvex part of the limit of a problem; `None` if the limit is absent or linear.
     pub fn of(problem: &Problem) -> Option<Diameter> {
         let reach = reach(problem)?;
         if problem.size() != Size::Sought {
@@ -154,7 +154,7 @@ impl Diameter {
         }
     }
 
-    /// Angle of the arm on the prime circle, rad, and its derivative by the radius.
+    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius.
     fn at_rest(&self, prime: f64) -> (f64, f64) {
         match *self {
             Diameter::Line { .. } => (0.0, 0.0),
@@ -170,7 +170,7 @@ impl Diameter {
         }
     }
 
-    /// The limit at a point of the law; h ≥ 0 if it holds.
+    /// Clearance of the limit at a point of the law. h ≥ 0 if the limit is satisfied.
     pub fn slack(&self, at: Svaj, size: ProfileSize) -> Slack {
         let none = Slack::none(LimitKind::Diameter);
         match *self {

@@ -16,7 +16,7 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding.
+/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding errors.
 const CANCELLED: f64 = 1e-4;
 
 /// Check of the vibration of the finished cam; for the end of a polydyne follower, check of its deviation from the law.
@@ -58,7 +58,7 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
             } else {
                 rests[k + 1].0
             };
-            // A rest over the end of the turn ends in the next one.
+            // A dwell across the end of the turn ends in the next turn.
             if from < rests[k].0 {
                 (from + TAU, to)
             } else {
@@ -124,7 +124,7 @@ impl Vibrations {
             damping: 0.5 * (train.damping + drive.damping) / (stiffness * drive.mass).sqrt(),
         };
         let [k, c, m, _] = drive.weights();
-        // By a motion q gains F′/K at every angle: the static deflection moves away from under the mass.
+        // During a motion, q increases by F′/K per angle, because the static deflection changes.
         let gained = [0.0, k, c, m].map(|w| w / stiffness);
         let own: Vec<[Vec<f64>; 2]> = (motions(&rests).into_iter())
             .map(|motion| of_motion(basis, motion, &free, &gained))
@@ -177,8 +177,8 @@ fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) 
     out
 }
 
-/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion: eight Gauss points on each part of at most one radian of phase between the
-/// breaks (accuracy 1e-14 for the degrees used here).
+/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion. Each part of at most one radian of phase between the breaks has eight Gauss
+/// points (accuracy 1e-14 for the degrees used here).
 fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
     let gauss = gauss_legendre(8);
     let mut cuts: Vec<f64> = (breaks.iter())
@@ -219,7 +219,7 @@ fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Ve
             to.iter_mut().zip(more).for_each(|(a, b)| *a += b);
         }
     };
-    // Once around from rest at the start of rest 0.
+    // One turn from rest at the start of dwell 0.
     let mut around = [vec![0.0; own[0][0].len()], vec![0.0; own[0][0].len()]];
     for (k, left) in own.iter().enumerate() {
         around = moved(&free.carried(apart(k)), &around);

@@ -8,7 +8,7 @@ use crate::synth::report::force::ForceReport;
 
 /// Relative rounding of a limit in the program: twice its tolerance.
 pub const SLACK: f64 = 2.0 * TOLERANCE;
-/// Relative tolerance of a size found by bisection or as a root, because of rounding.
+/// Relative tolerance of a size found by bisection or as a root, because of rounding errors.
 pub const GEOMETRY: f64 = 1e-8;
 
 /// A finished design for the checks of its limits.

@@ -47,7 +47,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     let rest = problem.drive.rest_force;
     let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
     let mut out = Vec::new();
-    // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
+    // Row of one side: ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
     let mut side = |name: Criterion, sign: f64, edge: &ForceCurve, meaning: Meaning| {
         program.shapes.push(PiecewisePoly::combine(
             &[(sign, &piecewise(edge))],
@@ -60,7 +60,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         }
     };
     if let Some([low, high]) = &problem.band {
-        // Told as the band's mean half width.
+        // Displayed as the mean half width of the band.
         let half_width = Meaning::Value {
             factor: 1.0,
             offset: 0.5 * (high.mean_n() - low.mean_n()),
@@ -88,7 +88,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Difference between the force of a law and the target, exact on the pieces of both.
+/// Difference between the force of a law and the target, exact on the spans of both.
 pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.force_curve(law);
     let (low, high) = problem.force_extremes(law);
@@ -108,7 +108,7 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// Negative contact force, relative to the maximum, that counts as rounding.
+/// Negative contact force, relative to the maximum, that counts as a rounding error.
 const TOUCHES: f64 = 1e-7;
 
 /// Checks of the minimum and maximum force. Contact is always required.

@@ -16,8 +16,8 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 /// Fraction of the squared pressure due to the roller alone, above which the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Limit for steel on steel with a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together (`is_sized`: the radius is among the
-/// variables).
+/// Limit for steel on steel with a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together. `is_sized` states that the radius is
+/// among the variables.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     if !is_sized {
         return pressed(problem, problem.base_radius()?);
@@ -95,13 +95,13 @@ impl Pressure {
         let bend = w + at.v * y - at.a * x;
         let gap = w * root - self.roller * bend;
         let q = self.most * self.most * self.spread * self.roller;
-        // By X, Y, v and a of the geometry alone.
+        // Derivatives with respect to X, Y, v and a of the geometry alone.
         let by_x =
             q * (gap + x * (3.0 * root * x - self.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
         let by_y = q * x * (3.0 * root * y - self.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
         let by_v = -q * x * self.roller * y;
         let by_a = q * x * self.roller * x;
-        // h in units of q X w^{3/2}, a number that a size of the cam does not change much.
+        // h in units of q X w^{3/2}, which depend little on the size of the cam.
         let unit = q * size.rise.max(size.rho) * w * root;
         Slack {
             h: q * x * gap - force * w * w,

@@ -9,9 +9,9 @@ use crate::synth::qp::{
     FACE_END, LOWEST, Limit, Meaning, PEAK, Program, Variable, only, structural,
 };
 
-/// Depth below the base circle, relative to the stroke, that counts as rounding.
+/// Depth below the base circle, relative to the stroke, that counts as a rounding error.
 const DIP: f64 = 1e-7;
-/// Depth below the base circle that counts as none, m or rad: the program's tolerance for a lift of a centimetre.
+/// Depth below the base circle that counts as zero, m or rad: the program's tolerance for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
 /// Limit that keeps the law above its base circle, if other conditions determine its level.
@@ -19,7 +19,7 @@ pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
     let limit = structural(Criterion::BaseCircle, only(0, -1.0), 0.0, scale);
-    // Limits on the height of the law count from there.
+    // Limits on the height of the law are measured from the base circle.
     let is_limited = stroke.is_some() || problem.limits[LimitKind::Diameter].is_some();
     (problem.level_is_known() || is_limited).then_some(limit)
 }

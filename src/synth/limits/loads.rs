@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0 with its derivatives: shaft torque, its rate and its power, and the pressure
-//! of a roller.
+//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit the shaft torque, its rate and its power,
+//! and the pressure of a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::problem::{OnShaft, Problem, product};
 /// Relative excess below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem; `None` is no limit.
+/// Nonconvex load limits of a problem; `None` means no limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
     /// Relation of lift and force.
@@ -42,7 +42,7 @@ impl Loads {
             drive: problem.drive,
             on_shaft: problem.on_shaft.clone(),
             torque: limits[LimitKind::Torque],
-            // At constant speed P/ω (theory §10).
+            // The power divided by the mean speed is the limit on the torque at constant speed (theory §10).
             power: limits[LimitKind::Power].map(|power| power / problem.drive.speed),
             torque_rate: limits[LimitKind::TorqueRate],
             pressure: roller
@@ -56,7 +56,7 @@ impl Loads {
         (!loads.named().is_empty()).then_some(loads)
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
     pub fn slacks(&self, at: Svaj, theta: f64, size: ProfileSize, out: &mut Vec<Slack>) {
         let shaft = self.on_shaft.as_ref();
         let [extra, extra_rate] = shaft.map_or([0.0; 2], |shaft| {

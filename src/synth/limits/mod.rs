@@ -1,7 +1,7 @@
 //! Limits of a problem, one file per limit or group.
 //!
-//! Each file contains the rows of its limit in a convex program (for a given size, or with the size among the variables), its nonconvex part, and its
-//! check on the finished design.
+//! Each file contains the rows of its limit in a convex program, its nonconvex part, and its check on the finished design. The size is given, or it
+//! is among the variables.
 
 mod curvature;
 mod diameter;
@@ -46,7 +46,7 @@ use crate::scene::Minimise;
 /// Adds the convex limits of a problem to a program: limits on root mean squares, over the whole turn, and on a variable size. A law of harmonics has
 /// no demands and only the force error as its objective.
 ///
-/// If no condition determines the level of the law, limits on the profile measure the lift from the angle at which the law touches its base circle.
+/// If no condition determines the level of the law, the lift in limits on the profile is measured from the angle of the contact with the base circle.
 /// With a varying shaft speed or a moving floor, a bound is reduced by the resulting addition to its quantity. `force_error` computes half the mean
 /// square of the force error.
 pub fn constrain(

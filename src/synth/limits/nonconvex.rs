@@ -9,7 +9,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
-/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds to rounding.
+/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds up to rounding errors.
 pub const ENLARGED: f64 = 4e-6;
 
 /// All limits of a problem that are not convex in the law.
@@ -38,7 +38,7 @@ impl NonconvexLimits {
         })
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         out.extend(self.diameter.map(|d| d.slack(at, self.size())));
@@ -93,7 +93,7 @@ impl NonconvexLimits {
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
-    // What a varying speed adds is smooth between breaks of its own.
+    // The terms of a varying speed are smooth between their own breaks.
     let extra = on_shaft.map(|shaft| law.poly().cut_at(shaft.extra.force.breaks()));
     let breaks = extra.as_ref().map_or(own, |cut| cut.breaks());
     let pieces: Vec<usize> = (breaks.windows(2))

@@ -10,7 +10,7 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, MeanSquare, Meaning, RmsLimit, only};
 
-/// Number of quadrature nodes on a piece of a sum of harmonics, as for an energy.
+/// Number of quadrature nodes on a span of a sum of harmonics, as for an energy.
 const HARMONIC_NODES: usize = 9;
 
 /// Limit √mean(v²) ≤ √(P/(ω w₁)) at the mean speed; `None` without dissipation.

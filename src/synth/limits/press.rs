@@ -12,7 +12,7 @@ use crate::problem::{Problem, sum};
 
 /// Maximum number of iterations for the maximum quotient; three or four are usual.
 const ROUNDS: usize = 40;
-/// Relative increase of the quotient below which it is rounding.
+/// Relative increase of the quotient below which it is a rounding error.
 const SETTLED: f64 = 1e-14;
 
 /// Data for the contact pressure: force, the law that determines it, and the length of the contact, m.
@@ -49,7 +49,7 @@ impl<'a> Press<'a> {
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Maximum pressure on any contact, Pa: for a conjugate pair also on the second cam where it is loaded, for a groove on both walls at its bottom
+    /// Maximum pressure on any contact, Pa. For a conjugate pair it includes the second cam where it is loaded, for a groove both walls at its bottom
     /// and at its rim. `None` if a profile is undercut.
     pub fn worst(
         &self,
@@ -72,7 +72,7 @@ impl<'a> Press<'a> {
     pub fn on(&self, cam: &Cam) -> Extreme {
         let follower = &cam.follower;
         if !follower.is_flat() && follower.roller_radius() == 0.0 {
-            // A knife edge presses on a line without width.
+            // The contact of a knife edge has no width, so its pressure is infinite.
             return Extreme {
                 at: cam.law.extent().0,
                 value: f64::INFINITY,
@@ -107,7 +107,7 @@ impl<'a> Press<'a> {
         let factor = self.factor();
         let own = cam.law.breaks();
         let alike = self.law.breaks() == own;
-        // What is added is smooth between breaks of its own.
+        // The added force is smooth between its own breaks.
         let cut = self
             .extra
             .map(|extra| cam.law.poly().cut_at(extra.breaks()));
@@ -213,7 +213,7 @@ fn groove_contact(
 ) -> (f64, f64) {
     let slope = at.v / radius;
     let length = (1.0 + slope * slope).sqrt();
-    // Towards −z, where the lower wall bulges.
+    // Curvature towards −z, where the lower wall is convex.
     let bend = -at.a / (radius * radius * length.powi(3));
     let bulge = match wall {
         Wall::Lower => bend,
@@ -223,7 +223,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// Maximum F/ρ at an end of a piece, with its position, as a good initial value.
+/// Maximum F/ρ at an end of a span, with its position, as a good initial value.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {
@@ -238,7 +238,7 @@ fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) 
     highest
 }
 
-/// Maximum of F − λρ, if above 0, on the remaining pieces. Pieces without a positive value are removed, since no higher λ occurs there.
+/// Maximum of F − λρ, if above 0, on the remaining spans. Spans without a positive value are removed, since no higher λ occurs there.
 fn most_gained(
     force: &PiecewisePoly,
     radius: &PiecewisePoly,

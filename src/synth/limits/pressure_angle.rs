@@ -102,7 +102,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
             (angles.map(tangent), problem.offset())
         }
     };
-    // On the line through the centre nothing leans where the follower turns.
+    // For a line of motion through the centre, the pressure angle is zero at a reversal of the follower.
     let rows = angle_rows(tangents).into_iter();
     let rows = rows.filter(|row| row.moves || offset != Some(0.0));
     let row_of = |row: AngleRow| match prime {

@@ -103,7 +103,7 @@ impl Profile {
         }
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit holds.
+    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
             Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
@@ -199,7 +199,7 @@ pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     (rest, 1.0 / (pivot * rest.cos()))
 }
 
-/// Sets the derivatives by the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.
+/// Sets the derivatives with respect to the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.
 fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
     for slack in &mut slacks {
         slack.by_radius = slack.by_lift * by_radius;

@@ -15,13 +15,13 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
         _ => 0.0,
     };
     let limit = problem.limits[LimitKind::PrimeRadius];
-    // No cam is smaller than its bore, and none has a negative base radius. A limit below that is for the checks to report.
+    // A cam cannot be smaller than its bore or have a negative base radius. The checks report a limit below this minimum.
     let least = problem.hub_radius() + problem.cam.roller_radius;
     let below = limit.map_or(f64::INFINITY, |limit| limit * (1.0 - 4.0 * ENLARGED));
     let least = least.min(below);
     let mut limits = Vec::new();
     if let Some([least, most]) = problem.reach_of_arm() {
-        // A limit larger than the arm can reach is inactive.
+        // A limit above the reach of the arm is inactive.
         let limit = limit.filter(|limit| *limit <= most);
         let most = limit.map_or_else(
             || on_size(problem, RADIUS, 1.0, most),
@@ -34,7 +34,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
         limits.push(at_least(problem, least, RADIUS));
         program.cost[RADIUS] = cost;
     } else if let Some(offset) = problem.offset() {
-        // With the offset given, the prime radius grows with D alone; a price on it is none on D.
+        // With a given offset, the prime radius is a function of D alone; its cost is not the cost of D.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         limits.extend(limit.map(|r| at_most(problem, rise(r), RISE)));
         limits.push(at_least(problem, rise(least), RISE));
@@ -42,7 +42,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     } else {
         limits.extend(limit.map(|r| at_most(problem, r, RADIUS)));
         limits.push(at_least(problem, least, RADIUS));
-        // The cone alone would let D be negative.
+        // The cone alone would permit a negative D.
         limits.push(at_least(problem, 0.0, RISE));
         program.cost[RADIUS] = cost;
         program.cone(Criterion::BaseCircle, RADIUS, &[RISE, OFFSET]);

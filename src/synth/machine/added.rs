@@ -1,4 +1,4 @@
-//! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law, as the state of the design
+//! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law. They are the state of the design
 //! iteration.
 
 use std::f64::consts::{PI, TAU};
@@ -57,7 +57,7 @@ impl Layout {
         });
         Layout {
             breaks,
-            // The nodes differ: the matrix has an inverse.
+            // The nodes are distinct, so the matrix has an inverse.
             coefficients: values.try_inverse().unwrap_or_else(SMatrix::identity),
             limits,
             varies,

@@ -33,7 +33,7 @@ use crate::units::{Dimension, Quantity};
 
 /// Maximum difference between the assumed and the actual force at which the design is final, relative to the mean.
 const SETTLED: f64 = 1e-6;
-/// As `SETTLED`, if the response of the floor is part of the program.
+/// The same difference as `SETTLED`, if the response of the floor is part of the program.
 const SETTLED_ON_FLOOR: f64 = 1e-9;
 const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies the accuracy over the angle but not over time.
@@ -199,7 +199,7 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     if varies {
         last.hold_for_its_motion();
     }
-    // A law for constant speed is judged at the speed that its motor gives it.
+    // A law for constant speed is checked at the speed that results from its motor.
     let has_ripple = forecast.as_ref().is_some_and(|f| !f.is_negligible);
     if has_ripple && !varies && problem.target.is_some() {
         let law = &last.attempt.law.law;
@@ -258,7 +258,7 @@ fn larger_inertia(
     let target = problem.target.as_ref().map(|t| &**t.curve());
     let cam = &last.attempt.cam.cam;
     let run = Runner::new(problem, cam, target, Some(&motor), floor.as_ref()).ok()?;
-    // The scene states the inertia without the rotor.
+    // The inertia in the scene does not include the rotor.
     let least = run.inertia_for_accuracy(law, allowed)? - problem.machine.motor.rotor_at_cam();
     let meets = |inertia: &f64| {
         let heavier = problem.with(Criterion::Inertia, *inertia);
@@ -320,7 +320,7 @@ fn corrected(
     }
     let mut last = settled.design;
     last.problem = last.problem.with_accuracy(problem.accuracy);
-    // By as many percent as the tighter accuracy, that of the scene is eased.
+    // The reported gain refers to the accuracy of the scene, relaxed by the same percentage as the tighter accuracy.
     let eased = last.attempt.law.easing.iter_mut();
     for easing in eased.filter(|e| e.limit == Criterion::Accuracy) {
         let found = easing.from;
@@ -347,7 +347,7 @@ fn on_responding_floor(
     }
     let mut law = problem.law.clone();
     if first.law.family == Family::Spline {
-        // The law itself may have more spans than suffice.
+        // The law itself may have more spans than are sufficient.
         let spans = match law.dwells.is_empty() {
             true => first.law.law.breaks().len() - 1,
             false => first.law.spans,
@@ -433,7 +433,7 @@ fn rounds(
     };
     let (mut motion, state) = match begin {
         Begin::ConstantSpeed(..) => {
-            // The motion in time of a law for constant speed may stop a small wheel that the law itself turns.
+            // The motion in time of a law for constant speed may stop a small flywheel although the law itself does not.
             let start = run.in_time(law, before.clone());
             let motion = start.map_err(|_| diverges(before))?;
             let at = |x: f64| retimed(law, &motion.shaft, x);
@@ -445,8 +445,8 @@ fn rounds(
             (before.clone(), state)
         }
     };
-    // A round has no fewer spans than the one before, so that what depends on their number stays the same; and more, where
-    // rounds come no nearer with so few that very different laws are nearly as good.
+    // The number of spans never decreases between iterations, so that results that depend on it remain comparable. It increases if the iteration does
+    // not converge because very different laws are nearly as good.
     let mut search = search.clone();
     search.least_spans = first.law.spans;
     let (mut nearest, mut stalled) = (f64::INFINITY, 0);
@@ -454,7 +454,7 @@ fn rounds(
         let own = assumed.problem(problem, state);
         let attempt = attempt(&own, &search)?;
         let SolvedLaw { law, spans, .. } = &attempt.law;
-        // A law of a round may stop the shaft that the first one does not.
+        // The law of an iterate may stop the shaft although the first law does not.
         motion = match run.of_law(law, Some(&motion)) {
             Ok(next) => next,
             Err(fault) if run.carrier.motor.is_none() => return Err(fault),

@@ -18,11 +18,11 @@ use crate::problem::Problem;
 pub fn responds(problem: &Problem) -> bool {
     let machine = &problem.machine;
     if problem.on_shaft.is_some() {
-        // The problem is that of a machine in a known motion.
+        // The problem already contains a known motion of the machine.
         return false;
     }
     if problem.law.polydyne {
-        // A fault of the follower is found by the design.
+        // The design reports errors of the follower.
         return !matches!(problem.train(), Ok(None));
     }
     !machine.is_plain()

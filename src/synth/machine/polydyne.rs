@@ -42,7 +42,7 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
         }
         last = match families::law(&problem.with_limits(limits.clone()), search)? {
             Ok(law) => on_train(problem, law, train)?,
-            // Tightened limits may leave no law: then the checks of the round before show what is violated.
+            // Tightened limits may be infeasible. The checks of the previous iteration then show the violated limits.
             Err(_) => break,
         };
         if last.cam.broken().is_none() || best.cam.broken().is_some() {
@@ -97,7 +97,7 @@ fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
 /// End of the follower, with the deviation from its law for this cam and for a cam with the uncorrected law.
 fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
-    // Undamped and in resonance with a harmonic there is no steady state.
+    // Without damping and at resonance with a harmonic, there is no steady state.
     let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
     End {
         stiffness,

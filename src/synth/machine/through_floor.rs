@@ -1,4 +1,4 @@
-//! Response of the floor as part of the program of a law: effect of a change of the law through the floor, and the certificate that includes it.
+//! Response of the floor as part of the program of a law: the effect of a change of the law through the floor, with a certificate that includes it.
 //!
 //! The force on the moving floor is linear in the law: F = T P + const, where T contains the gains Gₙ = 1/(1 − M Hₙ) of the harmonics. With the
 //! derivative π of the Lagrangian with respect to the force, the derivative with respect to the law is P*T*π. In a program with a fixed floor motion

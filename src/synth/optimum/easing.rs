@@ -24,7 +24,7 @@ struct Sensitivity {
 
 /// First-order effect on the objective of relaxing each active limit of the scene by 1 %, in descending order of the gain.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
-    // A size that is given becomes no smaller, whatever a limit allows.
+    // A given size does not decrease if a limit is relaxed.
     if minimised == Minimise::Size && SIZES.iter().all(|&k| program.cost[k] == 0.0) {
         return Vec::new();
     }
@@ -136,7 +136,7 @@ fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity>
             gain: row.multiplier * by / slope,
         });
     }
-    // v − e ≤ t (s + D): a larger t makes room in proportion to the height s + D of the roller's centre.
+    // v − e ≤ t (s + D): a larger t relaxes the limit in proportion to the height s + D of the roller centre.
     let rise = match limit.meaning {
         Meaning::Sized if limit.extra[RISE] != 0.0 => Some(solution.extra[RISE]),
         Meaning::PrimeRadius { tan, offset } => Some((limit.bound - offset) / tan),

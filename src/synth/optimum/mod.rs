@@ -78,7 +78,7 @@ fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
         }
         let mut formulation = optimum.formulation.clone();
         formulation.program.fixed.extend(tangents);
-        // Without a solution the check reports the residual vibration.
+        // Without a solution, the check reports the residual vibration.
         let Ok(quieter) = at_best_angle(formulation) else {
             return;
         };
@@ -160,10 +160,10 @@ fn sequence_from(
     let mut starts = starts(problem, program, solution);
     if problem.objective() == Minimise::PeakForceError {
         let force = &optimum.formulation.force;
-        // Before the others: where no start holds, the last one is shrunk or tightened, and this one has its size already.
+        // This start precedes the others: if no start is feasible, the last one is shrunk or tightened, and this one already has its size.
         starts.splice(0..0, nearest_to_force(problem, program, force, limits));
     }
-    // A law that keeps every limit passes; only its force error may be left to reach.
+    // A law that satisfies every limit passes; only its force error may still exceed the accuracy.
     let passes = |s: &Solution| {
         let error = || limits::force_report(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
         search.only_passing && problem.allowed_error().is_none_or(|most| error() <= most)
@@ -174,7 +174,7 @@ fn sequence_from(
 /// Possible starts of a sequence: the solution of the program, and the same law with the size that it requires.
 fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solution> {
     let mut out = Vec::new();
-    // At the least radius of an arm the linearisation is singular.
+    // At the minimum radius of an arm, the linearisation is singular.
     if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
         out.push(solution.clone());
     }
@@ -199,8 +199,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// The law at the level from which the sequence measures the lift: on its base circle, if neither drive nor conditions determine the level and limits
-/// depend on it.
+/// The law at the level from which the sequence measures the lift. If neither drive nor conditions determine the level and limits depend on it, the
+/// law is placed on its base circle.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,
@@ -211,7 +211,7 @@ fn at_level(
     if problem.level_is_known() || limits.profile.is_none() {
         return (program, solution);
     }
-    // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
+    // If a limit does not determine the angle of the minimum, the law may be lower elsewhere; raising it only increases all lifts.
     let lowest = Law::of(&program.basis, &solution.x).extremes(0).0;
     solution.x = program.basis.raised(solution.x, -lowest.value);
     program.count_from(lowest.at);
@@ -236,8 +236,8 @@ pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     }
 }
 
-/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits, or arbitrary
-/// if it has no cost. For an arm the size is limited by the reach of the arm.
+/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits; it is
+/// arbitrary if it has no cost. For an arm the size is limited by the reach of the arm.
 pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;

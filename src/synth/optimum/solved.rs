@@ -106,7 +106,7 @@ impl Optimum {
         let mut evidence = qp::certificate(program, &self.solution);
         let merit = program.merit(&self.solution);
         evidence.bounded_by(sequence.least.map(|least| merit - least));
-        // Where the limits that are not convex cost nothing, no law that keeps the others is better.
+        // If the non-convex limits do not increase the objective, no law within the other limits is better.
         let is_global = evidence.global_gap.is_some_and(|gap| gap <= PROVED);
         (evidence, (!is_global).then_some(Doubt::Local))
     }
@@ -118,7 +118,7 @@ impl Optimum {
         match (self.bound, self.at) {
             (Some(bound), _) => evidence.widen(program.merit(&self.solution) - bound),
             (None, Some(_)) => {
-                // The multipliers speak of laws that touch at this angle.
+                // The multipliers are valid only for laws that touch at this angle.
                 evidence.bounded_by(None);
                 return (evidence, Some(Doubt::TouchingAngle));
             }

@@ -13,8 +13,8 @@
 //! ```
 //!
 //! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of the
-//! objective. The bound has the value and the slope of f at c, so a few programs bound f from below to 1e-6 over the whole turn (branch and bound
-//! over φ).
+//! objective. The bound has the value and the slope of f at c. A few programs therefore give a lower bound of f with an accuracy of 1e-6 over the
+//! whole turn (branch and bound over φ).
 
 use std::f64::consts::{PI, TAU};
 
@@ -77,7 +77,7 @@ fn searched(
     program: &Program,
     stiffness: Option<f64>,
 ) -> Result<(Node, Option<f64>), Box<Refusal>> {
-    // Where the law is lowest without limits is a fair guess; one whose error is limited is near that of the least error.
+    // The minimum of the law without limits is a good initial guess. If the error is limited, the law is near that of the minimum error.
     let least = program.of_least_rms(Criterion::Accuracy);
     let first = match qp::solve_equalities(least.as_ref().unwrap_or(program)) {
         Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
@@ -163,7 +163,7 @@ struct Search {
 }
 
 impl Search {
-    /// First law: at the given angle; if equalities tie the law to angles, at the first of several angles with a solution.
+    /// First law: at the given angle. If equalities tie the law to angles, the first of several angles with a solution is used.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -237,8 +237,8 @@ impl Search {
         }
     }
 
-    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective: first by the distance to the minimum,
-    /// then by secant steps.
+    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective. The first step is the distance to the
+    /// minimum; secant steps follow.
     fn descend(&mut self, mut node: usize) {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {

@@ -41,7 +41,7 @@ pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
             ..walkers.clone()
         };
         let limited = limits::for_all(&problem.of_mean(), &alone, 1.0);
-        // Of the machine of another walker they say nothing.
+        // The load limits of another machine have no meaning for this walker.
         let mut left = limited.limits.clone();
         limits::loads().for_each(|kind| left[kind] = None);
         let limited = limited.with_limits(left);

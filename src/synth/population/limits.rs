@@ -15,7 +15,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
         .each
         .iter()
         .fold(0.0_f64, |m, w| m.max(w.drive.speed));
-    // Force at the reference machine for which every walker keeps a bound on his own.
+    // Force at the reference machine for which the machine of every walker satisfies the bound.
     let reached = |bound: f64, direction: Direction| {
         let of = |w: &Served| direction.sign() * (bound - w.drive.rest_force) / w.factor;
         let nearest = walkers.each.iter().map(of).fold(f64::INFINITY, f64::min);

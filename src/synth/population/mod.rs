@@ -331,7 +331,7 @@ fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
-        // A dwell is a range of its own.
+        // Each dwell is a span of its own.
         Family::Spline => spec.spans = Some(law.breaks().len() - 1 - spec.dwells.len()),
         _ => spec.harmonics = Some(coefficients / 2),
     }

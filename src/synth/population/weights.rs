@@ -141,7 +141,7 @@ pub fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
     for law in laws {
         let mut rest = less(law, centre);
         let size = norm(&rest).sqrt();
-        // Twice: rounding leaves what is no longer orthogonal.
+        // Repeated, because rounding errors leave a part that is not orthogonal.
         for _ in 0..2 {
             for axis in &out {
                 let part = dot(axis, &rest);

@@ -25,7 +25,7 @@ pub fn declare(program: &mut Program) {
     program.least_value("face end", 1, length);
 }
 
-/// The program with its sizes fixed at those of the solution, enlarged by `room`. Without a cone the solver is accurate to rounding.
+/// The program with its sizes fixed at those of the solution, enlarged by `room`. Without a cone the solver is accurate up to rounding errors.
 pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     let mut sizes = solution.extra;
     sizes[RISE] *= 1.0 + room;

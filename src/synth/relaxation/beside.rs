@@ -22,7 +22,7 @@ pub fn beside<T: Sync, R: Send>(
     search: impl Fn(&T, &Halt) -> R + Sync,
 ) -> Vec<R> {
     let on_this_thread = || items.iter().map(|item| search(item, halt)).collect();
-    // On a thread of a pool the cores have work already; a browser's module has one thread.
+    // In a thread pool all cores are already busy, and a module in a browser has only one thread.
     if items.len() < 2 || rayon::current_thread_index().is_some() || cfg!(target_family = "wasm") {
         return on_this_thread();
     }
@@ -32,7 +32,7 @@ pub fn beside<T: Sync, R: Send>(
     let caller = thread::current();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let found = Mutex::new(Vec::with_capacity(items.len()));
-    // Threads of their own: behind the work of a shared pool a search would not even begin, and so not end.
+    // Separate threads: in a shared pool, a search might not start, and therefore not end, before the work of others.
     let work = || {
         let _end = End {
             done: &done,

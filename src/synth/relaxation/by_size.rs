@@ -13,7 +13,7 @@ use crate::synth::synthesis::kept;
 const TRIALS: usize = 12;
 /// Factor by which the limit on the prime radius is multiplied to make it inactive.
 const NO_LIMIT: f64 = 10.0;
-/// Relative extension of a step beyond the step of the slope, so that it ends within the limit.
+/// Relative extension of a step beyond the value that the slope predicts, so that the step ends within the limit.
 const BEYOND: f64 = 0.02;
 /// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;
@@ -94,7 +94,7 @@ impl<'a> BySize<'a> {
                     f64::INFINITY
                 };
                 (fails, outside) = (value, found);
-                // The end that stays loses half its weight (Illinois), so that it moves too.
+                // The end that remains has its weight halved (Illinois method), so that it moves too.
                 if let Some((_, inside)) = &mut works {
                     *inside *= 0.5;
                 }

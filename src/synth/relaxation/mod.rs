@@ -50,8 +50,8 @@ impl Design {
     /// The design with suggested changes, within the stop condition of a search.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
-        // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed; and no
-        // limit is to blame where the solver stopped.
+        // Limits affect neither the mean of the force nor open questions about the recording nor a prescribed law. If the solver stopped, the limits
+        // are not known to be the cause.
         let hopeless = self.reasons.iter().any(|reason| {
             matches!(
                 reason,
@@ -86,7 +86,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
         relaxing.several(&numbers, &design.reasons)
     } else if found.iter().all(Relaxation::is_goal) {
-        // Several limits together may keep the goal.
+        // Several limits together may be sufficient without giving up the accuracy.
         let limits: Vec<_> = numbers.iter().copied().filter(|n| !is_goal(&n.0)).collect();
         (
             vec![relaxing.cure(&found)],
@@ -102,7 +102,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
             (Some(why), reasons)
         }
         None => {
-            // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
+            // If the size is relaxed, the law changes too: the base radius that the present law requires is then not valid.
             let is_found = |key: &str| found.iter().any(|f| f.key == key);
             let resized = (numbers.iter())
                 .any(|(number, _)| number.key.section() == "cam" && is_found(number.key.path));
@@ -111,7 +111,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
             (None, known.chain(cures).collect())
         }
     };
-    // What the accuracy needs of the machine is sufficient where nothing else fails.
+    // The inertia that the accuracy requires is sufficient if no other check fails.
     let of_machine = design.relaxations.into_iter();
     let of_machine = of_machine.filter(|r| r.limit == Criterion::Inertia && relaxing.passes_on(r));
     let out_of_time = search.halt.was_heard() && !design.out_of_time;
@@ -196,7 +196,8 @@ impl<'a> Relaxing<'a> {
     fn of(problem: &'a Problem, search: &'a Search, design: &Design) -> Self {
         let (mean, rest) = (design.force.target_mean_n, design.problem.drive.rest_force);
         let asked = problem.at_constant_speed();
-        // A floor that responds is quick to design for, and its motion with the limit as it is tells little of that with another.
+        // A design on a responding floor is fast, and the floor motion for the present limit is not valid for another limit. The machine motion is
+        // therefore not fixed.
         let is_quick = problem.through_floor().is_some();
         Relaxing {
             problem: if is_quick { asked } else { problem },
@@ -270,7 +271,7 @@ impl<'a> Relaxing<'a> {
         synthesis::kept(&changed(self.asked, values), self.search).is_ok_and(|d| d.is_some())
     }
 
-    /// Reason that lists the changes, of which one is sufficient.
+    /// Reason that lists the changes; one of the changes is sufficient.
     fn cure(&self, found: &[Relaxation]) -> Reason {
         let measures = self.problem.cam.measures();
         if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
@@ -287,7 +288,7 @@ impl<'a> Relaxing<'a> {
 
     /// The value of the convex program, or a slightly larger change, for which the design passes.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
-        // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
+        // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is rejected.
         let [none, less, most, _] = ROOMS;
         let weakest = number.with_room(hint, most);
         self.tried(number, weakest)?;
@@ -306,7 +307,7 @@ impl<'a> Relaxing<'a> {
     /// Rounded value nearest to `fails` with which the design passes, found by bisection from the rounded value `works`.
     fn edge(&self, number: Relaxable, works: f64, fails: f64) -> f64 {
         let (mut works, mut fails) = (works, fails);
-        // Towards zero the steps become ever smaller.
+        // Towards zero the steps decrease without end, so the tolerance is relative to the first value.
         let least = SMALLEST * works.abs();
         while !self.search.halt.is_asked() && (works - fails).abs() > least {
             let halved = number.rounded(middle(works, fails));
@@ -352,7 +353,7 @@ impl<'a> Relaxing<'a> {
             return Some(to);
         }
         let free = number.away(from, self.force);
-        // What the best law without the limit needs is sufficient, and often the answer.
+        // The value that the best law without the limit requires is sufficient, and often the result.
         let design = self.tried(number, free)?;
         let unit = if number.is_accuracy() {
             self.force_mean()
@@ -418,7 +419,7 @@ impl<'a> Relaxing<'a> {
     }
 
     /// Accuracy that is sufficient with a given number of spans. The minimised error does not depend on the accuracy, so only the accuracy of the
-    /// design itself is sufficient, if nothing else fails. The outer `None` means that a search is necessary.
+    /// design itself is sufficient, if no other check fails. The outer `None` means that a search is necessary.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;

@@ -31,7 +31,7 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
             relax,
             criterion,
         };
-        // The usual accuracy is judged too, so it may be relaxed by being written.
+        // The default accuracy is also checked, so it may be relaxed by a value in the scene.
         let usual = || {
             let allowed = problem.allowed_error().filter(|_| knob.is_accuracy())?;
             let mean = problem.target_mean();
@@ -140,7 +140,7 @@ impl Relaxable {
             (steps + same).floor()
         };
         match self.key.range {
-            // The decimal number itself: a product with a step below 1 would miss its last digit.
+            // Division gives the nearest number to the decimal one; a product with a step below 1 would change its last digit.
             Range::Acute => whole * self.step(value),
             _ if self.decimals(value) > 0 => whole / 10_f64.powi(self.decimals(value)),
             _ => whole * self.step(value),

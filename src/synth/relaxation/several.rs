@@ -49,7 +49,7 @@ impl Relaxing<'_> {
         if alone.is_empty() {
             return (vec![Reason::NoRelaxation], Vec::new());
         }
-        // Each at its own boundary, they may conflict with each other or with the other limits.
+        // Limits that are feasible one by one may be infeasible together or with the other limits.
         let reached = changed(self.problem, &alone);
         let asked = changed(self.asked, &alone);
         let relaxing = Relaxing {

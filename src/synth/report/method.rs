@@ -24,7 +24,7 @@ use crate::wording::{self, Language};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum Method {
     /// A given programme, without a solution step.
     Programme,

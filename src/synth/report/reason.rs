@@ -29,7 +29,7 @@ use crate::wording::{self, Language};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named as in the sentences
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum Reason {
     /// Every check passes and lift, velocity and acceleration are continuous.
     AllHold,
@@ -175,11 +175,11 @@ pub enum Reason {
     SolverStopped { stop: Stop },
     /// A sufficient change of one limit.
     Relaxation { changes: Vec<Change> },
-    /// Changes of several limits, of which one is sufficient.
+    /// Changes of several limits; one of the changes is sufficient.
     Relaxations { changes: Vec<Change> },
     /// No change of a single limit is sufficient.
     NoRelaxation,
-    /// Changes of which one is sufficient; each of them is larger than a factor of ten.
+    /// Changes that are each sufficient, but larger than a factor of ten.
     FarRelaxations { changes: Vec<Change> },
     /// Values that are sufficient together, because no change of a single limit is.
     AllTogether { changes: Vec<Change> },

@@ -19,7 +19,7 @@ pub struct CheckedCam {
     pub end: Option<Law>,
     /// Second cam of a conjugate pair, if any.
     pub conjugate: Option<Conjugate>,
-    /// The groove of a barrel.
+    /// Groove of a barrel, with both walls.
     pub groove: Option<BarrelGroove>,
     /// Comparison of force and target, N.
     pub force: ForceReport,
@@ -103,7 +103,7 @@ fn cam_about(
 ) -> Result<Cam> {
     let own = sizing::cam(problem, law.clone(), pressing)?;
     let radius = |cam: &Cam| cam.follower.prime_radius();
-    // By less than the program keeps free of a limit on it a radius is the same.
+    // Radii that differ by less than the margin of the program are treated as equal.
     let smaller = (1.0 - ENLARGED) * radius(&own);
     let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
         return Ok(own);

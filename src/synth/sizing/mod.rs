@@ -22,7 +22,7 @@ const BISECTION: f64 = 1e-12;
 /// Growth factor of the prime circle in the search for a feasible size.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
-/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding.
+/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding errors.
 const ROUNDING: f64 = 1e-9;
 /// Fraction of the travel of the follower that counts as zero.
 const NOTHING: f64 = 1e-4;
@@ -164,7 +164,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
     let press = limits::Press::of(problem, pressing);
-    // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
+    // A larger D at the same offset relaxes the limits on pressure angle, curvature and pressure.
     let holds = |d: f64| {
         let prime = d.hypot(offset);
         if prime < least || offset.abs() >= prime {
@@ -206,7 +206,7 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
-    // Any size will do to start from: `smallest_for` looks at all else only.
+    // `smallest_for` ignores the base radius of the cam, so any value is permitted here.
     let follower = on_base_circle(problem, given.unwrap_or(1.0))?;
     if given.is_some() || matches!(follower, Follower::TranslatingCam { .. }) {
         return fitting(problem, law, follower);
@@ -222,8 +222,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let cam = Cam { law, follower };
     let smallest = smallest_for(&cam, &limits).map_err(|e| e.at_key("cam.base_radius"))?;
     let barrel = matches!(follower, Follower::Barrel { .. });
-    // A barrel's groove is steepest at its floor, which has to hold the limits, and a roller must be
-    // thinner than the floor.
+    // The groove of a barrel is steepest at its floor, where the limits must hold. The roller must be thinner than the floor.
     let base = if barrel {
         smallest
             .max(problem.hub_radius_for(&cam.law))
@@ -310,7 +309,7 @@ fn follower(
             base_radius,
         },
         FollowerKind::TranslatingCam => Follower::TranslatingCam {
-            // The usual height changes nothing but the looks.
+            // The height has no effect on the law; the default only determines the appearance.
             base_height: problem.base_radius().unwrap_or(2.0 * spec.roller_radius),
             roller_radius: spec.roller_radius,
         },

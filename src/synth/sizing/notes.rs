@@ -54,7 +54,7 @@ fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     }
     let force = problem.force_curve(pressing);
     let torque = limits::largest(&limits::torque_curve(force, &cam.law)).value;
-    // τ = 16 T/(π d³).
+    // From τ = 16 T/(π d³).
     let least = (16.0 * torque / (PI * SHEAR)).cbrt();
     let [circle, shaft, torque] = [
         Quantity::length(circle),

@@ -21,7 +21,7 @@ pub use units::UnitsError;
 
 /// An error in the input: its location and its kind.
 ///
-/// Displays as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
+/// It is displayed as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Place, UnitsError};

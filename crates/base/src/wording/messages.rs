@@ -58,7 +58,7 @@ impl Messages {
     pub(super) fn new(language: Language, crates: &'static [Sentences]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
-        // All text runs left to right; isolation marks around arguments would only disturb terminals.
+        // All text is written from left to right; isolation marks around arguments would only disturb terminals.
         bundle.set_use_isolating(false);
         let mut texts = BTreeMap::new();
         let files = crates.iter().flat_map(|own| own.files);
@@ -92,7 +92,7 @@ impl Messages {
     }
 
     fn read(&self) -> Bundle<'_> {
-        // A panic while one message is added leaves the others valid.
+        // A panic while a message is added does not invalidate the others.
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
@@ -107,7 +107,7 @@ impl Messages {
             Err((_, faults)) => panic!("the message {key} is no Fluent: {faults:?}"),
         };
         let mut bundle = (self.bundle.write()).unwrap_or_else(std::sync::PoisonError::into_inner);
-        // Another thread may have added it meanwhile.
+        // Another thread may have added the message in the meantime.
         if bundle.has_message(key) || bundle.add_resource(resource).is_err() {
             return;
         }
@@ -231,7 +231,7 @@ impl Messages {
 
     fn argument(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         match value {
-            // Whole numbers choose plural forms.
+            // Whole numbers select plural forms.
             Value::Number(n) => match n.as_i64() {
                 Some(whole) if whole.abs() < 10_000 => FluentValue::from(whole),
                 _ => exact(self.language, n.as_f64().unwrap_or(f64::NAN)).into(),
@@ -245,7 +245,7 @@ impl Messages {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => exact(self.language, n.as_f64().unwrap_or(f64::NAN)),
-            // A message without fields as an argument, otherwise a name.
+            // A message without fields as an argument; otherwise a name.
             Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
             }

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! Arguments: a [`Quantity`](crate::units::Quantity) is displayed in its common unit with six significant digits (four in a note or reason), a number
-//! with six. A list is joined by commas. A unit variant (a follower, a limit, a law) is displayed by the message `name-…` of the variant, if there is
-//! one, otherwise as it is written in scenes. `None` is the word `none`, which selectors can match.
+//! with six. A list is joined by commas. A unit variant (a follower, a limit, a law) is displayed by the message `name-…` of the variant. Without
+//! such a message it is displayed as written in scenes. `None` is the word `none`, which selectors can match.
 
 mod catalogue;
 mod language;

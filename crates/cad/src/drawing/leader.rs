@@ -69,7 +69,7 @@ impl Pen {
         self.line(&[[x, y - reach], [x, y + reach]], stroke);
     }
 
-    /// Draws an arrow in the direction of rotation between two angles from the mark of θ = 0, which points upwards; rad.
+    /// Draws an arrow in the direction of rotation between two angles from the mark of θ = 0, which points upwards. Angles in rad.
     pub fn rotation(
         &mut self,
         [x, y]: [f64; 2],

@@ -1,6 +1,6 @@
 //! `drawing.pdf`: the workshop drawing, one sheet per rotating cam. It contains lines and letters in standard fonts, so the file is small and its
-//! numbers can be searched and copied. Lengths on the sheet are in millimetres or inches, angles in degrees, in the frame of the cam at θ = 0 with
-//! the motion of the follower upwards.
+//! numbers can be searched and copied. Lengths on the sheet are in millimetres or inches, angles in degrees. The frame is that of the cam at θ = 0,
+//! with the motion of the follower upwards.
 
 mod block;
 mod disc;

@@ -28,7 +28,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
     let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
     let mut points: Vec<EdgePoint> = (0..=SAMPLES).map(|i| edge.at(at(i))).collect();
     if let Some(last) = points.last_mut() {
-        // First and last point are equal in every digit, so that a ray cannot pass between them.
+        // The first and the last point are equal in every digit, so that a ray cannot pass between them.
         *last = EdgePoint {
             theta: end,
             ..edge.at(start)
@@ -72,7 +72,7 @@ fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64
 
 /// Point at the distance `off` from the profile along its normal.
 fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
-    // The profile runs clockwise: outwards lies to the left of its tangent.
+    // The profile is traversed clockwise: the outward direction is to the left of its tangent.
     [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
 }
 

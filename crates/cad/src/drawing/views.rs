@@ -121,7 +121,7 @@ impl<'a> Views<'a> {
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
         pen.line(&mark, Stroke::Outline);
         pen.note("θ = 0", [x, y + reach + 2.0]);
-        // Outside the outline, near the mark.
+        // Outside the outline, near the mark of θ = 0.
         let radius = self.around + 0.75 * OVER;
         pen.rotation(self.centre, radius, ARROW, self.piece.clockwise);
     }

@@ -55,7 +55,7 @@ impl Drawing {
             objects(&mut body);
         }
         body.put(0, "EOF");
-        // The header names the first free handle, which is known only now.
+        // The header contains the first free handle, which is known only at the end.
         let mut file = Groups::new(self.version, self.units);
         self.header(&mut file, body.handle);
         file.text.push_str(&body.text);
@@ -77,7 +77,7 @@ impl Drawing {
             Units::Millimetres => [4, 1],
             Units::Inches => [1, 0],
         };
-        // R12 has no variable for units; its readers look for the later one.
+        // R12 has no variable for units; its readers use the variable of later dialects.
         out.put(9, "$INSUNITS").put(70, unit);
         out.put(9, "$MEASUREMENT").put(70, measurement);
         for (name, [x, y]) in ["$EXTMIN", "$EXTMAX"].into_iter().zip(self.extent) {
@@ -262,7 +262,7 @@ impl Groups {
         let own = self.handle;
         if self.later {
             self.handle += 1;
-            // The handle of a dimension style has a code of its own.
+            // The handle of a dimension style has a separate group code.
             let code = if kind == "DIMSTYLE" { 105 } else { 5 };
             self.put(code, format!("{own:X}"));
             self.put(330, format!("{owner:X}"));

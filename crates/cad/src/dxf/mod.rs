@@ -89,7 +89,8 @@ pub const CHORDS: f64 = 2e-6;
 const SPLINES: f64 = 5e-8;
 
 /// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] or chords within [`CHORDS`] (R12), or as splines (R2000), and the bore of the
-/// scene. If the asked kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle, as is the pitch curve.
+/// scene. If the requested kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle. The pitch curve
+/// always has this form.
 pub fn profile(
     synthesis: &Design,
     points: usize,
@@ -112,8 +113,8 @@ pub fn profile(
     drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
 
-/// Drawing of all edges to be cut (profile of a disc, both cams of a pair, both walls of an unrolled groove) as chords, with pitch curve, base and
-/// prime circle, bore and centre mark.
+/// Drawing of all edges to be cut as chords, with pitch curve, base and prime circle, bore and centre mark. The edges are the profile of a disc, both
+/// cams of a pair, or both walls of an unrolled groove.
 pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
@@ -147,8 +148,8 @@ pub struct ArcDrawing {
     pub deviation: f64,
 }
 
-/// As [`drawing`], with the edges as polylines of circular arcs (bulges) within `tolerance` m of the exact edges. `options.points` applies only to
-/// the pitch curve. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
+/// Draws as [`drawing`] does, with the edges as polylines of circular arcs (bulges) within `tolerance` m of the exact edges. `options.points` applies
+/// only to the pitch curve. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
 pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcDrawing> {
     let mut sheet = Sheet::new(options);
     let (mut arcs, mut deviation) = (0, 0.0_f64);
@@ -167,7 +168,8 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
     })
 }
 
-/// As [`drawing`], with the edges as chords within [`CHORDS`] of the exact edges. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
+/// Draws as [`drawing`] does, with the edges as chords within [`CHORDS`] of the exact edges. `None` if arcs cannot approximate an edge
+/// ([`biarc::fit`]).
 fn lines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
@@ -179,8 +181,8 @@ fn lines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in the dialect R2000. `None` if splines cannot
-/// approximate an edge.
+/// Draws as [`drawing`] does, with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in the dialect R2000. `None` if splines
+/// cannot approximate an edge.
 pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     let version = Version::R2000;
     let mut sheet = Sheet::new(Options { version, ..options });

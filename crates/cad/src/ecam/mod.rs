@@ -122,7 +122,7 @@ impl Dialect {
             read,
         };
         match self {
-            // The number of elements is an INT.
+            // The number of elements has the type INT.
             Dialect::Codesys => row(Quintic, Double, 32_767, codesys::write, codesys::read),
             Dialect::Twincat => row(Quintic, Double, MOST, twincat::write, twincat::read),
             Dialect::Segments => row(Quintic, Single, MOST, segments::write, segments::read),
@@ -243,14 +243,14 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
     }
 }
 
-/// Longest name of a cam in a controller's program.
+/// Maximum length of the name of a cam in a controller's program.
 const LONGEST_NAME: usize = 24;
 
 impl ElectronicCam {
-    /// The cam with another name than `gaitcam` in its variables, for a second cam in one project.
+    /// The cam with a name other than `gaitcam` in its variables, for a second cam in one project.
     ///
     /// # Errors
-    /// A name that is not an identifier of IEC 61131-3, or longer than 24 characters.
+    /// The name is not an identifier of IEC 61131-3, or is longer than 24 characters.
     pub fn named(mut self, name: &str) -> Result<ElectronicCam> {
         let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
         let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
@@ -282,7 +282,7 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
     let (start, length) = law.extent();
     let is_idle = design.is_idle();
     let drive = match is_idle {
-        // Its force is the acceleration.
+        // The force of this drive is the acceleration.
         true => Drive::fixed_axis(1.0, 0.0, 1.0),
         false => design.problem.drive,
     };

@@ -8,7 +8,7 @@ use super::Number;
 
 /// Units of the last place below which a value is a rounding error of its column.
 const ROUNDED: f64 = 64.0;
-/// Relative difference of the two sides of a joint that counts as rounding.
+/// Relative difference of the two sides of a joint that counts as a rounding error.
 const SAME: f64 = 1e-9;
 
 /// A point of the cam, with derivatives of the follower's position with respect to the cam's position.
@@ -62,7 +62,7 @@ impl Table {
             a: number.nearest(y / (x * x) * at.a),
         };
         let end = |theta: f64| {
-            // The last piece that begins before the angle.
+            // The last span that begins before the angle.
             let i = breaks
                 .partition_point(|b| *b < theta)
                 .clamp(1, breaks.len() - 1)
@@ -96,7 +96,7 @@ impl Table {
         if self.closed { "TRUE" } else { "FALSE" }
     }
 
-    /// What the axes must be, as a comment in both languages.
+    /// Requirements on the axes, as a comment in both languages.
     pub fn axes(&self) -> String {
         match (self.closed, self.x_unit) {
             (true, "deg") => "(* The master is a modulo axis of 360 deg; cam angle 0 is its position 0. *)\n\
@@ -110,7 +110,7 @@ impl Table {
     /// Description of the numbers, for the head of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
-        // No character that ends a comment.
+        // Removes characters that would end a comment.
         let name = self.name.replace(['*', '(', ')', '\n', '\r'], " ");
         let points = self.segments.len() + 1;
         format!(
@@ -119,8 +119,8 @@ impl Table {
     }
 }
 
-/// The segments without rounding errors: a value of some units of the last place of its column's maximum is 0, and values that differ by
-/// rounding on the two sides of a joint, or at the ends of a closed cycle, are the same.
+/// The segments without rounding errors. A value of some units of the last place of its column's maximum becomes 0. Values that differ only by
+/// rounding errors, on the two sides of a joint or at the ends of a closed cycle, become equal.
 fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
     type Column = fn(&mut Node) -> &mut f64;
     let columns: [Column; 4] = [|n| &mut n.x, |n| &mut n.y, |n| &mut n.v, |n| &mut n.a];

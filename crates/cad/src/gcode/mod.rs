@@ -1,5 +1,5 @@
-//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, wire cutting
-//! with its entry.
+//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, and wire
+//! cutting with an entry.
 
 mod groove;
 mod outside;
@@ -174,12 +174,12 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     }
 }
 
-/// Program for a wire that cuts at the distance `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with its keyway,
-/// then the outside. For a pair, the program cuts the first cam.
+/// Program for a wire that cuts at the distance `radius` m from its centre (half its diameter and the spark gap). It cuts the hole for the shaft with
+/// its keyway, then the outside. For a pair, the program cuts the first cam.
 ///
 /// # Errors
 ///
-/// As [`milling`]; a barrel; a wire that is too thick for the keyway.
+/// The errors of [`milling`]; a barrel; a wire that is too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {

@@ -31,7 +31,7 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let arcs = biarc::along(edge, ARCS)?;
     let mut ends = arcs.vertices;
     if arcs.closed {
-        // From the farthest point on: nothing of the cam lies beyond its tangent, so the leads are free.
+        // The path starts at the farthest point: the whole cam is on one side of the tangent there, so the leads are free of interference.
         let far = |v: &[f64; 3]| v[0].hypot(v[1]);
         let start = (0..ends.len()).max_by(|&a, &b| far(&ends[a]).total_cmp(&far(&ends[b])))?;
         ends.rotate_left(start);
@@ -61,7 +61,7 @@ fn with_arcs(
     tool: f64,
 ) -> Path {
     let lead = (LEAD * tool).max(LEAST_LEAD);
-    // The tangent is the outward normal turned to the right: n = (0, 1) goes with t = (1, 0).
+    // The tangent is the outward normal rotated clockwise: t = (1, 0) for n = (0, 1).
     let along = |n: [f64; 2], by: f64| [by * n[1], -by * n[0]];
     let centre = |p: [f64; 2], n: [f64; 2]| [p[0] + lead * n[0], p[1] + lead * n[1]];
     let from = centre(begin, first);
@@ -104,7 +104,7 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
         let step = Move::line([to[0] + tool * n[0], to[1] + tool * n[1]]);
         return Some((step, [n, n]));
     };
-    // A hollow turns counter-clockwise: its centre lies outside the cam.
+    // A concave part turns counter-clockwise: its centre is outside the cam.
     let hollow = a[2] > 0.0;
     let outward = if hollow { -1.0 } else { 1.0 };
     let path = radius + outward * tool;

@@ -25,7 +25,7 @@ pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
                 return None;
             }
             let foot = (bore.radius() * bore.radius() - half * half).sqrt();
-            // Where the round part ends the wire goes around the corner.
+            // At the end of the round part, the wire passes around the corner.
             let shrunk = round / bore.radius();
             let corner = |side: f64| [side * half, foot];
             let before = |side: f64| [side * half * shrunk, foot * shrunk];

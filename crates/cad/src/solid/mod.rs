@@ -25,7 +25,7 @@ pub struct Mesh {
 ///
 /// # Errors
 ///
-/// As [`plate`].
+/// The errors of [`plate`].
 pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
     stl::file(&plate(design, form)?)
 }
@@ -34,7 +34,7 @@ pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
 ///
 /// # Errors
 ///
-/// As [`plate`].
+/// The errors of [`plate`].
 pub fn threemf(design: &Design, form: Plate) -> Result<Vec<u8>> {
     threemf::package(&plate(design, form)?, &design.problem.name)
 }

@@ -25,8 +25,8 @@ pub struct Plate {
 ///
 /// # Errors
 ///
-/// A profile that a ray from the centre meets more than once; a bore that does not fit; an invalid thickness or number of points; an undercut
-/// profile; an open law.
+/// A ray from the centre meets the profile more than once; the bore does not fit; invalid thickness or number of points; an undercut profile; an open
+/// law.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * positive(plate.thickness)?;
@@ -43,7 +43,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     if cam.curvature().undercut {
         return Err(WriteError::UndercutProfile.into());
     }
-    // Counter-clockwise: the profile itself runs clockwise.
+    // The outline is counter-clockwise, whereas the profile is clockwise.
     let outline: Vec<[f64; 2]> = cam
         .profile(plate.points)
         .iter()

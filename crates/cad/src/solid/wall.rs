@@ -32,8 +32,8 @@ pub fn wall(groove: &BarrelGroove, wall: Wall, along: usize, through: usize) -> 
         for k in 0..through {
             let a = i * column + k;
             let b = (i + 1) % rings * column + k;
-            // The groove runs clockwise in the barrel's frame: outwards × along points to −z, into
-            // the groove from its upper wall.
+            // In the barrel's frame the groove is traversed clockwise. The outward direction × the direction along the groove points to −z, from the
+            // upper wall into the groove.
             let [p, q] = match wall {
                 Wall::Upper => [[a, a + 1, b], [a + 1, b + 1, b]],
                 Wall::Lower => [[a, b, a + 1], [a + 1, b, b + 1]],

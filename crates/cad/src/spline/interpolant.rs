@@ -23,13 +23,13 @@ impl Interpolant {
         for (i, row) in rows.iter_mut().enumerate() {
             let (first, weights) = basis(spans, i as f64);
             for (k, w) in weights.into_iter().enumerate() {
-                // The end rows have one weight that is not zero; the others lie outside the band only as zeros.
+                // The end rows have only one nonzero weight; their other weights are zeros outside the band.
                 if let Some(place) = (first + k + BAND).checked_sub(i).filter(|p| *p <= 2 * BAND) {
                     row[place] = w;
                 }
             }
         }
-        // The matrix is totally positive: elimination needs no exchange of rows (de Boor).
+        // The matrix is totally positive, so elimination needs no exchange of rows (de Boor).
         for i in 0..n {
             for below in i + 1..(i + 1 + BAND).min(n) {
                 let factor = rows[below][BAND + i - below] / rows[i][BAND];

@@ -98,7 +98,7 @@ fn angle(edge: &Edge, n: usize, i: f64) -> f64 {
 /// Solves (c₋ + 4c + c₊)/6 = p with periodic ends: Thomas algorithm with the Sherman–Morrison correction.
 fn cyclic(points: Vec<f64>) -> Vec<f64> {
     let n = points.len();
-    // The corners are taken out by adding their share to both end rows.
+    // The corner entries are removed by adding their contributions to both end rows.
     let gamma = -4.0;
     let mut diagonal = vec![4.0; n];
     diagonal[0] -= gamma;

@@ -139,7 +139,7 @@ impl File {
             }
             Piece::Arc { centre, radius, .. } => self.cylinder(*centre, *radius, low),
             Piece::Spline(Clamped { control, knots }) => {
-                // Control points lie along the curve first, then upwards.
+                // Index of the control points: first along the curve, then upwards.
                 let net: Vec<Vec<[f64; 3]>> = (control.iter())
                     .map(|p| [low, high].map(|z| [p[0], p[1], z]).to_vec())
                     .collect();
@@ -281,7 +281,7 @@ impl File {
         self.add(&format!(
             "SHAPE_DEFINITION_REPRESENTATION(#{property},#{shape})"
         ));
-        // No clock: the same design gives the same bytes.
+        // Without a time stamp: the same design gives the same bytes.
         format!(
             "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n\
              FILE_NAME('{name}','2000-01-01T00:00:00',(''),(''),'gaitcam','gaitcam','');\n\

@@ -52,7 +52,7 @@ pub struct ForceCurve {
     /// Consecutive strides of the recording, on the same scale.
     #[serde(skip)]
     pub walk: Option<Walk>,
-    /// Number of steps of a walker in the cycle, where a file states it.
+    /// Number of steps of a walker in the cycle, if a file states it.
     #[serde(skip)]
     pub steps: Option<usize>,
     /// Notes on a file that contains one cycle, or a part of one.
@@ -109,7 +109,7 @@ impl ForceCurve {
 
     /// Mean force over the cycle, N.
     pub fn mean_n(&self) -> f64 {
-        // Eight partial sums: the additions of a single sum cannot overlap.
+        // Eight partial sums, because the additions of a single sum cannot overlap.
         let mut sums = [0.0; 8];
         let eights = self.force_n.chunks_exact(8);
         let rest: f64 = eights.remainder().iter().sum();
@@ -147,7 +147,7 @@ impl ForceCurve {
         let i = (x as usize).min(n - 1);
         let u = x - i as f64;
         let v = 1.0 - u;
-        // Bernstein coefficients of Hermite's cubic.
+        // Bernstein coefficients of the Hermite cubic.
         let (first, last) = (self.force_n[i], self.force_n[(i + 1) % n]);
         let rising = first + 1.0 / 3.0 * slope_at(&self.force_n, i);
         let falling = last - 1.0 / 3.0 * slope_at(&self.force_n, i + 1);

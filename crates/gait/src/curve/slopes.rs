@@ -1,7 +1,7 @@
 //! Slopes of the interpolation between samples.
 //!
 //! The slope per sample at the middle of five samples is the fourth-order centred difference. It is used unchanged where the second differences
-//! change slowly, as at a smooth crest; there the cubics are of fourth order. Elsewhere it is limited to three times the smaller adjacent step, so
+//! change slowly, as at a smooth maximum; there the cubics are of fourth order. Elsewhere it is limited to three times the smaller adjacent step, so
 //! that a sharp heel strike is not overshot (bound of Fritsch and Carlson). At a local extreme of the samples it is limited to half of this value,
 //! with either sign.
 
@@ -12,7 +12,7 @@ pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
     let mut out = Vec::with_capacity(n + 1);
     out.extend([0, 1].map(|i| slope_at(f, i)));
-    // Slices side by side instead of windows: the compiler computes several slopes at once.
+    // Slices instead of windows: the compiler computes several slopes at once.
     let pairs = f.iter().zip(&f[1..]).zip(f[2..].iter().zip(&f[3..]));
     let fives = pairs.zip(&f[4..]);
     out.extend(fives.map(|(((a, b), (c, d)), e)| limited([*a, *b, *c, *d, *e])));
@@ -26,8 +26,9 @@ pub fn slope_at(f: &[f64], i: usize) -> f64 {
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
 }
 
-/// Maximum ratio of the second differences of five samples, which also agree in sign, for the unchanged centred difference. With second differences
-/// p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12; under this condition it lies between both steps.
+/// Maximum ratio of the second differences of five samples for which the centred difference is unchanged. The second differences must also have the
+/// same sign. With second differences p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12. Under this condition it lies
+/// between both steps.
 const STEADY: f64 = 6.0;
 
 /// Limits the slope by selections instead of branches, so that the compiler vectorises the loop.
@@ -35,7 +36,7 @@ fn limited(f: [f64; 5]) -> f64 {
     let centred = 2.0 / 3.0 * (f[3] - f[1]) - 1.0 / 12.0 * (f[4] - f[0]);
     let (before, after) = (f[2] - f[1], f[3] - f[2]);
     let (least, most) = (smaller(before, after), larger(before, after));
-    // Above 0 at a local extreme alone. Where the samples rise `least` is above 0, where they fall `most` is below.
+    // Positive only at a local extreme. Where the samples rise, `least` is positive; where they fall, `most` is negative.
     let either = larger(1.5 * smaller(-least, most), 0.0);
     let (low, high) = (smaller(3.0 * most, -either), larger(3.0 * least, either));
     let limited = smaller(larger(centred, low), high);

@@ -17,7 +17,7 @@ pub(crate) const BLEND: f64 = 0.04;
 
 /// Force between samples, N, by linear interpolation.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
-    // Over i64: the processor has no conversion to unsigned numbers.
+    // Conversion by i64, because the processor has no conversion to unsigned numbers.
     let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
     let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
         return force.first().copied().unwrap_or(0.0);
@@ -184,7 +184,7 @@ pub(super) fn stance_row(
     let step = (1.0 + 2.0 * margin) * duration / (row.len() - 1) as f64;
     for (i, x) in row.iter_mut().enumerate() {
         let t = stance.start_s - margin * duration + i as f64 * step;
-        // A hair of rounding at the ends of the stance is not outside it.
+        // Rounding errors at the ends of the stance do not exclude a sample.
         let inside = t > from - 1e-9 * duration && t < to + 1e-9 * duration;
         *x = if inside {
             scale * at(&channel.force_n, t * rate)
@@ -204,7 +204,7 @@ pub(super) fn place(
 ) {
     let n = force.len() as f64;
     for i in 0..force.len() {
-        // Phases of the stride at which this sample falls into the stance: a stance may reach past the wrap.
+        // Times of the stance at the phase of this sample. A stance may extend beyond the end of the stride.
         let phase = (i as f64 / n - shift).rem_euclid(1.0);
         let reach = stance.margin * stance.duration_s;
         let mut t = (phase - 1.0) * period;

@@ -1,7 +1,8 @@
 //! Mean total force of a walker while the force of both feet is recorded. Over a stride it equals the weight. A recording of one stride is sufficient
-//! even without a whole stance. Otherwise two consecutive stances show the total force over two half strides. These last from the previous toe-off to
-//! the toe-off of the first foot, and from the heel strike of the second foot to the next one. Their mean force hardly depends on the stride time,
-//! which only determines their outer ends. The impulse of both stances divided by the stride time depends on it.
+//! even without a whole stance. Otherwise two consecutive stances show the total force over two half strides. The first half stride lasts from the
+//! previous toe-off to the toe-off of the first foot. The second lasts from the heel strike of the second foot to the next heel strike. Their mean
+//! force hardly depends on the stride time, which only determines their outer ends. The impulse of both stances divided by the stride time depends on
+//! it.
 
 use super::average::whole_span;
 use crate::recording::Recording;

@@ -67,8 +67,8 @@ pub struct Cycle {
     pub source: CycleSource,
     /// Duration of the cycle, and its source.
     pub period: Period,
-    /// Coefficient of repeatability, N: in 95 of 100 cases, the difference between two cycles of this walker is smaller (1.96 √2 times the standard
-    /// deviation, root mean square over the phases). `None` for a single cycle.
+    /// Coefficient of repeatability, N: in 95 of 100 cases, the difference between two cycles of this walker is smaller. It is 1.96 √2 times the
+    /// standard deviation (root mean square over the phases). `None` for a single cycle.
     pub repeatability_n: Option<f64>,
     /// Mass, kg: given, or the mean force over the stride divided by g.
     pub mass_kg: f64,

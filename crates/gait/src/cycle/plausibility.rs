@@ -54,7 +54,7 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
         peak_bw: 0.85..if child { 2.0 } else { 1.7 },
         usual_duty: 0.62,
         stride_of_stance: 1.0..2.5,
-        // Feet that land together (a jump, standing) are not in step.
+        // Feet that land together (a jump, standing) are not alternating steps.
         step_of_stance: 0.4..1.2,
     }
 }

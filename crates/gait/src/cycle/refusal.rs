@@ -39,7 +39,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     }
     let guessed = |n: &Note| matches!(n, Note::TimeUnitGuessed { .. });
     if recording.notes.iter().any(guessed) {
-        // With a wrong clock, walking resembles running or standing.
+        // With a wrong time base, walking resembles running or standing.
         let rejected = stances.rejected.iter();
         let durations: Vec<f64> = rejected.map(|r| r.to_s - r.from_s).collect();
         let usual = ranges(Kind::Walking, ADULT_KG.start, false).usual_duty;

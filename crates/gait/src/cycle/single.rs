@@ -77,7 +77,7 @@ fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Op
         let (stance, length) = strides[k];
         let before = k.checked_sub(1).map(|k| strides[k]);
         let before = before.filter(|(b, l)| (b.start_s + l - stance.start_s).abs() < 1e-9);
-        // The first stride of a run follows one like itself.
+        // Before the first stride of a sequence, an equal stride is assumed.
         let (last, last_s, since) = match before {
             Some((last, last_s)) => (last, last_s, t),
             None => (stance, length, t + length),

@@ -102,7 +102,7 @@ fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
         .into_iter()
         .max_by_key(|f| count(*f))
         .unwrap_or(None);
-    // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+    // If the sides are unknown, adjacent strides of the list alternate: every second one starts with the same foot.
     let mut end_s = f64::NEG_INFINITY;
     let reasons = strides.iter().map(|s| {
         let shared = || best.is_none() && s.start_s < end_s - 0.05 * (s.end_s - s.start_s);

@@ -40,7 +40,7 @@ impl Period {
 }
 
 /// Duration of a stride, and its source. The sources in order of preference: consecutive heel strikes of one foot, heel strikes marked in the file,
-/// heel markers, doubled steps, a known mass (impulse of both feet = M g T), a typical duty factor.
+/// heel markers. Then follow doubled steps, a known mass (impulse of both feet = M g T), and a typical duty factor.
 pub(super) fn stride_time(
     recording: &Recording,
     stances: &Stances,
@@ -56,7 +56,7 @@ pub(super) fn stride_time(
     }
     if let Some(mass) = recording.mass_kg {
         let period = impulse_ns / (mass * G);
-        // A stride shorter than its stance or longer than a pause tells of a wrong mass.
+        // A stride time shorter than the stance or longer than a pause indicates a wrong mass.
         let ratio = period / stance.duration_s;
         if ratio > 1.1 && ratio < ranges.stride_of_stance.end + 0.5 {
             return Period::alone(period, PeriodSource::Impulse);
@@ -81,7 +81,7 @@ fn strikes(
     let is_step = |s: f64| ranges.step_of_stance.contains(&(s / stance_s));
     let mut own: Vec<f64> = Vec::new();
     let mut steps: Vec<f64> = Vec::new();
-    // The step before, if the foot changed with it.
+    // Duration of the previous step, if the foot changed.
     let mut before = None;
     for w in falls.windows(2) {
         let time = w[1].start_s - w[0].start_s;

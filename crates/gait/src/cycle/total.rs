@@ -45,8 +45,8 @@ pub(super) fn total_stride(
 /// Minimum total force of a walker on the plates, as a fraction of the mean.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates from the first contact to the last one, if the plates carry the walker all the time. Feet may cross
-/// two plates, as on the belts of a treadmill. `None` otherwise.
+/// Averages the strides of the sum of all plates from the first to the last contact, if the plates carry the walker all the time. Feet may cross two
+/// plates, as on the belts of a treadmill. `None` otherwise.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
@@ -120,7 +120,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         STEP_S
     };
     let step_s = step_by_repetition(force, level, recording.rate_hz, &range)?;
-    // Half a step of mean leaves the first harmonic of the step, whatever humps a step has.
+    // A mean over half a step preserves the first harmonic of the step for any shape of its peaks.
     let half = ((0.5 * step_s * recording.rate_hz) as usize).max(1);
     let rises = rises(force, half, level, 0.25 * deviation);
     let steps: Vec<f64> = rises
@@ -144,7 +144,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         if !pair.iter().all(regular) {
             continue;
         }
-        // All in samples; the recording goes on beyond both ends.
+        // All values are in samples; the recording extends beyond both ends.
         let length = ends[2] - ends[0];
         let half = (BLEND * length).min(ends[0]).min(n - 1.0 - ends[2]);
         periodic(&mut row, ends[0], length, half, |t| at(force, t));
@@ -152,7 +152,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
         durations.push(pair[0] + pair[1]);
         strikes.push([0, 1, 2].map(|k| ends[k] / recording.rate_hz));
     }
-    // Three of four steps are regular, so that not every pair has one that is not.
+    // Three of four steps must be regular, so that not every pair contains an irregular one.
     let strides = durations.len();
     let source = CycleSource::TotalForce { strides };
     let from = PeriodSource::TotalForce;
@@ -171,7 +171,7 @@ const OTHER_SPEED: f64 = 0.15;
 /// Note if regular steps do not fill the whole duration, s, except one step at either end. Steps at another speed are missed or irregular.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
-    // Two steps at once are of this speed too: the rise between them was too small.
+    // Two steps in one also have this speed: the rise between them was too small to be detected.
     let doubled = (steps.iter()).filter(|s| (0.5 * *s / usual - 1.0).abs() < ODD_STEP);
     let used = regular().count();
     let stances = (duration_s / usual) as usize;
@@ -244,7 +244,7 @@ fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
         if low && before <= level && now > level {
             crossing = Some((i - 1) as f64 + (level - before) / (now - before));
         }
-        // The rise counts once the force is as far above.
+        // The rise is accepted once the force exceeds the level by the same margin.
         if low && now > level + margin {
             places.extend(crossing.take());
             low = false;

@@ -19,7 +19,7 @@ pub(super) fn warnings(
 ) -> Vec<Note> {
     let mut notes = Vec::new();
     if let CycleSource::AnyFoot { stances, .. } = cycle.source {
-        // What changes the whole curve comes before what was guessed.
+        // Notes on the whole curve precede notes on assumptions.
         notes.push(Note::OneFootForBoth { stances });
     }
     notes.extend(stances.notes.iter().cloned());
@@ -41,7 +41,7 @@ pub(super) fn warnings(
         let sum = used.iter().map(|s| of(s)).sum::<f64>();
         (!used.is_empty() && !total).then(|| sum / used.len() as f64)
     };
-    // Subjects of a table differ in mass; each has its own peak.
+    // The subjects of a table have different masses; each subject has a different peak.
     let peak_n = mean(Stance::peak_n).filter(|_| !recording.has_rows());
     let slow = recording.kind == Some(Kind::Walking);
     let ranges = ranges(cycle.kind, cycle.mass_kg, slow);
@@ -80,7 +80,7 @@ const ONE_SPEED: f64 = 0.05;
 /// Warning that the strides vary more than at a constant speed.
 fn varies(cycle: &Cycle) -> Option<Note> {
     let (period, spread) = (cycle.period.seconds, cycle.period.spread_s?);
-    // Steps of a limping walker differ, strides do not.
+    // The steps of a limping walker differ; the strides do not.
     let strides = cycle.period.from != PeriodSource::DoubledSteps;
     (strides && spread > ONE_SPEED * period).then(|| Note::StrideVaries {
         period: seconds(period),
@@ -113,7 +113,7 @@ const OFF: f64 = 0.1;
 /// Number of stances that counts as few.
 const FEW: usize = 6;
 
-/// Relative deviation of the impulse or the maximum force of a stance from the median.
+/// Maximum relative deviation of the impulse or the maximum force of a stance from the median.
 fn off_fellows(used: &[&Stance]) -> f64 {
     let worst = |of: fn(&Stance) -> f64| {
         let all: Vec<f64> = used.iter().map(|s| of(s)).collect();
@@ -142,7 +142,7 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
         let (l, r) = (impulse(&left), impulse(&right));
         2.0 * (l - r).abs() / (l + r)
     };
-    // Few stances have no average to hide in: one that is off its fellows is a partial contact.
+    // A stance that differs from a few others is a partial contact, because the mean of a few stances does not reduce its error.
     let few = (3..=FEW).contains(&used.len());
     let off = if few { off_fellows(used) } else { 0.0 };
     let differs = [(spread.max(feet), DIFFERENCE), (off, OFF)];
@@ -176,7 +176,7 @@ pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<
     if cycle.notes.iter().any(clock) {
         return Err(ForceError::ClockImplausible { period }.into());
     }
-    // Samples are counted in ones; so are milliseconds at 1000 Hz.
+    // Samples are counted in steps of one; so are milliseconds at 1000 Hz.
     if (step - 1.0).abs() < 1e-6 {
         let stride = period;
         cycle.notes.push(Note::CountOrMilliseconds { stride });

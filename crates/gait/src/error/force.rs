@@ -20,7 +20,7 @@ use crate::wording::{Catalogue, WORDS};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named for what they hold
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum ForceError {
     /// A cycle has fewer than four samples.
     FewSamples { samples: usize },

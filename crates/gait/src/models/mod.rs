@@ -50,7 +50,7 @@ pub fn model(
 ///
 /// # Errors
 ///
-/// Those of [`model`].
+/// The errors of [`model`].
 pub fn series(
     name: &str,
     step_frequency_hz: Option<f64>,
@@ -71,8 +71,8 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with a pair (aᵢ, pᵢ) of factor and phase, rad,
-/// for each of the harmonics 1, 2, …
+/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ)
+/// of factor and phase, rad.
 ///
 /// # Errors
 ///

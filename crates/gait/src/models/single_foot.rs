@@ -44,7 +44,7 @@ pub(super) fn iso_22675(t: f64) -> f64 {
     if !(0.0..=0.6).contains(&t) {
         return 0.0;
     }
-    let t = 1e3 * t; // the standard counts milliseconds
+    let t = 1e3 * t; // the formula of the standard is in milliseconds
     let powers = [
         3624.95690883228,
         1646.51497111425e-1,

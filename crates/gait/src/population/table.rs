@@ -56,7 +56,7 @@ pub struct WalkerRow {
     ///
     /// # Errors
     ///
-    /// A value that is not a number, or forces that do not form a cycle; the error contains the line.
+    /// A value is not a number, or the forces do not form a cycle; the error contains the line.
     pub walker: Result<Walker>,
 }
 
@@ -64,7 +64,7 @@ pub struct WalkerRow {
 ///
 /// # Errors
 ///
-/// The first row without a cycle; errors of [`read_rows`].
+/// The first row without a cycle, and errors of [`read_rows`].
 pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
     let rows = read_rows(path, bytes)?;
     rows.into_iter().map(|row| row.walker).collect()
@@ -74,7 +74,7 @@ pub fn read_table(path: &Path, bytes: &[u8]) -> Result<Vec<Walker>> {
 ///
 /// # Errors
 ///
-/// A missing column; a table without rows.
+/// A column is missing, or the table has no rows.
 pub fn read_rows(path: &Path, bytes: &[u8]) -> Result<Vec<WalkerRow>> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
@@ -147,7 +147,7 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
         let place = place.filter(|p| !cell(*p).is_empty());
         place.map(number).transpose()
     };
-    // The last sample is the first of the next cycle.
+    // The last sample is the first one of the next cycle.
     let places = &columns.force[..columns.force.len() - 1];
     let force: std::result::Result<Vec<f64>, ForceError> =
         places.iter().map(|p| number(*p)).collect();

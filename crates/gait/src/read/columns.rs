@@ -80,7 +80,7 @@ pub(super) fn role(name: &str) -> Role {
     if first_is(WEAK_TIME) || has(TIME) {
         return Role::Time;
     }
-    // A leading `%` of a header line is taken for a comment mark: `% of gait cycle` may arrive without it.
+    // A leading `%` of a header line is removed as a comment mark, so the name `% of gait cycle` may arrive without it.
     let is_bare = words
         .iter()
         .all(|w| is(w, "of") || is(w, CYCLE) || is(w, STANCE) || is(w, PERCENT));
@@ -153,7 +153,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
     }
     let axis = words.iter().rev().find_map(|w| Some((w, axis_letter(w)?)));
     if let Some((word, axis)) = axis {
-        // `HFx` is a marker, `LFz` a foot: a letter of its own before the component must be a side.
+        // `HFx` is a marker, `LFz` a foot: a separate letter before the component must be a side.
         let before = words.iter().rev().skip_while(|w| *w != word).nth(1);
         let marker = before.is_some_and(|b| {
             let lone = b.chars().count() == 1 && !b.starts_with(|c: char| c.is_ascii_digit());
@@ -165,7 +165,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
         let whole = word.len() > 1 && !word.starts_with('v');
         return (whole || named).then_some(axis);
     }
-    // `f1_3`: the third component of force 1.
+    // `f1_3` is the third component of force 1.
     if let [f, _, component] = words
         && is_force(f)
         && let Some(place) = ["1", "2", "3"].iter().position(|c| c == component)

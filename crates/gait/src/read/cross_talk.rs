@@ -56,7 +56,7 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
         return;
     }
     let mut clean: Vec<Vec<f64>> = channels.iter().map(|c| c.force_n.clone()).collect();
-    // A disturbing force is itself disturbed: the second round subtracts the clean one.
+    // A disturbing force is itself disturbed: the second iteration uses the corrected one.
     for _ in 0..2 {
         let before = clean.clone();
         for (i, shares) in all.iter().enumerate() {
@@ -132,7 +132,7 @@ fn found(
     let top = ends(other).map_or(0.0, |(_, top)| top);
     let pairs = x.iter().zip(&y);
     let product = pairs.map(|(x, y)| (x - mean_x) * (y - mean_y)).sum::<f64>() / x.len() as f64;
-    // The force of the other plate must rise and fall in these readings.
+    // The force of the other plate must vary sufficiently in these readings.
     if spread_x < VARIES * top || spread_y == 0.0 {
         return None;
     }

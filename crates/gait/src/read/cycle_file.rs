@@ -188,14 +188,15 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration according to the times in a file, if the given period (or the fraction that the span covers) differs from it by more than a sample.
+/// Duration according to the times in a file, if it differs from the given period by more than a sample. With a span, the fraction of the period that
+/// the span covers is compared.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
     };
     let covered = options.span_rad.map_or(period, |s| period * s / TAU);
     let (length, step) = (last - first, (last - first) / (times.len() - 1) as f64);
-    // The last sample may close the cycle or come a step before its end.
+    // The last sample may close the cycle or be one step before its end.
     let fits = covered > length - step && covered < length + 2.0 * step;
     (!fits && length > 0.0).then_some(length)
 }
@@ -207,7 +208,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     };
     let covered = options.span_rad.map_or(period, |s| period * s / TAU);
     let step = (last - first) / (times.len() - 1) as f64;
-    // A file that ends where it began, or that covers a span, holds both ends.
+    // A file whose times cover the whole period, or that covers a span, contains both ends.
     let holds_ends = options.span_rad.is_some() || ((last - first) / period - 1.0).abs() < 1e-6;
     let length = if holds_ends {
         last - first

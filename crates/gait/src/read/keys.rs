@@ -15,7 +15,7 @@ pub(super) struct Keys {
     pub rows: Option<usize>,
     /// Number of steps of a walker in the cycle.
     pub steps: Option<usize>,
-    /// Questions that are open about the recording of which the table is the mean cycle.
+    /// Open questions about the recording whose mean cycle the table contains.
     pub open: Vec<OpenQuestion>,
 }
 
@@ -54,7 +54,7 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
         };
         let says = |words: &str| words.split(' ').any(|w| key.contains(w));
         if (says("per_frame perframe") || key.contains("per frame")) && x > 0.0 {
-            // `SECONDS_PER_FRAME 0.01`, `time per frame [secs]: 0.01`.
+            // For example `SECONDS_PER_FRAME 0.01`, `time per frame [secs]: 0.01`.
             keys.rate_hz.get_or_insert(1.0 / x);
         } else if (says(RATE) || RATES.contains(&key)) && !says(NOT_SAMPLING) && x > 0.0 {
             keys.rate_hz.get_or_insert(x);

@@ -35,7 +35,7 @@ pub use text::{Cell, NumberTable, PlateFile, joined_plates, metadata_name, plate
 ///
 /// # Errors
 ///
-/// A file without vertical force; decreasing time; samples without a time base. The error contains file and line (or byte).
+/// The file has no vertical force; the time decreases; the samples have no time base. The error contains file and line (or byte).
 pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     check(options)?;
     if bytes.is_empty() {
@@ -79,7 +79,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {
         return Some(*kind);
     }
-    // UTF-16 has its byte-order mark; other text holds hardly any control characters, binary numbers many.
+    // UTF-16 has its byte-order mark. Other text contains hardly any control characters; binary numbers contain many.
     let wide = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
     let head = &bytes[..bytes.len().min(4096)];
     let control = |b: &&u8| **b < 9 || (14..32).contains(*b);

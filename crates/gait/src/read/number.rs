@@ -33,7 +33,7 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
             Some((x, length)) if length == b.len() => Field::Number(x),
             _ => long(b, comma),
         },
-        // The minus sign of Unicode.
+        // Minus sign of Unicode.
         Some(0xE2) if b.starts_with(b"\xE2\x88\x92") => match field(&b[3..], comma) {
             Field::Number(x) => Field::Number(-x),
             other => other,
@@ -107,7 +107,7 @@ fn long(b: &[u8], comma: bool) -> Field {
         .chars()
         .map(|c| match c {
             ',' if comma => '.',
-            'D' | 'd' => 'e', // Fortran
+            'D' | 'd' => 'e', // exponent in Fortran
             c => c,
         })
         .collect();

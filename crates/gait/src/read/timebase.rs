@@ -77,7 +77,7 @@ impl TimeBase {
         } else {
             usual
         };
-        // A gap may not call for more memory than the samples themselves do.
+        // A gap must not require more memory than the samples themselves.
         let slots = whole / step;
         if slots > 4.0 * n as f64 + 1000.0 {
             let (lost, whole) = (seconds(lost), seconds(whole));
@@ -141,7 +141,7 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     let twice = |s: &f64| (1.75..2.25).contains(s);
     let count = steps().filter(twice).count();
     let all = times.len() - 1;
-    // Most are even, and hardly any are double: not the steps of rounded times.
+    // Most steps are equal and hardly any are double, unlike the steps of rounded times.
     if count == 0 || 20 * count > all || steps().filter(even).count() + 2 * count < all {
         return None;
     }

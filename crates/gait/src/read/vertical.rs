@@ -152,14 +152,14 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
 
 /// Keeps one component: the one named vertical, otherwise the one with the largest load.
 pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
-    // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
+    // If plates have named components, a name without a component may be the name of a muscle (`L GRF`).
     if raw.iter().any(|r| r.axis != Axis::Vertical) {
         raw.retain(|r| r.axis != Axis::Vertical || says_vertical(&r.name));
     }
     let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let keep = if named {
-        // A column that is the only one of its owner and names no component, beside full triples,
-        // is a total or resultant only where it says vertical; the triples are then its parts.
+        // In addition to complete triples, a plate or foot may have a single column without a component. It is a total or resultant only if its name
+        // states that it is vertical. The triples are then its parts.
         Axis::Vertical
     } else {
         let present = |a: &Axis| raw.iter().any(|r| r.axis == *a);
@@ -191,7 +191,7 @@ fn swing(values: &[f64]) -> f64 {
     let Some((low, high)) = ends(&thin) else {
         return 0.0;
     };
-    // The resting level is zero unless the readings never come near it.
+    // The resting level is zero unless the readings never come near zero.
     let rest = low.max(0.0) + high.min(0.0);
     let mut reach = |q: f64| {
         let rank = ((thin.len() - 1) as f64 * q) as usize;
@@ -218,7 +218,7 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (Forc
     {
         return (unit, UnitSource::File);
     }
-    // An unloaded plate also reads a few newtons; body weights are accepted only with a mass.
+    // An unloaded plate also has readings of a few newtons; body weights are accepted only with a mass.
     if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
         let peak = newtons(peak);
         notes.push(Note::LowForce { peak });

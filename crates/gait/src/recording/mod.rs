@@ -221,7 +221,7 @@ impl Recording {
     pub fn add_plates(&mut self, other: Recording) {
         let low = |n: &Note| matches!(n, Note::LowForce { .. });
         let is_low = |notes: &[Note]| notes.iter().any(low);
-        // The force of a plate that nobody stepped on does not show the unit.
+        // The force of an unloaded plate does not determine the unit.
         let loaded = !(is_low(&self.notes) && is_low(&other.notes));
         let new = other.notes.into_iter().filter(|n| !self.notes.contains(n));
         let new: Vec<Note> = new.collect();

@@ -11,7 +11,7 @@ use super::unit::ForceUnit;
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
 
-/// Force component in the axes of a file.
+/// Component of the force in the axes of a file.
 ///
 /// ```
 /// use gaitcam_gait::{Axis, Note};
@@ -46,7 +46,7 @@ pub enum Axis {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // fields are named for what they hold
+#[allow(missing_docs)] // the fields are named in the messages
 pub enum Note {
     /// The number of rows announced in the header is wrong.
     RowsDiffer { announced: usize, found: usize },
@@ -207,7 +207,7 @@ pub enum Note {
     FewAlike { used: usize, stances: usize },
     /// The stances or feet differ more than those of one walker with whole contacts.
     StancesDiffer { share: Quantity, most: Quantity },
-    /// The mean is computed from the total of both feet in one column.
+    /// The mean cycle is computed from the total of both feet in one column.
     TotalColumn,
     /// Feet cross plates, so the forces of all plates were added.
     PlatesSummed { plates: usize },
@@ -235,7 +235,7 @@ pub enum Note {
 pub enum WeightShare {
     /// Both feet carry the whole weight.
     Whole,
-    /// Foot with half of the weight.
+    /// One foot carries half of the weight.
     Half,
 }
 
@@ -371,7 +371,7 @@ impl PeriodSource {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
-#[allow(missing_docs)] // counts of strides or stances
+#[allow(missing_docs)] // numbers of strides or stances
 pub enum CycleSource {
     /// Whole strides of both feet, between heel strikes of one foot.
     WholeStrides { strides: usize, from: Option<Foot> },

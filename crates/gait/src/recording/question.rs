@@ -3,7 +3,7 @@
 use super::{Note, OpenQuestion};
 
 impl Note {
-    /// Question that the note raises; `None` if it only informs.
+    /// Question that the note raises; `None` if it raises no question.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         Some(self.question()?.0)
     }
@@ -38,7 +38,7 @@ impl Note {
             Note::StrideAssumed { .. } => (Clock, &["gait.mass", "gait.period", "gait.span"]),
             Note::StrideImplausible { .. } => (Clock, &["gait.rate", "gait.kind"]),
             Note::StrideVaries { .. } => (Clock, &["gait.file"]),
-            // Two blocks of speed: nothing says which one is meant.
+            // With two groups of stances of different speeds, the requested speed is unknown.
             Note::SpeedChanges { used, stances, .. } if 3 * used < 2 * stances => {
                 (Clock, &["gait.file"])
             }

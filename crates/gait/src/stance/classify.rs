@@ -11,7 +11,7 @@ use crate::units::G;
 const LONGEST_RUNNING_S: f64 = 0.5;
 /// Ratio of a contact's duration to the typical duration above which it includes more than one step.
 const LONG: f64 = 1.5;
-/// As the preceding ratio, for a contact whose force has more peaks than that of one foot.
+/// The same ratio for a contact whose force has more peaks than that of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact of both feet with three or more peaks, s.
 const TWO_STEPS_S: f64 = 0.8;
@@ -155,7 +155,7 @@ fn too_long(
 ) -> Option<RejectReason> {
     let longest = if usual.slow { SLOW_STEP_S } else { STANDING_S };
     if duration > longest {
-        // A standing person's load does not come in humps.
+        // The load of a standing person has no separate peaks.
         let walks = !usual.insoles && shape.humps >= 3 && usual.main.len() >= 3;
         return Some(if walks {
             RejectReason::CrossOver
@@ -168,7 +168,7 @@ fn too_long(
         return Some(RejectReason::CrossOver);
     }
     let alone = usual.main.len() < 3 && duration > TWO_STEPS_S;
-    // Double support in the middle, where one foot has its valley.
+    // Double support in the middle of the contact, where the force of one foot has its valley.
     if shape.peaks_in_the_middle && duration > TWO_STEPS_S && !usual.slow {
         return Some(RejectReason::CrossOver);
     }

@@ -91,13 +91,13 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
             _ => found.push(contact),
         }
     }
-    // Ripples of the unloaded plate just above the threshold are not contacts.
+    // Fluctuations of the unloaded plate just above the threshold are not contacts.
     found.retain(|c| c.peak_n > 2.0 * on || c.duration_s() > TOUCH_S);
     found
 }
 
-/// Whether a contact at the start of a recording is complete: the first sample is just above the threshold and the force rises fast (heel strike).
-/// For reversed samples: whether a contact at the end is complete (toe-off).
+/// Whether a contact at the start of a recording is complete. It is complete if the first sample is just above the threshold and the force rises fast
+/// (heel strike). For reversed samples: whether a contact at the end is complete (toe-off).
 fn lands<'a>(force: impl Iterator<Item = &'a f64>, on: f64, rate_hz: f64) -> bool {
     let samples = ((LANDING_S * rate_hz) as usize).max(2);
     let first: Vec<f64> = force.take(samples + 1).copied().collect();

@@ -113,7 +113,7 @@ fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
         let crosses =
             |r: &&Rejected| matches!(r.reason, RejectReason::TwoPlates | RejectReason::CrossOver);
         out.recognised = if out.used.is_empty() {
-            // Feet that cross between belts walk, although no stance is whole.
+            // Feet that cross between belts belong to a walking person, although no stance is whole.
             let crossed = out.rejected.iter().filter(crosses).count() >= 3;
             (!crossed)
                 .then(|| without_stance(contacts, recording))

@@ -9,7 +9,7 @@ use crate::statistics::median;
 const ONE_SPEED: f64 = 0.1;
 /// Fraction of stances outside this range above which the speed changes.
 const OUTSIDE: f64 = 0.15;
-/// Minimum number of stances that show a change of speed.
+/// Minimum number of stances for detecting a change of speed.
 const FEWEST: usize = 8;
 /// Quantities that identify outliers.
 type Measure = fn(&Stance) -> f64;
@@ -25,7 +25,7 @@ const COMPARABLE: usize = 4;
 /// Number of intervals between strikes whose median is the local stride time. A foot that crosses plates affects two of them.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances whose duration is that of most stances, and notes it if the others have another speed. If all strides have one speed, the others
+/// Keeps the stances whose duration is that of most stances. Adds a note if the others have another speed. If all strides have one speed, the others
 /// are contacts of a part of the foot, or of both feet.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
@@ -121,7 +121,7 @@ pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
                 .any(|&(of, most, usual)| off(of, usual) > most)
         };
         let unlike: Vec<usize> = own.iter().copied().filter(is_unlike).collect();
-        // If most differ there is no typical stance.
+        // If most stances differ, there is no typical stance.
         if 2 * unlike.len() <= own.len() {
             for i in unlike {
                 used[i].unlike = true;

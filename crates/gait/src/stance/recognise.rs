@@ -33,8 +33,8 @@ const LANDING: f64 = 1.6;
 /// Maximum time to the impact of a landing from a height, s. It is before the push-off of the shortest contact in walking (0.76 of `BRISK_S`, 0.32
 /// s). In synthetic landings it is 0.06 s; measured landings were not available.
 const IMPACT_S: f64 = 0.25;
-/// Ratio of the impact and the mean of its contact: above that of the fastest walking (1.67 at 1.7 to 2.3 m/s, Pataky et al. 2008) and below that of
-/// synthetic landings, 2.6 to 3.6.
+/// Ratio of the impact and the mean of its contact, above which the contact is a landing. The fastest walking has 1.67 (1.7 to 2.3 m/s, Pataky et al.
+/// 2008), synthetic landings have 2.6 to 3.6.
 const DROP: f64 = 1.9;
 /// Fraction of a contact before which the first peak of a landing occurs; in walking it occurs between 0.18 and 0.3.
 const EARLY: f64 = 0.155;
@@ -92,12 +92,12 @@ pub(super) fn ballistic(
     if runs {
         return Some(Kind::Running);
     }
-    // Few contacts do not show a rhythm: one that rises at once is the landing of a jump on one leg.
+    // Few contacts do not show a rhythm: a contact whose force rises immediately is the landing of a jump on one leg.
     let lands = |(_, s): &(&Contact, &Shape)| s.p1.at < EARLY;
     if main.len() <= FEW && !main.is_empty() && main.iter().all(lands) {
         return Some(Kind::Jumping);
     }
-    // Hops on one spot: as long as steps, but each a single sharp hump.
+    // Hops on the spot: as long as steps, but each with a single sharp peak.
     (peaked && main.len() >= 2).then_some(Kind::Jumping)
 }
 
@@ -126,7 +126,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     if steady(&levels) {
         return Some(Kind::Standing);
     }
-    // Two sustained levels: seated and standing.
+    // Two constant levels: seated and standing.
     let (low, high) = (at(0.08), at(0.9));
     let near = |x: f64| {
         let close = levels.iter().filter(|l| (*l - x).abs() < 0.15 * high);
@@ -162,7 +162,7 @@ fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
         let next = main[i + 1..].iter().find(|(b, _)| b.channel == a.channel);
         if let Some((b, _)) = next {
             let stride = b.start_s - a.start_s;
-            // A pause is not a swing.
+            // A pause is not a swing phase.
             if stride < 3.5 * a.duration_s().max(0.15) {
                 all.push((a.duration_s() / stride, stride));
             }
@@ -226,7 +226,7 @@ fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     let alike = |a: &Contact, b: &Contact| {
         (a.start_s - b.start_s).abs() < TOGETHER_S && (a.end_s - b.end_s).abs() < 2.0 * TOGETHER_S
     };
-    // Contacts stand in order of time, so the partner is near the same place of the list.
+    // Contacts are in order of time, so the index of the partner is close in the list.
     let mut from = 0;
     let mut together = 0;
     for a in &left {

@@ -57,7 +57,7 @@ impl From<&Stance> for Footfall {
 impl Stances {
     /// Whole stance of a footfall; `None` if the contact was rejected.
     pub(crate) fn at(&self, fall: &Footfall) -> Option<&Stance> {
-        // A rejected contact may start with a stance of its channel.
+        // A rejected contact may start at the same time as a stance of its channel.
         let accepted = fall.rejected.is_none();
         let after = self.used.partition_point(|s| s.start_s < fall.start_s);
         let same = |s: &&Stance| s.start_s == fall.start_s;
@@ -99,7 +99,7 @@ pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> 
     } else {
         (0.15, 0.3..1.2)
     };
-    // Both feet of a runner in one column: no foot lands again after less than its stance.
+    // Both feet of a runner in one column: the same foot does not land again within the duration of a stance.
     let alternate = pause < ALTERNATE * duration;
     if pause < next * duration && (alternate || !(runs && a.channel == b.channel)) {
         return Some(false);

@@ -131,7 +131,7 @@ pub enum RejectReason {
     Jumping,
     /// The contact is cross-talk from the force of a foot on another plate.
     CrossTalk,
-    /// A whole stance at a speed that differs from that of most stances.
+    /// The stance is whole, but its speed differs from that of most stances.
     OtherSpeed,
     /// The contact is too long for a step.
     Standing,

@@ -38,14 +38,14 @@ pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Derivative of the given order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1, from (aₕ, bₕ), h = 1 … < n/2. It is exact to rounding
-/// relative to the maximum value.
+/// Derivative of the given order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1, from (aₕ, bₕ), h = 1 … < n/2. It is exact up to rounding
+/// errors relative to the maximum value.
 pub fn samples(terms: &[(f64, f64)], order: u32, n: usize) -> Vec<f64> {
     debug_assert!(2 * terms.len() < n);
     let fft = inverse(n);
     let mut spectrum = fft.make_input_vec();
     for (h, &(a, b)) in (1..).zip(terms) {
-        // a cos + b sin = Re((a − ib) e^{ihθ}); the transform adds the conjugate by itself.
+        // a cos + b sin = Re((a − ib) e^{ihθ}); the transform adds the conjugate.
         spectrum[h] = Complex64::new(0.5 * a, -0.5 * b) * Complex64::new(0.0, h as f64).powu(order);
     }
     let mut out = fft.make_output_vec();

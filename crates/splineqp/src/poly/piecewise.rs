@@ -259,7 +259,7 @@ impl PiecewisePoly {
             low: start,
             high: start,
         };
-        // Ends first: a piece whose hull lies between their extremes contains no extreme.
+        // The ends are evaluated first: a piece whose hull lies between their extremes contains no extreme.
         let (mut lowest_end, mut highest_end) = (start.value, start.value);
         for b in self.coef.chunks_exact(self.degree + 1) {
             for end in [b[0], b[self.degree]] {

@@ -10,7 +10,7 @@ const DEGREE: usize = 12;
 const MAX_HALVINGS: u32 = 30;
 /// Maximum number of parts of one piece. A cusp needs one part per halving; noise would need any number.
 const MOST_PARTS: usize = 512;
-/// Fraction of the scale below which last coefficients that halving does not reduce are rounding noise of the function.
+/// Fraction of the scale below which the last coefficients are rounding noise of the function, if halving does not reduce them.
 const NOISE: f64 = 1e-9;
 
 /// Piecewise polynomial that agrees with `f` to about `tolerance` times the scale of `f` on every interval of `breaks`. `f` must be smooth between
@@ -25,8 +25,8 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     joined(&transform, breaks, tolerance, 0.0, &first, f)
 }
 
-/// Interpolants of several functions that are computed together. `terms` contains the sizes of the large terms of which each function is a
-/// difference, because their rounding errors limit the accuracy.
+/// Interpolants of several functions that are computed together. Each function is a difference of large terms. `terms` contains the sizes of these
+/// terms, because their rounding errors limit the accuracy.
 pub fn stand_ins_for_differences(
     breaks: &[f64],
     tolerance: f64,
@@ -65,8 +65,8 @@ fn joined(
 ) -> PiecewisePoly {
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
-    // The scale of the whole function comes first: relative to its own scale, a piece that is only rounding (a dwell) would be
-    // halved without end.
+    // The scale of the whole function is determined first. Relative to its own scale, a piece that contains only rounding errors (a dwell) would be
+    // halved up to the maximum depth.
     let sizes = first.iter().flatten().map(|value| value.abs());
     let mut scale = sizes.filter(|s| s.is_finite()).fold(terms, f64::max);
     for (piece, (w, values)) in breaks.windows(2).zip(first).enumerate() {

@@ -10,7 +10,7 @@ const POINTS_PER_WAVE: usize = 16;
 const FEWEST_POINTS: usize = 64;
 /// Maximum number of steps within a cell. Newton's method needs three or four; bisection needs all of them.
 const STEPS: usize = 40;
-/// Newton step, rad, below which a parabola gives the value of the maximum to rounding.
+/// Newton step, rad, below which a parabola gives the value of the maximum up to rounding errors.
 const FLAT: f64 = 1e-5;
 
 /// Values and two derivatives at `x` of sums with equal numbers of terms.
@@ -43,8 +43,8 @@ fn grid_for(harmonics: usize) -> usize {
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Minimum and maximum, exact to rounding: Newton's method in every candidate cell of the grid. Between grid points, the sum exceeds the higher end
-/// value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
+/// Minimum and maximum, exact up to rounding errors: Newton's method in every candidate cell of the grid. Between grid points, the sum exceeds the
+/// higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
@@ -147,7 +147,7 @@ impl Search<'_> {
             let [value, slope, bend] = sum.map(|f| self.sign * f);
             let newton = -slope / bend;
             if bend < 0.0 && newton.abs() < FLAT {
-                // The parabola's error is below rounding.
+                // The error of the parabola is below rounding errors.
                 self.take(value + 0.5 * newton * slope, x + newton);
                 return;
             }

@@ -178,8 +178,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables; for a lift measured from the touching angle,
-    /// the bound of its increase.
+    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables. For a lift measured from the touching angle,
+    /// it is the bound of the increase.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
@@ -229,7 +229,7 @@ impl<N: Names> Program<N> {
         extra
     }
 
-    /// Whether H is zero for constant functions. Example: on a moving axis the force does not depend on the level of the lift.
+    /// Whether H is zero for constant functions. On a moving axis, for example, the force does not depend on the level of the lift.
     pub fn constant_is_free(&self) -> bool {
         let energy = match self.basis {
             Basis::Spline { .. } => self.hessian.sum(),

@@ -178,12 +178,12 @@ impl Curve {
             });
             return;
         }
-        // Where the curve goes on over a break, its piece's end is a maximum only if the neighbour's is;
-        // of two such ends the left one counts.
+        // If the curve is continuous over a break, the end of a piece is a maximum only if the end of its neighbour is one. Of two such ends, the
+        // left one is used.
         let n = b.len();
         let climbs_on = piece + 1 < self.spans && n > 1 && {
             let next = self.on(piece + 1, &mut beside);
-            // A crest on the break itself may seem to climb on, by rounding.
+            // Because of rounding, the curve may appear to rise beyond a maximum on the break.
             let flat = bernstein::rounding(next);
             joins(b[n - 1], next[0], level) && next[1] > next[0] + flat
         };
@@ -239,7 +239,7 @@ fn fill(
     let mut begin = 0;
     while begin < spans.len() {
         let first = space.index(begin, 0);
-        // Spans that look alike, each one coefficient further on.
+        // Consecutive spans with equal weights, each shifted by one coefficient.
         let alike = (spans[begin..].iter().enumerate()).take_while(|(i, span)| {
             span.matrix() == spans[begin].matrix()
                 && span.first == spans[begin].first + i

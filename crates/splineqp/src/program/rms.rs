@@ -80,7 +80,7 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// Active rows of a similar program as initial rows of this one: contacts of limits, whose bounds and sizes may differ, and tangents of
+    /// Active rows of a similar program as initial rows of this one. They are contacts of limits, whose bounds and sizes may differ, and tangents of
     /// root-mean-square limits.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
         let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());

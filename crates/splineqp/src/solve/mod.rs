@@ -59,7 +59,7 @@ impl<N: Names> Program<N> {
             return None;
         }
         let mut solution = exchange::solve(self).ok()?;
-        // The room that the rows keep is not part of the law's own peak.
+        // The margin of the rows is not part of the peak of the law.
         solution.extra[PEAK] = 0.0;
         solution.extra[PEAK] = self.own_peak(&solution.x, &solution.extra);
         solution.violation = self.violation(&solution.x, &solution.extra);
@@ -67,7 +67,7 @@ impl<N: Names> Program<N> {
     }
 
     fn solved(&self) -> Result<Solution<N>, Failure<N>> {
-        // A range of free place adds an unknown: first solve without it, and keep that solution where it fits into the range.
+        // A range with free position adds an unknown. The program is first solved without it; this solution is kept if it fits into the range.
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
             let windows = self.windows(&solution.x);

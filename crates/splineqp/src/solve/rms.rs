@@ -1,4 +1,4 @@
-//! Limit on a root mean square √(2 q), satisfied to rounding by a search for a weight or a peak.
+//! Limit on a root mean square √(2 q), satisfied up to rounding errors by a search for a weight or a peak.
 //!
 //! **Start.** With the limit as a cone, the interior-point method gives the law to about 1e-6, and the multiplier of the limit. This is sufficient
 //! for the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law with the minimum root mean
@@ -8,10 +8,10 @@
 //! x(μ) is the optimum with √(2 q) ≤ `most`, and μ·most is the multiplier of the tangent: the gradient of J and the active rows sum to −μ∇q (Boyd and
 //! Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies, and the certificate needs one more row.
 //!
-//! **Peak.** If J is only a peak t, q is minimised with t ≤ p, and the p is searched for which the minimum is the permitted value. The optimum is the
-//! same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force error as
-//! its objective. If the other limits alone determine the minimum peak, the feasible set just above it is as small as rounding errors. The search
-//! then ends, with the certificate of the minimum peak without the limit on q.
+//! **Peak.** If J is only a peak t, q is minimised with t ≤ p. The search determines the p for which the minimum is the permitted value. The optimum
+//! is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force
+//! error as its objective. If the other limits alone determine the minimum peak, the feasible set just above this minimum is as small as the rounding
+//! errors. The search then ends, with the certificate of the minimum peak without the limit on q.
 //!
 //! Between two iterates, the law is interpolated to the permitted value of q, where all limits hold. With interpolated weight and multipliers, the
 //! remaining gradient is t(1 − t) Δμ Δ∇q, which is of second order.
@@ -75,7 +75,7 @@ pub fn solve<N: Names>(
             Some(number) => search.at(number)?,
             None => match search.without_limit() {
                 Ok(plain) if limit.excess(&plain.x) <= 0.0 => return Ok(plain),
-                // Without the limit the objective may have no least value.
+                // Without the limit, the objective may be unbounded.
                 Ok(_) | Err(Failure::Numerical { .. }) => search.of_the_nearest()?,
                 Err(failure) => return Err(failure),
             },
@@ -178,7 +178,7 @@ impl<'a, N: Names> Search<'a, N> {
                 });
             }
         }
-        // A law that keeps all limits, without a proof, is more than none: that of the limit as a cone, or the nearest, without a size.
+        // A law that satisfies all limits is useful even without a proof: the law of the cone program, or the nearest law, without a size.
         let mut near = self.nearest()?;
         near.active.clear();
         near.extra[PEAK] = self.program.own_peak(&near.x, &near.extra);
@@ -198,7 +198,7 @@ impl<'a, N: Names> Search<'a, N> {
         Tried {
             number,
             weight,
-            // A law without an error is as good as a very small one.
+            // An error of zero is treated as a very small one, because its logarithm is infinite.
             excess: libm::log((1.0 + self.limit.excess(&solution.x)).max(SMALL)),
             solution,
         }
@@ -285,7 +285,7 @@ impl<'a, N: Names> Search<'a, N> {
                 }
             }
             let next = match self.at(number) {
-                // The other limits leave no law of so small a peak, or rounding ended the solver here.
+                // Either the other limits are infeasible with such a small peak, or rounding errors stopped the solver.
                 Err(failure) if self.may_differ_beside(&failure) => {
                     step *= 0.25;
                     continue;
@@ -356,7 +356,7 @@ impl<'a, N: Names> Search<'a, N> {
         let pairs = other.x.iter().zip(&out.x);
         let way: Vec<f64> = pairs.map(|(a, b)| a - b).collect();
         let (slope, bent) = limit.half.along(&out.x, &way);
-        // ½ bent t² + slope t = room.
+        // Root of ½ bent t² + slope t = room.
         let room = 0.5 * limit.most.powi(2) - limit.half.value(&out.x);
         let root = (slope * slope + 2.0 * bent * room).max(0.0).sqrt();
         let part = 2.0 * room / (slope + root);

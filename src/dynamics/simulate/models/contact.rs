@@ -157,7 +157,7 @@ fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) 
             sums.see(force, torque);
             x = next;
         }
-        // The end of a stretch, seen from inside: at a landing or lift-off the force steps.
+        // End of a phase, evaluated from inside: the force jumps at a landing or lift-off.
         let (force, torque) = state(b - 1e-12 * (b - a));
         sums.see(force, torque);
     }

@@ -21,7 +21,7 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         out.notes.push(RunNote::FlexibleAtMeanSpeed);
     }
     let n = p.nodes.len();
-    // Most rows' angles are among the breaks of the forcing; the others all but touch one.
+    // The angles of most rows are breaks of the input; the other rows nearly coincide with one.
     let last = steady.theta.len() - 1;
     let (mut forces, mut heights, mut outputs) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..n {

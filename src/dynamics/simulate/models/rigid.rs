@@ -115,7 +115,7 @@ fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     }
     if !machine.floor.is_empty() {
         out.floor = Some(FloorMotion::of(&machine.floor));
-        // It is that of a stiff floor.
+        // The lift-off speed is valid only for a rigid floor.
         out.liftoff_speed = None;
     }
     p.fill(input, &mut out, &forces, &vec![0.0; forces.len()]);

@@ -1,9 +1,9 @@
 //! Double-harmonic family: one rise, one fall and a dwell (Campillo de Blas 2017), with the best approximation of the force.
 //!
 //! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start and the angles of rise
-//! and fall are searched: on a grid over the whole turn, then by the Nelder–Mead method from the best grid points. The last digits of a sine differ
-//! between platforms. The number of steps is therefore fixed and the resulting angles are rounded, so that a scene gives the same law on every
-//! platform.
+//! and fall are searched. The search uses a grid over the whole turn, then the Nelder–Mead method from the best grid points. The last digits of a
+//! sine differ between platforms. The number of steps is therefore fixed and the resulting angles are rounded, so that a scene gives the same law on
+//! every platform.
 
 mod projection;
 
@@ -37,10 +37,10 @@ const ROUGH: u64 = 25;
 const FINALISTS: usize = 2;
 /// Number of iterations of the continued searches.
 const ITERATIONS: u64 = 60;
-/// Number of parts of a turn to which the angles are rounded: 6 µrad, more than the rounding errors of the search and less than the accuracy of
-/// manufacturing.
+/// Number of parts of a turn to which the angles are rounded. One part is 6 µrad: more than the rounding errors of the search, and less than the
+/// accuracy of manufacturing.
 const PARTS: f64 = 1_048_576.0;
-/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell both are
+/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell, both are
 /// the same law.
 const TIE: f64 = 1e-9;
 /// Initial size of the simplex, rad: one step of the grid.

@@ -87,7 +87,7 @@ impl Projection {
     }
 
     fn fit(&self, of: &Means) -> Nearest {
-        // With the mean of the force, for a law whose rest is at 0.
+        // Product with the mean of the force, for a law whose dwell is at 0.
         let product = of.product + self.mean * of.mean;
         let at_zero = |lifts: [f64; 2]| self.along(product, of.square, 0.0, lifts);
         let spring = self.weights[0];
@@ -109,7 +109,7 @@ impl Projection {
                 square: (rest - lift * (2.0 * of.product - lift * alone)).max(0.0),
             };
         }
-        // The law would dip below its base circle: it rests on it, or turns on it.
+        // The law would be below its base circle: its dwell or its minimum is placed on the base circle.
         let rests = at_zero([0.0, self.stroke]);
         let turns = self.along(
             product - spring * self.mean,
@@ -274,7 +274,7 @@ impl Motion {
     /// Mean square of the force over a turn, N².
     fn square(&self) -> f64 {
         let [(c0, _), (c1, d1), (c2, d2)] = self.terms;
-        // Over half a wave the products of sines with cosines stay.
+        // Over half a period, the products of sines with cosines remain.
         let squares = c0 * c0 + 0.5 * (c1 * c1 + d1 * d1 + c2 * c2 + d2 * d2);
         let mixed = c0 * d1 * 2.0 + c1 * d2 * (4.0 / 3.0) - d1 * c2 * (2.0 / 3.0);
         (squares + mixed * 2.0 / PI) * self.angle / TAU

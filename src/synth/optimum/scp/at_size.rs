@@ -17,7 +17,7 @@ impl AtSize {
     /// Creates the limits for a program. If the size is a variable of the program, the size in `limits` is ignored.
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
         let mut present = program.present();
-        // An offset that a limit holds is given.
+        // An offset that is fixed by a limit counts as given.
         let holds = |l: &Limit| l.is_on_variables_alone() && l.extra[OFFSET] != 0.0;
         present[OFFSET] &= !program.limits.iter().any(holds);
         AtSize {

@@ -1,4 +1,4 @@
-//! Final law of a sequence, which satisfies the limits to rounding.
+//! Final law of a sequence, which satisfies the limits up to rounding errors.
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised};
@@ -10,7 +10,7 @@ use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TO
 /// Maximum number of linearisations for the final law.
 const HELD_ROUNDS: usize = 6;
 
-/// Optimum near the last law that satisfies the limits to rounding, or at a slightly larger size.
+/// Optimum near the last law that satisfies the limits up to rounding errors, or at a slightly larger size.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -21,9 +21,9 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
     (found.violation < current.violation).then_some(found)
 }
 
-/// Law nearest to the last one that satisfies the limits to rounding, at a slightly larger size.
+/// Law nearest to the last one that satisfies the limits up to rounding errors, at a slightly larger size.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
-    // A given size stays as it is.
+    // A given size remains unchanged.
     let free = at_size.free();
     let at_size = at_size.held();
     let size = at_size.of(current).size();
@@ -35,7 +35,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
     let mut near = program.clone();
     let mut about = current.clone();
     if near.hessian.largest_diagonal() == 0.0 {
-        // A peak has no distance of its own, and rises by what the law moves.
+        // A peak as objective has no quadratic distance, so one is added. Its rows are removed, because the peak increases with the law.
         let mut distance = Quadratic::zero(&program.basis);
         for order in [0, 2] {
             distance.add_energy(&program.basis, order, program.length.powi(-2));
@@ -44,7 +44,7 @@ pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<S
         let of_peak = |row: &Row| row.extra[PEAK] != 0.0;
         about.active.retain(|row| !of_peak(row));
     }
-    // Nearest to the law at hand, so that the linearised curvature stays true.
+    // The nearest law to the present one, so that the linearised curvature remains accurate.
     let pulled = near.hessian.times(&current.x[..near.basis.columns()]);
     near.gradient = pulled.iter().map(|g| -g).collect();
     let sized = about.clone();

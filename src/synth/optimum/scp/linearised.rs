@@ -119,7 +119,7 @@ pub fn linearised(
 /// Points of linearisation of a law: a grid, minima of h between the grid points, and the contacts of the last program.
 fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLimits) -> Vec<Peak> {
     let mut places = grid(program);
-    // The rows of the grid bound h between them only to second order; its own low points are rows too.
+    // The rows of the grid bound h between their points only to second order, so the minima of h also become rows.
     for curve in relative(law, limits) {
         let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
         places.extend(low.into_iter().map(|dip| {
@@ -127,7 +127,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
             Peak::place(piece, u, dip.at)
         }));
     }
-    // A minimum moves from one law to the next: rows on both sides of a contact enclose it as in a secant method.
+    // A minimum moves from one law to the next: rows on both sides of a contact bracket it, as in a secant method.
     let touched = current.active.iter().filter(|r| r.limit.is_none());
     for peak in touched.map(|r| r.peak) {
         let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;

@@ -1,8 +1,8 @@
-//! Non-convex limits of a law, by a sequence of convex programs with feasible iterates: curvature of a roller cam, and curvature and pressure angle
-//! of followers on an arm.
+//! Non-convex limits of a law, by a sequence of convex programs with feasible iterates. The limits are the curvature of a roller cam, and curvature
+//! and pressure angle of followers on an arm.
 //!
-//! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f, the radius of curvature of the pitch curve is nowhere below ρ if h = w^{3/2}/ρ −
-//! (w + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero, and the convex
+//! Let X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f. The radius of curvature of the pitch curve is nowhere below ρ if h = w^{3/2}/ρ − (w
+//! + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero, and the convex
 //! program is solved again. The step is then shortened until h ≥ 0 over the whole turn; convex limits hold along the whole step. If a full step
 //! violates h, the limit is first linearised again at its end (second-order correction). The step is shortened only if this fails.
 //!
@@ -31,11 +31,12 @@ use crate::synth::qp::{Program, Solution, TOLERANCE};
 use crate::synth::report::method::Ended;
 use crate::synth::report::solver::Step;
 
-/// Tolerance of the limits between steps. The final law is solved to rounding.
+/// Tolerance of the limits between steps. The final law is solved up to rounding errors.
 const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 
-/// Sequence of convex programs from the best feasible point that the `starts` lead to, until no step improves the objective or the law is good
-/// `enough`. Starts satisfy the convex limits, except those on the size. If the size is a variable of the program, the size in `limits` is ignored.
+/// Sequence of convex programs, from the best feasible point reached from the `starts`. It ends when no step improves the objective or the law is
+/// good `enough`. Starts satisfy the convex limits, except those on the size. If the size is a variable of the program, the size in `limits` is
+/// ignored.
 ///
 /// Returns the last solution with its size, the steps, and the reason for the end; `None` if no feasible start was found.
 pub fn refine(
@@ -44,14 +45,14 @@ pub fn refine(
     limits: NonconvexLimits,
     enough: impl Fn(&Solution) -> bool,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
-    // Between steps limits need not hold better than the next step will change them.
+    // Between the steps, a coarser tolerance than the change by the next step is sufficient.
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;
     let program = &program;
     let at_size = AtSize::new(limits, program);
     let start = start::best(program, starts, &at_size)?;
     let (mut current, steps, ended) = descended(program, start, &at_size, enough);
-    // A start without steps needs no last program if it keeps the convex limits to rounding.
+    // A start without steps needs no final program if it satisfies the convex limits up to rounding errors.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact =
         || held(program, &current, &at_size).or_else(|| resolved(program, &current, &at_size));

@@ -61,7 +61,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         let mut next = program.clone();
         next.fixed = match at_size.of(&current).profile {
             Some(Profile::Roller(size)) => {
-                // The sufficient restriction covers the curvature, not the loads.
+                // The sufficient restriction includes the curvature, not the loads.
                 let mut rows = linearised(program, &current, at_size, &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
@@ -109,7 +109,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
             }
             Some(found) => {
                 (current, reached) = (found, share);
-                // A share that failed before is tried again after two that served.
+                // A fraction that failed is tried again after two successful ones.
                 step *= if again { 2.0 } else { 0.5 };
                 again = true;
             }
@@ -137,7 +137,7 @@ fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -
         for k in SIZES {
             target.extra[k] = before.extra[k];
         }
-        // Where the whole step overshoots, the part of it that comes nearest.
+        // If the whole step overshoots, the fraction with the largest clearance is used.
         let part = |part: f64| {
             let some = blend(&trial, &target, part, &near);
             (at_size.clear(program, &some), some)
@@ -164,7 +164,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near.limits.retain(|l| !l.is_on_variables_alone());
     let mut near = sizes::held(&near, before, 0.0);
     near.settings.tolerance = program.settings.tolerance;
-    // The peak is a variable without cost here.
+    // The peak is a variable without a cost in this program.
     let peak = (program.cost[PEAK] * before.extra[PEAK]).abs();
     let weight = if peak > 0.0 { HEAVY * peak } else { 1.0 };
     let mut distance = Quadratic::zero(&program.basis);

@@ -89,7 +89,7 @@ pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut
     } else {
         let radius = |s: &Solution| at_size.of(s).size().prime_radius();
         let shrinks = 1.0 - radius(&target) / radius(current);
-        // NaN without a size: then the reach stays as it is.
+        // Without a size the value is NaN, and the reach remains unchanged.
         *reach = 0.5 * shrinks.min(*reach).max(0.0);
         let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
         match shortened(program, current, &target, at_size, least) {

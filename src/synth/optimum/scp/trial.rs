@@ -12,7 +12,7 @@ pub fn solved(program: &Program) -> Option<Solution> {
     program.solve().ok().filter(|s| s.violation <= BROKEN)
 }
 
-/// A point between two solutions. Convex limits that hold at both solutions hold there.
+/// A point between two solutions. Convex limits that hold at both solutions also hold at this point.
 pub fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();

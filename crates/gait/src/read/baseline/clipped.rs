@@ -9,7 +9,7 @@ use crate::statistics::median;
 const UPPER: f64 = 0.6;
 /// Half width of the level: as a fraction of the maximum reading, and in standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);
-/// Maximum number of readings above the level, as a fraction of the number of readings at it.
+/// Maximum number of readings above the level, as a fraction of the number of readings at the level.
 const ABOVE: f64 = 0.03;
 /// Minimum ratio of the numbers of readings at the level and just below it, in an equal width. A parabola has 2.4, and synthetic walkers, runners and
 /// jumpers have less than 3.3. For one or two contacts the minimum is larger, because a flat peak has more: 5.3 for a decrease with the fourth power
@@ -25,7 +25,8 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
     let half = (WIDTH.0 * top).max(WIDTH.1 * noise);
-    // A level just below the peaks has many readings within that width below it, but is exact where nothing came after it.
+    // If the level is just below the peaks, many readings are within this width below it. Without later processing the level is exact, so a narrow
+    // width is tried too.
     [half, 0.5 * resolution(force, UPPER * top)]
         .into_iter()
         .filter(|half| half.is_finite())
@@ -58,7 +59,8 @@ fn resolution(force: &[f64], least: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Standard deviation of white noise, N, in readings above a level, from second differences, in which the contribution of the force is small.
+/// Standard deviation of white noise, N, in readings above a level. It is computed from second differences, in which the contribution of the force is
+/// small.
 fn noise(force: &[f64], least: f64) -> f64 {
     let upper = force.windows(3).filter(|w| w.iter().all(|x| *x > least));
     let bends = upper.map(|w| (w[0] - 2.0 * w[1] + w[2]).abs());

@@ -28,7 +28,7 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     let Some((sign, slope)) = found else {
         return 0.0;
     };
-    // A steep drift moves the percentile within a window.
+    // A steep drift changes the percentile within a window.
     let steep = (slope * force.len() as f64).abs() > SMALLEST_N;
     let rest = if steep { of(sign, slope) } else { None };
     slope + rest.unwrap_or(0.0)
@@ -36,8 +36,8 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
 
 /// Slope of the unloaded level if the load is positive.
 ///
-/// The level of a window is its 10th percentile. The slope is the median over pairs of windows (Theil–Sen estimator), so that a few windows in which
-/// the plate is loaded throughout have no effect.
+/// The level of a window is its 10th percentile. The slope is the median over pairs of windows (Theil–Sen estimator). A few windows with a plate that
+/// is always loaded have no effect on it.
 fn upwards(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).min(force.len() / (FEWEST + 1));
     let level = |window: &[f64]| ranked(window.to_vec(), length / 10);

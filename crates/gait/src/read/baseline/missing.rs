@@ -7,7 +7,7 @@ use std::ops::Range;
 const UNLOADED_S: f64 = 0.1;
 /// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading.
 const LOW: f64 = 0.3;
-/// Time next to a run of missing samples, s, within which a heel strike or toe-off changes the force by more than the second value, N.
+/// Time next to a run of missing samples, s, and minimum change of the force within this time by a heel strike or toe-off, N.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
 /// Minimum sampling rate, Hz, at which a sample must be similar to one of its neighbours, because an impact lasts 10 ms or more.

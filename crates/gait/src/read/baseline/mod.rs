@@ -94,7 +94,7 @@ pub(super) fn channel(
     without(&mut out.force_n, removed);
     if sign < 0.0 {
         for x in out.force_n.iter_mut().chain(&mut thin) {
-            *x = -*x + 0.0; // no signed zeros
+            *x = -*x + 0.0; // avoids signed zeros
         }
     }
     let found = baseline(&thin, &out.force_n, rate_hz);
@@ -144,7 +144,7 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     let Some((low, high)) = ends(thin) else {
         return Some(Idle::Empty);
     };
-    // Within a fraction of a step even a loaded plate hardly changes.
+    // Within a fraction of a step, even the load of a plate is nearly constant.
     let is_brief = duration_s < STEP_S && high > low;
     let level = if high - low < TOUCHED_N && !is_brief {
         let level = ranked(thin.to_vec(), thin.len() / 2)?;
@@ -216,7 +216,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         return None;
     }
     if level.abs() > (0.1 * range).max(30.0) {
-        // A load, not an offset: high above zero, or left behind when the foot leaves the plate.
+        // The level is a load, not an offset, if it is far above zero, or if readings are below it after the foot leaves the plate.
         let below = thin.iter().filter(|x| **x < level - band).count();
         if level > LOADED * high || level > 0.0 && 200 * below > thin.len() {
             return None;
@@ -226,7 +226,7 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
             return None;
         }
     }
-    // Hum is wider than the band and densest at its ends: the level is the middle of its readings.
+    // Mains hum is wider than the band and most frequent at its ends: the level is the median of its readings.
     let near = thin.iter().copied().filter(|x| (x - level).abs() <= band);
     let near: Vec<f64> = near.collect();
     let level = match median(near.clone()) {

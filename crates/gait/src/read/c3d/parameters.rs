@@ -41,7 +41,7 @@ impl<'a> Parameters<'a> {
 
     /// Reads one record. Returns the position of the next one, which must be larger.
     fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
-        // A negative length only locks the name.
+        // A negative length only means that the name is locked.
         let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());
         let group = bytes.get(at + 1)?.cast_signed();
         if length == 0 || group == 0 {

@@ -37,7 +37,7 @@ pub(super) fn forces(
         .max(0.0) as usize;
     let mut raw = Vec::new();
     let (mut unknown, mut uncalibrated) = (None, None);
-    // Every plate needs channels of its own, so their number is bounded by the file.
+    // Every plate requires channels of its own, so their number is limited by the file.
     for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
         match weights(plate, analog, parameters) {
             Ok(weights) => raw.push(channels.column(
@@ -56,10 +56,10 @@ pub(super) fn forces(
         }
     }
     tilted(parameters, used, notes);
-    // The type, not the name, decides whether a channel of a plate is a force.
+    // The type, not the name, determines whether a channel of a plate is a force.
     if raw.is_empty() && unknown.is_none() {
         raw = channels.labelled_force();
-        // Channels of a plate that needs a matrix are forces only where their unit is one.
+        // Without the required matrix, channels of a plate are forces only if their unit is a unit of force.
         raw.retain(|force| uncalibrated.is_none() || force.unit.is_some());
         if !raw.is_empty() {
             notes.push(Note::NoPlates);

@@ -190,7 +190,7 @@ fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
 fn announced_frames(first: usize, last: usize, parameters: &Parameters) -> Option<usize> {
     let field = |name| {
         let words = parameters.numbers("TRIAL", name);
-        // Two 16-bit words, low one first.
+        // Two 16-bit words, the low word first.
         let unsigned = |x: &f64| if *x < 0.0 { x + 65536.0 } else { *x };
         match words.as_slice() {
             [low, high, ..] => Some(unsigned(low) + 65536.0 * unsigned(high)),

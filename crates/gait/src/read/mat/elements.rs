@@ -143,7 +143,7 @@ impl<'a> Iterator for Elements<'a> {
 
     fn next(&mut self) -> Option<Self::Item> {
         let first = self.word(0)?;
-        // Up to four bytes of data stand in the tag itself.
+        // Up to four bytes of data are stored in the tag itself.
         let (kind, from, length, whole) = match first >> 16 {
             0 => {
                 let length = self.word(4)? as usize;
@@ -157,7 +157,7 @@ impl<'a> Iterator for Elements<'a> {
             length => (first & 0xFFFF, 4, length as usize, 8),
         };
         let data = self.bytes.get(from..)?;
-        // The last variable of a file that was cut short is read as far as it goes.
+        // The last variable of a truncated file is read up to the end of the file.
         let data = data.get(..length).unwrap_or(data);
         self.bytes = self.bytes.get(whole..).unwrap_or(&[]);
         Some((kind, data))
@@ -211,7 +211,7 @@ fn matrix(
                         bytes: field.1,
                         big,
                     };
-                    // A field without content is empty; the others follow it all the same.
+                    // A field without content is empty; the following fields are still read.
                     let _ = matrix(inner, &place, Some(name.clone()), depth + 1, found);
                 }
             }

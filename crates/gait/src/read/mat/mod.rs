@@ -133,7 +133,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     of_force.or_else(|| series.iter().map(length).max())
 }
 
-/// Series of an array: a vector is one series; in a matrix the shorter dimension counts the series.
+/// Series of an array. A vector is one series; in a matrix, the shorter dimension is the number of series.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();
@@ -190,7 +190,7 @@ fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     };
     let mut scalars: Vec<(&Array, f64)> = arrays.iter().filter_map(scalar).collect();
     scalars.sort_by_key(|(array, _)| std::cmp::Reverse(shared(array)));
-    // Cells have numbers, the variable around them its name.
+    // Cells have numbers as names; the variable that contains them has a proper name.
     let is_name = |part: &&String| part.parse::<usize>().is_err();
     let line = |(array, x): (&Array, f64)| {
         let name = array.path.iter().rev().find(is_name);

@@ -90,7 +90,7 @@ fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     if data.len() < 4 || data.len() > 64 || samples == 0 {
         return Vec::new();
     }
-    // A hundred loaded rows are enough.
+    // A hundred loaded rows are sufficient.
     let rows: Vec<usize> = (0..samples).step_by(samples / 100 + 1).collect();
     let is_sum = |total: usize, block: &[usize]| {
         let agrees = |&&r: &&usize| {

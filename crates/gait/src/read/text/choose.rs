@@ -69,7 +69,7 @@ pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<C
         return Err(ReadError::ManyForces { found }.at_line(file.path, table.header_line()));
     }
     leave_zones(table, force);
-    // A plate has components and no foot, an insole the total force of a foot.
+    // A plate has components and no foot; an insole has the total force of a foot.
     let is_plate = |f: &ForceColumn| f.axis != Axis::Vertical && f.foot.is_none();
     let has_plate = force.iter().any(is_plate);
     let of_insole = |f: &ForceColumn| {
@@ -158,7 +158,7 @@ fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Col
     Ok(chosen)
 }
 
-/// The fault of a table in which no column resembles a force.
+/// Error for a table in which no column resembles a force.
 fn no_force_among(table: &Table) -> ReadError {
     let columns = listed(&table.names);
     match columns.is_empty() {

@@ -135,7 +135,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     for part in 0..4 {
         let mut lines = Lines::new(bytes);
         lines.at.offset = bytes.len() / 4 * part;
-        let skip = usize::from(part > 0); // that line may have been entered half-way
+        let skip = usize::from(part > 0); // the line at this position may be incomplete
         let numeric = lines.skip(skip).take(400).map(|(_, l)| l).filter(|l| {
             let first = trim(l).first();
             first.is_some_and(|c| c.is_ascii_digit() || b"+-.,;".contains(c))
@@ -161,7 +161,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
         comma: false,
     };
     let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
-    // With commas between fields, decimal commas are quoted.
+    // With commas between fields, decimal commas are in quoted fields.
     let quoted = |l: &&[u8]| {
         Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
     };
@@ -191,7 +191,7 @@ fn blanks_part_decimal_commas(line: &[u8]) -> bool {
 }
 
 fn is_decimal_comma(f: &[u8]) -> bool {
-    // The seconds of a clock time count as well.
+    // The seconds of a clock time are also considered.
     let last = f.rsplit(|&b| b == b':').next().unwrap_or(f);
     last.contains(&b',') && matches!(field(last, true), Field::Number(_))
 }

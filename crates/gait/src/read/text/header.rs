@@ -42,7 +42,7 @@ fn cells(line: &[u8], delimiters: Delimiters, width: usize) -> Vec<String> {
     let line = uncommented(line);
     let all = split(line);
     if delimiters.separator == Separator::Blanks && all.len() != width {
-        // Names may hold single blanks where wider gaps part the columns.
+        // Names may contain single spaces if wider gaps separate the columns.
         let whole = text(line).replace('\t', "  ");
         let wide = whole.split("  ").map(str::trim).filter(|c| !c.is_empty());
         let wide: Vec<String> = wide.map(str::to_string).collect();

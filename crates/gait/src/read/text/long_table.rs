@@ -48,7 +48,7 @@ impl<'a> LongTable<'a> {
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;
-        // The rows are half words, so that the header tells the separator.
+        // About half of the fields of a row are words, so the separator is determined from the header.
         let parts = |byte: &u8| header.iter().filter(|b| *b == byte).count();
         let separator = [b',', b';', b'\t'].into_iter().max_by_key(parts)?;
         let start = lines.at;

@@ -30,7 +30,7 @@ pub(super) fn plain_row(
         }
         at += length + 1;
     }
-    // The byte behind the last chosen field may be the line end.
+    // The byte after the last selected field may be the line end.
     let end = rest[at - 1..].iter().position(|&b| b == b'\n')?;
     Some(at + end)
 }

@@ -30,7 +30,7 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
                 return Some(with_header(at, width, &head, delimiters));
             }
         }
-        // Of several blank lines one is kept.
+        // Only one of several consecutive blank lines is kept.
         if line.is_empty() && head.back().is_some_and(|l| l.is_empty()) {
             continue;
         }
@@ -144,7 +144,7 @@ pub(crate) fn numbers(
             if !is_blank {
                 note_line(&mut skipped, at.line);
             }
-            // A row of nothing but blanks still took its time.
+            // A row that contains only spaces is still a sample in time.
             if is_row && time.is_none() && rows.has_room() {
                 rows.append(&row);
             }
@@ -152,7 +152,7 @@ pub(crate) fn numbers(
         }
         let is_cut = present < places.len() && !bytes.ends_with(b"\n");
         if is_cut && lines.clone().next().is_none() {
-            // The file was cut within its last row.
+            // The file was truncated within its last row.
             note_line(&mut skipped, at.line);
             break;
         }

@@ -17,7 +17,7 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
-        // Coefficients below this are rounding of the larger ones and count as zero.
+        // Coefficients below this value are rounding errors of the larger ones and count as zero.
         let zero = scale * 4.0 * f64::EPSILON;
         match *b {
             [p, q] if p * q < 0.0 => out.push(p / (p - q)),
@@ -50,7 +50,7 @@ pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
 
 /// The root in (0, 1) of p(1−u)² + 2qu(1−u) + ru², whose end values have different signs.
 fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
-    // In t = u/(1−u): r t² + 2q t + p = 0, whose roots differ in sign; both forms avoid cancellation.
+    // With t = u/(1−u): r t² + 2q t + p = 0, whose roots have different signs; both forms avoid cancellation.
     let root = (q * q - p * r).sqrt();
     let far = if q >= 0.0 { -(q + root) } else { root - q };
     let (first, second) = (far / r, p / far);
@@ -58,7 +58,7 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of adjacent coefficients below which it may be a rounding error.
+/// Difference of adjacent coefficients below which this difference may be a rounding error.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }
@@ -71,7 +71,7 @@ pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
             visit(u, value);
         }
     };
-    // By rounding, a maximum on a break may seem to lie outside the piece on either side.
+    // Because of rounding, a maximum on a break may appear to be outside the pieces on both sides.
     let flat = rounding(b);
     if n == 0 || b[1] <= b[0] + flat {
         push(0.0, b[0]);

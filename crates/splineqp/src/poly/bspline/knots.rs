@@ -23,7 +23,7 @@ impl SplineSpace {
 
     pub(super) fn around(degree: usize, one_turn: Vec<f64>, period: f64) -> Self {
         let dimension = one_turn.len();
-        // Copies of the turn on both sides that contain the widest support.
+        // Copies of the turn on both sides, to contain the widest support.
         let turns = degree / dimension + 2;
         let knots: Vec<f64> = (0..2 * turns + 1)
             .flat_map(|t| {
@@ -85,7 +85,7 @@ impl SplineSpace {
         for span in &mut self.spans {
             (span.start, span.width) = (length * span.start / n, length / n);
         }
-        // length·n/n need not be the length: the last break is set, not computed.
+        // length·n/n may differ from the length by a rounding error: the last break is set exactly.
         if let Some(last) = self.spans.last_mut() {
             last.width = length - last.start;
         }

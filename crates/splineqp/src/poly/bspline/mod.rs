@@ -200,7 +200,7 @@ impl SplineSpace {
         let mut breaks = Vec::with_capacity(self.spans.len() + 1);
         breaks.extend(self.spans.iter().map(|s| s.start));
         breaks.push(self.spans.last().map_or(0.0, |s| s.start + s.width));
-        // Loops of constant length cost half.
+        // Loops of constant length take half the time.
         let coef = match self.degree + 1 {
             6 => self.bernstein(6, coefficients),
             n => self.bernstein(n, coefficients),

@@ -59,7 +59,7 @@ impl Cells {
     pub fn largest_distance(&self, own: &PiecewisePoly) -> f64 {
         let scale = self.per_length();
         let mut level = 0.0_f64;
-        // What no difference on a part exceeds.
+        // Parts, each with an upper bound of the absolute difference on it.
         let mut bounds: Vec<(f64, Part)> = Vec::with_capacity(self.count() + own.pieces());
         for (piece, ends) in own.breaks().windows(2).enumerate() {
             let (start, end) = (ends[0] * scale, ends[1] * scale);
@@ -86,7 +86,7 @@ impl Cells {
         level
     }
 
-    /// Ranges in each of which both functions are a single polynomial.
+    /// Ranges on which both functions are a single polynomial.
     fn parts(&self, own: &PiecewisePoly) -> impl Iterator<Item = Part> {
         let scale = self.per_length();
         let pieces = own.breaks().windows(2).enumerate();

@@ -22,7 +22,7 @@ pub use distance::Distance;
 pub struct Cells {
     /// Values at the n + 1 ends of the cells; the last value equals the first one.
     values: Vec<f64>,
-    /// Slopes at the ends of the cells, per cell.
+    /// Slopes at the ends of the cells, relative to the length of a cell.
     slopes: Vec<f64>,
     length: f64,
 }
@@ -74,7 +74,7 @@ impl Cells {
 
     /// Mean over the period of the squared difference from a constant.
     pub fn mean_square_from(&self, level: f64) -> f64 {
-        // With y = f − level and the slope s at the start of a cell, y′ and s′ at its end, the mean of y² over the cells.
+        // Mean of y² over the cells, with y = f − level. A cell has the value y and the slope s at its start, y′ and s′ at its end.
         let square = |cell: usize| {
             let [f0, s0, f1, s1] = self.ends(cell);
             let (y0, y1) = (f0 - level, f1 - level);

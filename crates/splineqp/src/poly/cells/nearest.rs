@@ -9,7 +9,7 @@ const SAME: f64 = 1e-11;
 impl Cells {
     /// Least-squares approximation of the function by a polynomial of one degree on every range between breaks of the first period. The result
     /// contains its values at the nodes of [`gauss_legendre`] for this degree (degree + 1 or more), range by range. Integrals with polynomials of
-    /// this degree equal those of the function itself, so the kinks between the cells cause no error.
+    /// this degree equal those of the function itself, so the discontinuities between the cells cause no error.
     ///
     /// # Panics
     ///

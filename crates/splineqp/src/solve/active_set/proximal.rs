@@ -100,7 +100,7 @@ fn start<N: Names>(program: &Program<N>) -> Result<Option<Start<N>>, Failure<N>>
     centre.extend(free.iter().map(|&k| windows[k]));
     let mut square = unlimited.hessian;
     if let Some((at, _)) = unlimited.pin {
-        // Beside a pin that is light, rows that see the level would seem to depend on each other.
+        // With a small weight on the fixed coefficient, rows that depend on the level would be nearly dependent on each other.
         square.add(at, at, (peak / program.length).powi(2));
     }
     Ok(Some(Start {
@@ -193,7 +193,7 @@ impl<'a, N: Names> Search<'a, N> {
                 break;
             }
             let Some(at) = self.step() else {
-                // Nearly dependent rows leave a light step no digits: a heavier one has them.
+                // Nearly dependent rows cause the loss of all digits in a step with a small weight. A larger weight restores them.
                 if self.nearness >= own.nearness {
                     break;
                 }
@@ -215,11 +215,11 @@ impl<'a, N: Names> Search<'a, N> {
             if open <= 1.0 || since > own.patience {
                 break;
             }
-            // Once the multipliers prove what the rows promise, only rows are wanted.
+            // Once the multipliers prove the bound that the rows give, only further rows are necessary, and the weight is not reduced.
             let above = (peak - promised) * self.program.cost[PEAK] / proof.size;
             let proved = proof.stationarity <= settings.refinement.stationarity
                 && proof.relative_gap - above <= own.proved * settings.refinement.gap;
-            // Between laws that keep the other limits the peak decides.
+            // Among laws that satisfy the other limits, the one with the smaller peak is better.
             let falls =
                 violation <= own.compared && reached.0 - peak >= own.kept * (reached.0 - promised);
             let lawful = reached.1 > settings.tolerance && violation < 0.5 * reached.1;
@@ -247,7 +247,7 @@ impl<'a, N: Names> Search<'a, N> {
     fn step(&mut self) -> Option<Vec<f64>> {
         let factor = self.factor()?;
         let (program, centre) = (self.program, &self.start.centre);
-        // Counted from the centre, so that no digit is lost to the size of the law.
+        // Measured from the centre, so that the size of the law causes no loss of digits.
         let mut pull: Vec<f64> = program.gradient.iter().map(|g| -g).collect();
         pull.extend(self.start.free.iter().map(|&k| -program.cost[k]));
         let away = |entries: &Entries, bound: f64| bound - apply(entries, centre);
@@ -298,7 +298,7 @@ impl<'a, N: Names> Search<'a, N> {
         let mut broken = Vec::new();
         let level = |l: &Limit<N>| program.room(l, &x, &extra) + part * self.size(l);
         program.each_peak_above(&x, level, |index, peak| broken.push((index, peak)));
-        // Demands that depend on others are not among the planes.
+        // Equalities that depend on others are not among the planes.
         let consistent = program.settings.equality.consistent;
         let missed = (program
             .equalities

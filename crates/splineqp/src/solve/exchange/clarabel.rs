@@ -160,7 +160,7 @@ fn objective<N: Names>(program: &Program<N>, scaling: &Scaling) -> (CscMatrix<f6
         .map(|g| g * length / weight)
         .collect();
     q.extend(scaling.free.iter().map(|&k| match program.cost[k] {
-        // The peak has a unit of its own and stands alone in the objective.
+        // The peak has its own unit, in which its cost is 1 or −1.
         cost if k == PEAK => cost.signum(),
         cost => cost * program.typical(k) / weight,
     }));

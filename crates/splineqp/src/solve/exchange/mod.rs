@@ -23,7 +23,7 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
         return without_seeds(program);
     }
     let contacts = program.seeds.iter().filter(|r| r.limit.is_some());
-    // A limit on a size alone is one row, which no place of the law calls in.
+    // A limit on a size alone is one row, which no point of the law would add.
     let mut own = Vec::new();
     program.seed_rows(&mut own);
     own.retain(|r| r.entries.iter().all(|e| e.1 == 0.0));
@@ -65,11 +65,11 @@ pub fn from_rows<N: Names>(
     solver: &mut impl RowSolver<N>,
 ) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
-    // A second attempt would fail on the same contacts.
+    // A second refinement would fail at the same contacts.
     let mut is_refinable = program.rms.is_empty() && refine::is_wanted(program);
     let mut best: Option<Solution<N>> = None;
-    // Room left inside every limit for what the solver does not resolve; grows only when needed. With a cone there is no
-    // refinement, so there it is kept from the start.
+    // Margin inside every limit for the residual of the solver. It is increased only if necessary. With a cone there is no refinement, so the margin
+    // is used from the start.
     let mut margin = if !program.cones.is_empty() || !program.rms.is_empty() {
         settings.cone_margin
     } else {
@@ -82,7 +82,7 @@ pub fn from_rows<N: Names>(
         }
         let point = match (solver.solve(program, &mut rows, margin), &best) {
             (Ok(point), _) => point,
-            // With the room kept free there is no solution; the rows themselves may leave one.
+            // With the margin there is no solution; the rows without a margin may have one.
             (Err(_), Some(_)) if margin > 0.0 => {
                 (margin, keeps_room) = (0.0, false);
                 continue;
@@ -98,7 +98,7 @@ pub fn from_rows<N: Names>(
             tangents,
             iterations,
         } = point;
-        // A law that exceeds its minimised peak by less than a gap which needs no refinement has the peak that it attains.
+        // If a law exceeds its minimised peak by less than a gap that needs no refinement, the actual peak replaces the minimised one.
         let peak = program.own_peak(&x, &extra);
         if peak - extra[PEAK] <= program.settings.refinement.gap * peak {
             extra[PEAK] = peak;

@@ -31,7 +31,7 @@ pub fn on_band<N: Names>(
         current.violation = program.worst(&peaks, &x, &Values::NONE);
         (current.x, current.active) = (x, active);
         current.iterations += 1;
-        // A row moved to where its contact went carries the curvature's part of the gradient.
+        // A row that is moved to its contact includes the contribution of the curvature to the gradient.
         current.active = contacts.gathered(&current, &peaks);
         if current.violation <= program.settings.tolerance {
             return Some(current);

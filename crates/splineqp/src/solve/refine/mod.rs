@@ -1,4 +1,4 @@
-//! Refinement of a solution and of its certificate to rounding, by Newton's method on the contact points.
+//! Refinement of a solution and of its certificate up to rounding errors, by Newton's method on the contact points.
 //!
 //! An interior-point method approximates a contact by two rows, one on either side. The multipliers of these rows, and so the certificate, are still
 //! inaccurate when the law is accurate. Here each contact is one row at the exact local maximum. A step solves
@@ -169,7 +169,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             let Some(mut next) = next.filter(|n| n.violation <= most) else {
                 break;
             };
-            // A row moved to its contact changes the gradient; near the contact the row itself may have the better certificate.
+            // A row that is moved to its contact changes the gradient. Near the contact, the original row may have the better certificate.
             let gathered = Solution {
                 active: self.gathered(&next, &self.peaks_near(&next)),
                 ..next.clone()
@@ -343,7 +343,7 @@ impl<'a, N: Names> Contacts<'a, N> {
                 rows.push(row.clone());
             }
         }
-        // A limit on variables alone is one row, which no place of the law calls in.
+        // A limit on variables alone is one row, which no point of the law would add.
         for (index, limit) in program.limits.iter().enumerate() {
             if limit.is_on_variables_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 rows.push(program.row(index, Peak::default()));
@@ -364,7 +364,7 @@ impl<'a, N: Names> Contacts<'a, N> {
 
     /// Step with the contacts as equalities. Rows with negative multipliers are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
-        // No vertex has more contacts than unknowns; far more are an interior point's, or those of a step gone astray.
+        // A vertex has at most as many contacts as unknowns. Many more contacts result from an interior point or from a failed step.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
         if from.active.len() > 2 * unknowns {
             return None;
@@ -379,7 +379,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             let largest = pushes().fold(0.0, |m: f64, p| m.max(p.abs()));
             let negative = self.program.settings.refinement.negative_multiplier;
             let pulls = || pushes().enumerate().filter(|p| p.1 < -negative * largest);
-            // About one system for each row that leaves.
+            // About one system is solved for each removed row.
             if pulls().count() > *solves {
                 return None;
             }

@@ -41,7 +41,7 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
                     names,
                 });
             }
-            // A line of several keys, of which the rate of the rows is one.
+            // A line with several keys, one of which is the rate of the rows.
             _ if fields.any(|f| f == "PreciseRate:") => {
                 head.extend(fields.next().map(|rate| format!("rate = {rate}")));
             }
@@ -63,7 +63,7 @@ pub(super) fn complete(file: &TextFile, _: &[String], samples: &mut Samples) -> 
         let is_numbered = |name: &str| name.contains(|c: char| c.is_ascii_digit());
         forces.retain(|f| is_numbered(&f.name) && f.axis != Axis::Vertical);
     }
-    // The vertical components are the ones that reach furthest.
+    // The vertical components have the largest range.
     let top = forces.iter().map(reach).fold(0.0, f64::max);
     if file.options.unit.is_none() && !forces.is_empty() {
         let mass = file.options.mass_kg;

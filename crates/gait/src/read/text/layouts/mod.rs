@@ -164,7 +164,7 @@ impl Layout {
     ///
     /// # Errors
     ///
-    /// As [`read`](super::read).
+    /// The errors of [`read`](super::read).
     pub fn read(
         &self,
         file: &TextFile,

@@ -223,7 +223,7 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
 fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
     let delimiters = detect(bytes);
-    // The first column is a name, so the header is found as the first line, not by its numbers.
+    // The first column contains names. The header is therefore the first line; it is not detected by its numbers.
     let mut lines = Lines::new(bytes);
     let header = lines.next().map_or(&b""[..], |(_, line)| line);
     let names = Fields::new(header, delimiters).map(|f| text(trim(f)).to_lowercase());
@@ -241,7 +241,7 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
             let x = value(fields.get(i?)?, delimiters.comma);
             x.is_finite().then_some(x)
         };
-        // A column of weight without one of mass may hold either; walkers of 200 N and 200 kg are both rare.
+        // A column of weight without a column of mass may contain either of them; walkers of 200 N and of 200 kg are both rare.
         let weighed = at(weight).map(|w| if w > 200.0 { w / G } else { w });
         if let (Some(id), Some(kg)) = (fields.first(), at(mass).or(weighed))
             && (3.0..=400.0).contains(&kg)
