@@ -55,7 +55,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     };
     let mut gait = gait.clone();
     gait.step_frequency = match gait.step_frequencies.take() {
-        // Of several walkers the one who takes the steps of this speed.
+        // For several walkers: the step frequency at this speed selects the walker.
         Some(_) => step_frequency(&design),
         None => gait.step_frequency.map(|f| faster * f),
     };

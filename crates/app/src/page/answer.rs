@@ -112,7 +112,7 @@ fn contour(error: &Error) -> Option<Error> {
         })
         .collect();
     let has = |name: &&str| stems.iter().any(|stem| stem == name);
-    // Three components are those of a force.
+    // A table with three components contains a force.
     let is_flat = columns.len() <= 4 && !has(&"z");
     let is_contour = is_flat && CONTOURS.iter().any(|pair| pair.iter().all(&has));
     let columns = columns.join(", ");

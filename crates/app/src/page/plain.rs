@@ -338,7 +338,7 @@ mod tests {
         for file in files {
             let path = file.unwrap().path();
             let name = path.file_stem().unwrap().to_str().unwrap().to_string();
-            // Descriptions of keys are for readers of scene files; sweeps, logs and folders belong to commands.
+            // Key descriptions are for readers of scene files. Messages about sweeps and folders belong to commands.
             if path.extension().is_none_or(|e| e != "ftl")
                 || ["keys", "sweep", "write"].contains(&name.as_str())
             {

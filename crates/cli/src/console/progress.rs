@@ -51,7 +51,7 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
             let mut width = 0;
             while waits.recv_timeout(EVERY) == Err(RecvTimeoutError::Timeout) {
                 let text = line(begun.elapsed().as_secs_f64());
-                // Spaces cover what the line before had more.
+                // Spaces overwrite the rest of a longer previous line.
                 put(&format!("\r{text:<width$}"));
                 width = text.chars().count();
             }

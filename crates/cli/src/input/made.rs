@@ -66,7 +66,7 @@ impl Made {
             set(&mut table, change).map_err(at_flag("--set"))?;
         }
         for Flag { name, key, value } in flags {
-            // Quoted, so that a bare number is refused as in a scene.
+            // The value is quoted, so that a number without a unit is rejected as in a scene.
             set(&mut table, &format!("{key}={value:?}")).map_err(at_flag(name))?;
         }
         let of_flag = |e: Error| {

@@ -126,7 +126,7 @@ pub fn curves(design: &Design, colour: Colour) -> Curves {
 fn samples(design: &Design) -> Vec<Sample> {
     let mut drive = design.problem.drive;
     if design.is_idle() {
-        // Where nothing presses, the force of one unit of moved mass is shown.
+        // Without a moved mass or spring there is no force; the force of one unit of moved mass is shown.
         drive.mass = 1.0;
     }
     let force = |theta: f64, at: Svaj| match &design.end {
@@ -152,7 +152,7 @@ fn line_of(role: &'static str, samples: &[Sample], value: impl Fn(&Sample) -> f6
         .iter()
         .filter(|x| x.is_finite())
         .fold(0.0_f64, |m, x| m.max(x.abs()));
-    // What is left of a difference of large numbers is shown as nothing.
+    // Values that are only rounding errors of large differences are shown as zero.
     let shown = |x: f64| short(if x.abs() < ROUNDING * most { 0.0 } else { x });
     let y = y.into_iter().map(shown).collect();
     Line { role, y }

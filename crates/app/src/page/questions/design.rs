@@ -72,7 +72,7 @@ pub struct Answer {
     checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
-    /// Class of the law after CAM-DAS.
+    /// Class of the law according to CAM-DAS.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
@@ -163,7 +163,7 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let scene = match files.scene(&table) {
         Ok((scene, _)) => scene,
         Err(fault) if !ask.changes.is_empty() => return Err(fault),
-        // What is written in a scene with a fault is shown all the same.
+        // The fields of a scene with a fault are also shown.
         Err(_) => Scene::default(),
     };
     let name = table.get("name").and_then(toml::Value::as_str);
@@ -187,7 +187,7 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     }
     let halt = files.host.halt();
     let made = Arc::new(input.design(files, &halt)?);
-    // What the halt cut short is not the design of its scene.
+    // An interrupted search does not give the design of the scene, so its result is not cached.
     if !halt.is_asked() {
         lock(&files.engine.designs).put(made.hash.clone(), Arc::clone(&made));
     }

@@ -98,7 +98,7 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     })
 }
 
-/// Error, since the module without CAD makes no such files.
+/// Options of the files for the workshop. The module without CAD makes no such files, so only the radius of the cutter is checked.
 #[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;
