@@ -83,7 +83,7 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
             ..
         } => Pose::Face {
             at: [pivot_distance + face_offset * nx, face_offset * ny],
-            // From the pivot the arm points to (−σ cos ξ, sin ξ): a quarter turn from the normal.
+            // The arm points from the pivot to (−σ cos ξ, sin ξ), perpendicular to the normal.
             angle: if pivot_distance > 0.0 {
                 nx.atan2(-ny)
             } else {

@@ -101,7 +101,7 @@ impl DrawingBackend for Recorder<'_> {
     }
 
     fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
-        // A sixteenth of a point is nothing to see.
+        // A pixel of this sheet is a sixteenth of a point, which is not visible.
         Ok(())
     }
 

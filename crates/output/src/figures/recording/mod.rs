@@ -70,7 +70,7 @@ pub(crate) fn recording_in(
         let shares: &[f64] = match (cycle, &understood.overlay) {
             (Some(_), _) => &[1.0, 1.0, 0.85],
             (None, Some(_)) => &[1.0, 1.05],
-            // A line of words in place of the means.
+            // A line of text replaces the means.
             (None, None) => &[1.0, 0.05],
         };
         // Lanes of contacts and their key are between the recording and the means.
