@@ -131,7 +131,7 @@ fn harmonics(
         let error = force_error(&drive, &law?.0, target);
         rows.push(timing.row("harmonics", format!("{count}"), error));
     }
-    // The default chooses the count as well, and pays for it.
+    // The default method also selects the number of harmonics, and its time includes this selection.
     let allowed = DEFAULT_ACCURACY * target.mean_n().abs();
     let (law, timing) = watch.time(|| first_rung(target, drive, allowed).map(with_profile));
     let law = law?.0;

@@ -74,7 +74,7 @@ fn kinematics() -> Result<Vec<Value>> {
     let law = example_11()?;
     let both = |order| [true, false].map(|is_high| extreme(&law, order, is_high));
     let mut values: Vec<Value> = (1..=3).flat_map(both).collect();
-    // The fall of 20° in 45° alone decides the printed extremes; half-period motions rise before it.
+    // The fall of 20° in 45° alone determines the printed extremes. The rise before it consists of half-period motions.
     let law = turn(&[
         (Rise::SemicycloidalStart, 4.0, 72.0),
         (Rise::ConstantVelocity, 12.0, 108.0),
@@ -192,13 +192,13 @@ fn eight_segments() -> Result<Cam> {
 }
 
 fn formulae() -> Result<[f64; 6]> {
-    // An arm's start angle from its sine: CAM-DAS §4.2.4 prints arctan of the ratio.
+    // The start angle of an arm follows from its sine. CAM-DAS §4.2.4 prints the arctangent of the ratio.
     let face = Follower::FlatOscillating {
         pivot_distance: 0.05,
         face_offset: 0.0,
         base_radius: 0.03,
     };
-    // §4: C = m + A cos[ξ(1 + ξ′)] is printed; the bracket belongs to the cosine alone.
+    // Printed in §4: C = m + A cos[ξ(1 + ξ′)]. The factor in parentheses must be outside the cosine.
     let (m, arm, xi, speed) = (80.0, 60.0, 2.0_f64, 0.2);
     Ok([
         Rise::SemicycloidalStart.ends()?.end.at.v,

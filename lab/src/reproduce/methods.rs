@@ -216,7 +216,7 @@ pub(super) fn picture(methods: &[Method]) -> Picture {
                 .collect(),
         );
     }
-    // Six colours: the eccentric and the optimum of free stroke, which lies on the target, are left out.
+    // There are six colours. The eccentric and the optimum with free stroke, which coincides with the target, are left out.
     for m in methods.iter().skip(1).take(5) {
         names.push(m.name.clone());
         curves.push(m.curve.clone());

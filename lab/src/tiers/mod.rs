@@ -215,7 +215,7 @@ mod tests {
         let cone = conic(Between::Cone);
         let rows = conic(Between::Coefficients);
         let lax = conic(Between::Samples(1));
-        // The exchange may keep up to a millionth of the limit free for what the solver does not resolve.
+        // The exchange may leave up to a millionth of the limit unused, because of the tolerance of the solver.
         let used = jerk(&exchange);
         assert!(used > 1.0 - 2e-6 && used <= 1.0 + 1e-9, "{used}");
         assert!((jerk(&cone) - 1.0).abs() < 1e-6);
