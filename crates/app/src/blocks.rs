@@ -108,7 +108,7 @@ impl Blocks {
 /// Blocks of equal length in which several processes share a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
-    /// Folder of the sweep.
+    /// Folder that contains the blocks of the sweep.
     pub blocks: Blocks,
     rows: u64,
     block_rows: u64,

@@ -52,16 +52,16 @@ impl Bounds {
 pub enum Pose {
     /// A face through `at` in the direction `angle` (rad) from +x.
     Face {
-        /// Foot of the stem.
+        /// Point of the face at the foot of the stem, or of the perpendicular from the pivot, m.
         at: [f64; 2],
-        /// Direction of the face.
+        /// Direction of the face from +x, rad.
         angle: f64,
     },
     /// A roller, or the tip of a knife edge (radius 0).
     Roller {
-        /// Centre of the roller.
+        /// Centre of the roller, m.
         centre: [f64; 2],
-        /// Radius of the roller.
+        /// Radius of the roller, m; 0 for a knife edge.
         radius: f64,
     },
 }

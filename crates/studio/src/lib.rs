@@ -33,7 +33,7 @@ use gaitcam_app::page::{Engine, Start, set_language, table};
 use guard::{Guard, Place};
 use http::Server;
 
-/// Options of the studio.
+/// Options with which the studio is opened.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// A scene file, a folder, or the name of a built-in scene. `None` selects the working directory with the default scene.
@@ -44,7 +44,7 @@ pub struct Options {
     pub language: Option<Language>,
 }
 
-/// A running studio server.
+/// State of a running studio server.
 struct Studio {
     guard: Guard,
     folder: Folder,

@@ -1,7 +1,7 @@
 //! Comparison of the four iterations of Campillo de Blas (2017) with each other and with the optimum.
 //!
-//! Measure: RMS difference between the force and the target (Young, 1.85 Hz, both feet, scaled to 1 kg), for the given phase and for the best phase
-//! of the law.
+//! Measure: RMS difference between the force and the target, for the given phase and for the best phase of the law. The target is that of Young (1.85
+//! Hz, both feet), scaled to 1 kg.
 
 use std::fmt::Write;
 
@@ -33,7 +33,7 @@ pub struct Method {
     pub rms: f64,
     /// RMS difference between force and target at the best phase of the law, N.
     pub rms_turned: f64,
-    /// Best phase, rad.
+    /// Phase of the law with the minimum error, rad.
     pub phase: f64,
     /// Maximum |jerk|, m/s³; infinite if the acceleration jumps.
     pub jerk: f64,

@@ -40,9 +40,9 @@ pub struct Task<'a> {
     pub drive: Drive,
     /// Degree of the spline, at least 2.
     pub degree: usize,
-    /// Number of equal spans.
+    /// Number of equal spans of the spline.
     pub spans: usize,
-    /// Limits on the derivatives.
+    /// Two-sided limits on the derivatives.
     pub bounds: &'a [Bound],
 }
 

@@ -91,9 +91,9 @@ pub struct Twin {
     pub sensors: Sensors,
 }
 
-/// Result of a run.
+/// Result of a run of a test machine.
 pub struct RunOfTwin {
-    /// Log as CSV.
+    /// Log of the run as CSV.
     pub log: String,
     /// True force of the last turn at equal parts of its time, N.
     pub force: Vec<f64>,

@@ -31,13 +31,13 @@ pub struct Field {
 /// A slider in the unit of its field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slider {
-    /// Lower end of the slider.
+    /// Lower end of the slider, in `unit`.
     pub from: f64,
-    /// Upper end of the slider.
+    /// Upper end of the slider, in `unit`.
     pub to: f64,
-    /// Step of the slider.
+    /// Step of the slider, in `unit`.
     pub step: f64,
-    /// Position of the slider.
+    /// Position of the slider, in `unit`.
     pub at: f64,
     /// Unit after the number in a scene file, with its blank; empty for a count.
     pub unit: String,

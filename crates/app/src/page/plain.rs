@@ -10,7 +10,7 @@ use crate::page::words::WORDS;
 
 /// Words before the names of options of `gait`, in both languages.
 const OPTION: [&str; 4] = ["option", "options", "opción", "opciones"];
-/// Words between such names.
+/// Words between the names of several options, in both languages.
 const BETWEEN: [&str; 7] = [", ", " and ", " or ", " y ", " e ", " o ", " u "];
 /// Sections in which a name without its section is searched, in this order.
 const SECTIONS: [&str; 6] = ["gait", "law", "machine", "drive", "cam", "limits"];

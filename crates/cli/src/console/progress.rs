@@ -84,7 +84,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written where standard error is no terminal.
+    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written if standard error is not a terminal.
     pub fn new(what: String, total: u64, done: u64, in_log: bool) -> Progress {
         let now = Arc::new(AtomicU64::new(done));
         let counted = now.clone();

@@ -42,7 +42,7 @@ pub fn jobs(given: Option<u16>) -> usize {
 
 /// Computation of blocks of rows.
 pub struct Work<'a> {
-    /// Source of the rows.
+    /// Computation of the rows of the sweep.
     pub runner: Runner<'a>,
     /// Format of the blocks.
     pub format: Format,
@@ -52,7 +52,7 @@ pub struct Work<'a> {
     pub jobs: usize,
     /// Set when the user stops the computation.
     pub stop: Arc<AtomicBool>,
-    /// Whether progress is written where standard error is no terminal.
+    /// Whether progress is also written if standard error is not a terminal.
     pub in_log: bool,
 }
 

@@ -21,7 +21,7 @@ use gaitcam_app::read::read_text;
 use gaitcam_app::{PATIENCE, ResultFolder, inputs};
 use gaitcam_output::csv;
 
-/// Columns of a programme.
+/// Columns of a speed programme that was read from a file.
 struct Rows {
     programme: SpeedProgramme,
     start: f64,

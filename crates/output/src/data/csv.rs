@@ -135,7 +135,7 @@ pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
 
-/// Columns of `profile.csv`.
+/// Columns of `profile.csv` at `rows` equal steps.
 pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {

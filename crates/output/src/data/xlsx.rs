@@ -196,7 +196,7 @@ struct Row {
 /// A column in addition to the angle: its letter in CAM-DAS, the key of its heading, and its value.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// Columns of every cam.
+/// Columns that the sheet of every cam has.
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {

@@ -30,7 +30,7 @@ pub struct TrialRow<'a> {
     pub understood: Option<&'a Interpretation>,
     /// Mean cycle of the recording, if it has one.
     pub curve: Option<&'a ForceCurve>,
-    /// Error for which there is no cycle.
+    /// Error that prevented a cycle.
     pub fault: Option<&'a Error>,
     /// Reason for the exclusion from the joint mean; `None` if the recording is included.
     pub left_out: Option<&'a LeftOut>,

@@ -90,7 +90,7 @@ fn power(values: &[f64], step: f64) -> i32 {
     3 * (largest.log10() / 3.0).floor() as i32
 }
 
-/// A power as superscript.
+/// A power of ten in superscript digits.
 fn raised(power: i32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let text = power.to_string();

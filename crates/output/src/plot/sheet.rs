@@ -51,11 +51,11 @@ pub enum Shape {
         ink: Ink,
         width: Option<f64>,
     },
-    /// A line of text.
+    /// A line of text in one colour.
     Text { line: Line, ink: Ink },
 }
 
-/// Collects shapes from plotters.
+/// Drawing backend of plotters that stores the shapes.
 pub struct Recorder<'a> {
     /// Shapes drawn so far, in order.
     pub shapes: &'a mut Vec<Shape>,
@@ -245,13 +245,13 @@ impl Lettering {
         }
     }
 
-    /// Regular text, written upwards.
+    /// The text, written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// Bold text.
+    /// The text in bold letters.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self

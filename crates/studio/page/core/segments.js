@@ -2,7 +2,7 @@
 // `rebalance` scales the other angles.
 //
 // A programme is {rows: [{motion, lift, angle}], locks: [boolean], rest: number or null, last: number or null, whole, unit}. `rows`
-// contains texts as in the scene, `locks` marks locked angles, `rest` is the row that the user chose to take the rest, and `last` is the
+// contains texts as in the scene, and `locks` marks locked angles. `rest` is the row that the user chose to take the rest. `last` is the
 // row changed last. `whole` is the required sum of the angles in `unit`, degrees or millimetres; it is null if the travel follows from the
 // angles.
 

@@ -28,13 +28,13 @@ use gaitcam_output::Timing;
 use gaitcam_output::facts;
 use gaitcam_output::report::parts::{self, Checked, Figure, Motion};
 
-/// A scene with changes.
+/// A scene to be designed, with changes.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ask {
     /// TOML text of the scene.
     pub scene: String,
-    /// Changes of the scene.
+    /// Changes of the scene, applied in order.
     #[serde(default)]
     pub changes: Vec<Edit>,
     /// Quantity that colours the contour.
@@ -414,10 +414,10 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Request for a design.
+/// Request about the design of a scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
-    /// Scene of the design.
+    /// TOML text of the scene.
     pub scene: String,
 }

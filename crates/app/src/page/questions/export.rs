@@ -21,7 +21,7 @@ use gaitcam::units::{Dimension, parse};
 pub struct Export {
     /// TOML text of the scene.
     pub scene: String,
-    /// Name of the file.
+    /// Name of the file, as in the list of exports.
     pub name: String,
     /// Radius of the cutter as typed.
     #[serde(default)]
@@ -58,7 +58,7 @@ fn kind(name: &str) -> &'static str {
     }
 }
 
-/// Bytes of a file.
+/// Bytes of a file of the design. `tool` is the radius of the cutter as typed.
 fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     match name {
         "scene.toml" => {

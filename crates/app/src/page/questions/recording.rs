@@ -26,7 +26,7 @@ use gaitcam_output::recording;
 pub struct Dropped {
     /// Name of the dropped file.
     pub file: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the file.
     pub hash: Hash,
     /// Reading options: keys of `gait` with their values.
     #[serde(default)]
@@ -67,7 +67,7 @@ fn plain(given: &str) -> String {
 pub struct Contacts {
     /// Name of the recording.
     pub file: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the file.
     pub hash: Hash,
     /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
