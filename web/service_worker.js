@@ -2,7 +2,7 @@
 
 const CACHE = "gaitcam-{version}";
 const FILES = [{files}];
-// File that is stored when the page has loaded its first module.
+// File that is stored later, after a message of the page.
 const LATER = "{later}";
 
 addEventListener("install", (event) => {

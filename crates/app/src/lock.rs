@@ -78,7 +78,7 @@ impl Lock {
                 let path = path.to_path_buf();
                 return Ok(Some(Lock { path, _file: file }));
             }
-            // The file was left by a killed process, or it may be a link to a file of the user: it is removed and not written to.
+            // The file was left by a killed process, or it may be a hard link to a file of the user. It is removed without writing to it.
             fs::remove_file(path)?;
         }
     }

@@ -41,7 +41,7 @@ fn example_11() -> Result<Law> {
     ])
 }
 
-/// Smallest and largest value of a derivative at whole degrees.
+/// Minimum and maximum of a derivative at whole degrees.
 fn at_degrees(law: &Law, order: usize) -> (f64, f64) {
     (0..360).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| {
         let at = law.svaj(f64::from(i).to_radians());
@@ -104,7 +104,7 @@ fn there_and_back(motion: Rise, lift: f64) -> Result<Law> {
     turn(&[(motion.clone(), lift, 180.0), (motion, -lift, 180.0)])
 }
 
-/// Pressure angles and smallest convex pitch radius of Ejemplo11 with an arm. Its three lengths reproduce the values of fig. 7.19.
+/// Pressure angles and minimum convex pitch radius of Ejemplo11 with an arm. Its three lengths reproduce the values of fig. 7.19.
 fn arm() -> Result<[f64; 3]> {
     let cam = scene::built_in("camdas_11_oscillating_roller")?
         .scene()?

@@ -164,7 +164,7 @@ pub fn methods() -> Result<Vec<Method>> {
     Ok(out)
 }
 
-/// Law with the smallest force error for the given stroke, on the machine of Campillo de Blas (2017).
+/// Law with the minimum force error for the given stroke, on the machine of Campillo de Blas (2017).
 fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     let mut table = scene::table(scene::built_in("footbridge_thesis_scale")?.toml)?;
     scene::set(&mut table, &format!("limits.stroke=\"{stroke}\""))?;

@@ -22,8 +22,8 @@ const STATED: [(&str, f64, f64); 40] = [
         797.0,
         1.0,
     ),
-    // Quintic Hermite spans between the critical points, with the accelerations there that minimise ∫j², give 940.29 and −1038.33. Continuity of the
-    // jerk at the points, which these spans do not have, changes the values slightly.
+    // Quintic Hermite spans between the critical points, with the accelerations there that minimise ∫j², give 940.29 and −1038.33. Monotonicity
+    // between the points, which these spans violate, changes the values slightly.
     (
         "largest acceleration, level at the extremes, least ∫j²",
         940.29,

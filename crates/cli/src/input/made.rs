@@ -44,7 +44,7 @@ impl Made {
     }
 
     /// Reads the cam that the arguments name. Changes of a scene are part of its design. Changes of a result (its folder or summary.json) apply to
-    /// the machine, since its cam already exists. `flags` change the machine in both cases.
+    /// the machine, because its cam already exists. `flags` change the machine in both cases.
     ///
     /// # Errors
     ///

@@ -102,7 +102,7 @@ impl Achieved {
         let factor = synthesis.cam.follower.measures().angle().factor;
         let mut drive = synthesis.problem.drive;
         if synthesis.is_idle() {
-            // Without a moved mass or spring there is no force; the force of one unit of moved mass is drawn.
+            // Without mass, spring, damping and preload, the force is zero. The force of a moved mass of 1 kg is drawn instead.
             drive.mass = 1.0;
         }
         let idle = synthesis.is_idle();

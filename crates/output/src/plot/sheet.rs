@@ -215,7 +215,7 @@ pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
     Color::stroke_width(&colour, units(width).max(1) as u32)
 }
 
-/// Style of a piece of text, and its anchor.
+/// Style of a text, and its anchor.
 #[derive(Clone, Copy)]
 pub struct Lettering {
     /// Size of an em, points.

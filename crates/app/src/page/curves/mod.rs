@@ -126,7 +126,7 @@ pub fn curves(design: &Design, colour: Colour) -> Curves {
 fn samples(design: &Design) -> Vec<Sample> {
     let mut drive = design.problem.drive;
     if design.is_idle() {
-        // Without a moved mass or spring there is no force; the force of one unit of moved mass is shown.
+        // Without mass, spring, damping and preload, the force is zero. The force of a moved mass of 1 kg is shown instead.
         drive.mass = 1.0;
     }
     let force = |theta: f64, at: Svaj| match &design.end {

@@ -294,7 +294,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     }))
 }
 
-/// Scene with its size fixed near a prime radius and offset, m.
+/// Scene with a fixed size: `factor` times the prime radius, m, and the offset, m, if the scene does not give one.
 fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     let mut sized = scene.clone();
     sized.cam.prime_radius = Some(factor * prime);

@@ -130,7 +130,7 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// Smallest and largest number of cams from `--cams`: `1:6`, or `3` for both.
+/// Minimum and maximum number of cams from `--cams`: `1:6`, or `3` for both.
 ///
 /// # Errors
 ///
