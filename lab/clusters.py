@@ -1,4 +1,4 @@
-"""Writes reports/distributed.md, on which docs/distributed.md is based: target/python-tests/bin/python lab/clusters.py
+"""Writes reports/distributed.md, which docs/distributed.md cites: target/python-tests/bin/python lab/clusters.py
 
 The environment is that of `python/run.sh engines`. Nothing else should run on the machine.
 """

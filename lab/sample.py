@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws doc comments and sentences at random, for a second reader to judge.
+"""Selects doc comments and sentences at random, for the judgement of a second reader.
 
     lab/sample.py [--seed 60] [--comments 200] [--sentences 200]
 

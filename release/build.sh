@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Builds all that is handed out into a folder: release/build.sh [FOLDER [PART ...]]     (target/release-files by default)
+# Builds all files of a release into a folder: release/build.sh [FOLDER [PART ...]]     (target/release-files by default)
 #
-# Parts are licences, command, package, page and book, in any order (the command holds the licences); all by default.
+# Parts are licences, command, package, page and book, in any order; all by default. The command contains the licences.
 #
-#   gaitcam-VERSION-linux-x86_64.tar.gz   the command; needs glibc 2.28 (2018) and nothing else
+#   gaitcam-VERSION-linux-x86_64.tar.gz   the command; requires only glibc 2.28 (2018)
 #   gaitcam-VERSION-*.whl                 the Python package for 3.10 and later
 #   gaitcam.html, gaitcam-page.tar.gz     the page as one file and as a folder
 #   gaitcam-book.tar.gz                   the guide in both languages
-#   sbom.cdx.json, licences.txt           what is inside, and under which terms
+#   sbom.cdx.json, licences.txt           list of the crates, and their licences
 #   SHA256SUMS
 #
-# The same commit gives the same bytes in any folder. Tools come from the package registries into target/.
+# The same commit gives the same bytes in any folder. Tools are downloaded from package registries into target/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -34,7 +34,7 @@ mkdir -p "$out"
 }
 export PATH=$tools/bin:$PATH
 
-# A tar file of FOLDER/NAME that depends on nothing but its contents.
+# Creates a tar file of FOLDER/NAME that depends only on its contents.
 pack() {
   tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --mode=u+rwX,go+rX,go-w \
     -C "$1" -cf - "$2" | gzip -9n > "$out/$3"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Times the way from the files of release/build.sh to the first cam, with an empty home and no compiler on the path.
+# Measures the time from the files of release/build.sh to the first cam, with an empty home folder and no compiler on the path.
 #
-#   release/fresh.sh [FOLDER] [--source]      --source: also the README's first command in a new clone
+#   release/fresh.sh [FOLDER] [--source]      --source: also run the first command of the README in a new clone
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD

@@ -58,7 +58,7 @@ def main():
         sys.exit(f"release/inventory.py: no licence is stated by {', '.join(missing)}")
     bom = {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1, "components": [component(p) for p in all_]}
     sbom.write_text(json.dumps(bom, indent=1) + "\n")
-    # A text is printed once, below all the crates that have it.
+    # Each text is printed once, below the names of all crates with this text.
     holders = {}
     for package in foreign:
         for text in texts(package) or [f"{package['license']} (the crate carries no text)"]:

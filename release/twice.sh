@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds this commit in two clones and compares every file that is handed out, bit for bit, part by part: release/twice.sh
+# Builds this commit in two clones and compares every file of the release byte by byte, part by part: release/twice.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -8,12 +8,12 @@ trap 'rm -rf "$work"' EXIT
 for name in one another; do
   git clone --quiet "$root" "$work/$name"
   mkdir -p "$work/$name/target/web"
-  # Tools are not what is compared.
+  # Tools are copied, because they are not compared.
   for tool in release-tools tools web/toolchain web/node_modules; do
     [ ! -d "target/$tool" ] || cp -a "target/$tool" "$work/$name/target/$tool"
   done
 done
-# The command and the page first: they are where differences are most likely.
+# The command and the page are first, because differences are most likely in them.
 for part in licences command page package book; do
   for name in one another; do
     "$work/$name/release/build.sh" "$work/$name.files" "$part" > "$work/$name.log" 2>&1 ||

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Builds the page with its engine inside: web/dist/ (static files for any web server) and web/dist/gaitcam.html (one file
-# that opens by a double click).
+# Builds the page with its engine inside: web/dist/ (static files for any web server) and web/dist/gaitcam.html (one file that opens with a double
+# click).
 #
-# The engine is compiled for WebAssembly. Where the installed Rust has no library for it, Debian's compiler is unpacked
-# below target/web; nothing is installed. Debian's binaryen makes the module smaller, esbuild of npm joins the scripts.
-# What cannot be had ends the build.
+# The engine is compiled for WebAssembly. If the installed Rust has no library for WebAssembly, the compiler of Debian is unpacked below target/web
+# without installation. Debian's binaryen reduces the size of the module, and esbuild from npm joins the scripts. The build fails if a tool is not
+# available.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 web=$PWD/target/web
@@ -16,12 +16,12 @@ fail() { echo "web/build.sh: $*" >&2; exit 1; }
 
 command -v npm > /dev/null || fail "npm is needed (Debian: apt-get install nodejs npm)"
 
-# The package that another one depends on, its version in its name.
+# Name of the package, with its version, on which another package depends.
 needed() { apt-cache depends "$1" | grep -oE "$2[0-9.]+" | head -n1; }
 
 unpack() {
   command -v apt-get > /dev/null || fail "no library of Rust for WebAssembly (rustup target add wasm32-unknown-unknown) and no apt-get to fetch Debian's"
-  # Lists kept in an image of a machine may name an older compiler only.
+  # The package lists of a machine image may contain only an older compiler.
   apt-get -qq update || true
   [ "$(apt-cache show rustc-web 2> /dev/null | grep -m1 -oP '^Version: 1\.\K[0-9]+')" -ge 91 ] 2> /dev/null ||
     fail "the Debian archive set up here has no rustc-web of 1.91 or later (bookworm-security has)"
@@ -45,17 +45,17 @@ else
   export LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu:$(echo "$tools"/usr/lib/llvm-*/lib)
   export RUSTC=$tools/usr/bin/rustc RUSTC_BOOTSTRAP=1 WASM_LD=$(echo "$tools"/usr/lib/llvm-*/bin/wasm-ld)
   export PATH="$tools/usr/bin:$PATH"
-  # A page has nowhere to print a panic: it ends the worker, and the page says so.
+  # A page cannot print a panic. A panic ends the worker, and the page reports it.
   export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort"
   standard=(-Zbuild-std=std,panic_abort -Zbuild-std-features= -Zwarnings)
-  # The lint on unused crates takes those of the standard library for ours.
+  # The lint on unused crates also reports crates of the standard library.
   export CARGO_BUILD_WARNINGS=allow
 fi
 export CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$PWD/web/link.sh
 command -v wasm-opt > /dev/null || fail "wasm-opt is needed (binaryen)"
 rm -rf "$web/modules"
 mkdir "$web/modules"
-# The module that the page begins with, then the whole one for files, runs and recordings.
+# The first module of the page, and the whole module for files, simulations and recordings.
 for name in engine whole; do
   features=()
   [ "$name" = whole ] || features=(--no-default-features)

@@ -1,4 +1,4 @@
-// Holds the engine of the page against the command: every number of summary.json for the built-in scenes, to 1e-9.
+// Compares the engine of the page with the command: every number of summary.json for the built-in scenes, with a tolerance of 1e-9.
 //
 //     node web/compare.mjs web/dist target/release/gaitcam
 
@@ -11,17 +11,17 @@ import { gunzipSync } from "node:zlib";
 
 const [dist, command] = process.argv.slice(2);
 const TOLERANCE = 1e-9;
-// Angles, parts of a weight and what is left open by a solver are compared to 1 (rad, weight, unit of its objective), lengths
-// and all other numbers to their own size, down to a picometre.
+// The difference of angles, fractions of a weight and residuals of a solver is relative to 1 (rad, weight, unit of the objective). The
+// difference of all other numbers is relative to the number itself, but at least to a picometre.
 const TO_ONE = /(_rad|load_factors\.\d+\.(target|achieved)|(duality|relative|global)_gap|stationarity|violation)$/;
 const NOTHING = 1e-12;
-// Numbers within a sentence are those of the certificate.
+// Numbers within a sentence belong to the certificate and are ignored.
 const NUMBERS = /[-+]?\d[\d.]*(e[-+]?\d+)?/g;
-// How long it took.
+// Durations, which are ignored.
 const CLOCK = /(^|\.)(timing|time|solve_s|total_s|seconds)/;
 const RECORDING = "data/recordings/made_walk.csv";
 
-// The worker as the browser runs it.
+// Worker of the page, run as in a browser.
 let said = null;
 globalThis.postMessage = (data) => said(data);
 runInThisContext(readFileSync(join(dist, "engine/worker.js"), "utf8"));

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The linker of the engine for WebAssembly: exports what the page calls. The bindings to browsers that libraries bring along
-# would export some thousands of functions for a generator that is not used here.
+# Linker of the engine for WebAssembly. It exports only the functions that the page calls. The browser bindings in some libraries would export
+# thousands of other functions, which are not used here.
 arguments=()
 while [ $# -gt 0 ]; do
   case "$1 ${2:-}" in

@@ -19,13 +19,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "crates" / "studio" / "page"
-# Script of the report for the moving cam, which the page uses too.
+# Script of the report for the animation of the cam, which the page also uses.
 MOTION = ROOT / "crates" / "output" / "src" / "report" / "motion.js"
 # Picture of the page for previews of links.
 PREVIEW = ROOT / "docs" / "pictures" / "studio-page.png"
 # Maximum number of compressed bytes before the first design.
 FIRST_LOAD = 1_500_000
-# A page in one file loads no other files.
+# Content security policy of the page in a single file, which loads no other files.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; connect-src data: blob:"
@@ -33,7 +33,7 @@ POLICY = (
 
 
 def bundle(esbuild, out):
-    """All modules of the page in one."""
+    """All modules of the page in a single script."""
     with tempfile.TemporaryDirectory() as folder:
         page = Path(folder) / "page"
         shutil.copytree(PAGE, page)
@@ -43,7 +43,7 @@ def bundle(esbuild, out):
 
 
 def without_custom_sections(module):
-    """The module without names and other notes of its compiler."""
+    """The module without function names and other notes of its compiler."""
     out, at = bytearray(module[:8]), 8
     while at < len(module):
         kind, length, start = module[at], 0, at + 1
@@ -64,7 +64,7 @@ def index(url=""):
 
 
 def preview(url):
-    """Picture and address of the page for previews of links."""
+    """Picture and address of the page, for previews of links."""
     picture = html.escape(url + "preview.png")
     tags = [
         f'<meta property="og:image" content="{picture}">',
@@ -104,7 +104,7 @@ def one_file(out, engine):
 
 
 def service_worker(out, files, later):
-    """Stores the files of this build, so that the page opens without a network after the first visit."""
+    """Writes the service worker. It stores the files of this build, so that the page opens without a network after the first visit."""
     version = hashlib.sha256(b"".join((out / file).read_bytes() for file in [*files, later])).hexdigest()[:16]
     text = (ROOT / "web" / "service_worker.js").read_text()
     list_ = ", ".join(f'"{file}"' for file in ["./", *files])

@@ -1,8 +1,8 @@
-// Keeps this build of the page: it opens without a network after the first visit, and a new build takes its place whole.
+// Stores this build of the page, so that it opens without a network after the first visit. A new build replaces it as a whole.
 
 const CACHE = "gaitcam-{version}";
 const FILES = [{files}];
-// Fetched when the page says that it has what it needs.
+// File that is stored later, after a message of the page.
 const LATER = "{later}";
 
 addEventListener("install", (event) => {

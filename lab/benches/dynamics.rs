@@ -56,7 +56,7 @@ const SHAFTS: [&str; 7] = [
 fn on_shaft(shaft: &str) -> Scene {
     let scene = scene::built_in("footbridge").and_then(|s| s.scene());
     let mut scene = scene.expect("a built-in scene");
-    // Both designs of one family.
+    // Designs with and without a motor have the same family.
     scene.law.family = Family::Spline;
     if let Some((wheel, slope)) = shaft.split_once(", ") {
         scene.machine.inertia = wheel.parse().ok();

@@ -2,8 +2,8 @@
 
 import collections
 
-# Package with its handwritten faults, its files as arguments of cargo-mutants, and the fraction 1/n of mutants that is tried;
-# then test programs with filters of tests: those that run first, and the rest.
+# Package with its handwritten faults, its files as arguments of cargo-mutants, and the sampled fraction 1/n of its mutants. Then test programs with
+# filters of tests: those that run first, and the other ones.
 Area = collections.namedtuple("Area", "package files one_in first then")
 # Inputs from which cargo builds a test program.
 KINDS = {"lib": ["--lib"], "it": ["--test", "it"]}

@@ -97,7 +97,7 @@ def nodes(node):
 
 
 def switched(mutant, source, tree):
-    """Byte range of a mutant with the texts before and behind it; None if no switch is possible."""
+    """Byte range of a mutant, with the texts before and after it; None if no switch is possible."""
     start, end, k = mutant.start, mutant.end, mutant.number
     text = lambda a, b: source[a:b].decode()
     either = lambda a, b, other: (a, b, f"(if crate::mutant({k}) {{ {other} }} else {{ ", " })")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Reads profile.dxf back with ezdxf, drawn as arcs and as splines: audit without errors, areas and points against the profile's
-# table. Needs pip; ends well where the packages cannot be had.  Usage: lab/peers/dxf.sh [path to gaitcam]
+# Reads profile.dxf with ezdxf, drawn as arcs and as splines: an audit without errors, and areas and points compared with the table of the profile.
+# Requires pip. Without the packages, it ends without an error.  Usage: lab/peers/dxf.sh [path to gaitcam]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Reads a sweep's Parquet file with another reader (pyarrow) and holds it against the CSV of the same sweep.
-# Optional: needs gaitcam built with --features parquet, python3 with venv, and a package index; says so and
-# ends well where one is missing.  Usage: lab/peers/parquet.sh [path to gaitcam]
+# Reads the Parquet file of a sweep with another reader (pyarrow) and compares it with the CSV of the same sweep. Optional: requires gaitcam with
+# --features parquet, python3 with venv, and a package index. If one of them is missing, it prints this and ends without an error.  Usage:
+# lab/peers/parquet.sh [path to gaitcam]
 set -euo pipefail
 here="$(cd "$(dirname "$0")/../.." && pwd)"
 gaitcam="${1:-$here/target/release/gaitcam}"

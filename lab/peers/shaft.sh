@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Integrates the shaft under a motor with scipy (DOP853) for every follower and drive, and compares force and period with
-# `gaitcam simulate`. Needs pip; ends well where the packages cannot be had.  Usage: lab/peers/shaft.sh [path to gaitcam]
+# Integrates the shaft with a motor by scipy (DOP853) for every follower and drive, and compares force and period with `gaitcam simulate`. Requires
+# pip. Without the packages, it ends without an error.  Usage: lab/peers/shaft.sh [path to gaitcam]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Reads cam.step back with two other programs: OCCT (valid closed solids, volume, edge points against the profile's table)
-# and gmsh. Needs pip; ends well where the packages cannot be had.  Usage: lab/peers/step.sh [path to gaitcam]
+# Reads cam.step with two other programs: OCCT (valid closed solids, volume, edge points compared with the table of the profile) and gmsh. Requires
+# pip. Without the packages, it ends without an error.  Usage: lab/peers/step.sh [path to gaitcam]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

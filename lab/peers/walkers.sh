@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The least worst error over 200 walkers, and that of the worst tenth, under limits on stroke, acceleration and jerk, by cvxpy,
-# against `gaitcam synth`. Needs pip; ends well where the packages cannot be had.  Usage: lab/peers/walkers.sh [gaitcam]
+# Minimum of the maximum error over 200 walkers, and of the mean error of the worst tenth, with limits on stroke, acceleration and jerk. Compares
+# cvxpy with `gaitcam synth`. Requires pip. Without the packages, it ends without an error.  Usage: lab/peers/walkers.sh [gaitcam]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)

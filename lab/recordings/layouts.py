@@ -8,7 +8,7 @@ from recording import Recording, belts, case, options, with_sensor
 
 
 def landing_force(rng, t, mass, hop):
-    """Landing of one leg from a box. The person then stands, or hops off at once, so that there is a second peak as in walking."""
+    """Landing of one leg from a box. The person then stands or hops off at once; a hop gives a second peak, as in walking."""
     length = rng.uniform(0.5, 0.7) if hop else rng.uniform(0.7, 1.3)
     s = np.clip((t - 0.8) / length, 0, 1)
     if hop:

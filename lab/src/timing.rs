@@ -33,7 +33,7 @@ impl Times {
     }
 }
 
-/// Duration of the measurements.
+/// Settings of the time measurements: number of runs and total duration.
 pub(crate) struct Watch {
     /// Whether few repetitions and sizes are sufficient.
     pub(crate) quick: bool,

@@ -18,7 +18,7 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     parquet = needed("pyarrow.parquet", "gaitcam[arrow]")
     table = pyarrow.table(plan.run(start, stop, jobs=1))
     folder, name = os.path.split(os.fspath(file))
-    partial = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder
+    partial = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from readers of the folder
     try:
         with open(partial, "xb") as sink:
             parquet.write_table(table, sink, compression="snappy")

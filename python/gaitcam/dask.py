@@ -26,7 +26,7 @@ def sweep(
     distributed = needed("distributed", "gaitcam[dask]")
     client = client or distributed.Client.current()
     missing = plan.begin(path, block_rows)
-    shared = client.scatter(plan, broadcast=True, hash=False)  # once to each worker, recordings included
+    shared = client.scatter(plan, broadcast=True, hash=False)  # sent once to each worker, with the recordings
     tasks = [client.submit(blocks.write, shared, *block, pure=False, retries=retries) for block in missing]
     results = (task.result() for task in distributed.as_completed(tasks))
     return blocks.counted(results, missing, progress)

@@ -27,7 +27,7 @@ def sweep(
     missing = plan.begin(path, block_rows)
     if not missing:
         return 0
-    shared = ray.put(plan)  # once to each node, recordings included
+    shared = ray.put(plan)  # stored once on each node, with the recordings
 
     def compute(batch: dict[str, Any]) -> dict[str, list[int]]:
         return {"rows": [blocks.write(ray.get(shared), *missing[i]) for i in batch["id"]]}

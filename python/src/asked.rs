@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Minimum number of rows.
+/// Minimum number of rows of a table.
 const FEWEST_ROWS: usize = 16;
 
 /// Options of the files of a design.
@@ -78,7 +78,7 @@ fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     }
 }
 
-/// Language of a tag.
+/// Language of a tag: `en` or `es`.
 pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     Language::of_tag(tag).ok_or_else(|| {
         argument(

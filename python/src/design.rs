@@ -369,7 +369,7 @@ impl Design {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Scene, Option<Force>, f64)> {
-        // A design follows from its question: that is what travels.
+        // A design is determined by its inputs, so only these are pickled.
         let restore = py.get_type::<Design>().getattr("_restore")?;
         let question = (self.asked.clone(), self.force.clone(), self.time_limit);
         Ok((restore, question))

@@ -45,7 +45,7 @@ pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     Ok(own)
 }
 
-/// Exception for a fault.
+/// Python exception for a fault, with its key, code, place and help.
 pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     let help = fault.help(Language::En);
     let error = InputError::new_err(fault.sentence(Language::En));

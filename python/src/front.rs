@@ -127,7 +127,7 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
 /// Text column; a missing text is empty.
 fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let column = table.get_item(name)?;
-    // pyarrow's own values are no strings.
+    // Values of pyarrow are not Python strings.
     let column = match column.call_method0("to_pylist") {
         Ok(list) => list,
         Err(_) => column,

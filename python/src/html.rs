@@ -10,7 +10,7 @@ pub fn head(name: &str, said: &str) -> String {
     format!("<p><b>{}</b>: {}</p>", escaped(name), escaped(said))
 }
 
-/// Preformatted text.
+/// Preformatted text as HTML.
 pub fn fixed(text: &str) -> String {
     format!("<pre>{}</pre>", escaped(text))
 }

@@ -70,7 +70,7 @@ impl Interrupt {
             return false;
         }
         state.looked = Instant::now();
-        // A handler may run Python, and Python may ask again: the lock is not held meanwhile.
+        // A signal handler may run Python code that calls this function again, so the lock is released first.
         drop(state);
         let look = |py: Python<'_>| {
             py.check_signals()?;

@@ -74,7 +74,7 @@ pub fn shaped<'py, const N: usize>(
     let mut arrays = Vec::with_capacity(N);
     for column in out {
         let column = PyArray1::from_vec(py, column);
-        // An empty tuple picks a number out of an array without dimensions.
+        // The empty tuple converts an array without dimensions to a number. Other arrays stay unchanged.
         let column = column.call_method1("reshape", (&shape,))?;
         arrays.push(column.get_item(pyo3::types::PyTuple::empty(py))?);
     }

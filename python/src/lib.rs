@@ -19,7 +19,7 @@ mod sweep;
 mod synth;
 mod table;
 
-// For their features alone, as Cargo.toml says.
+// These crates are used only to enable their features; see Cargo.toml.
 #[cfg(target_os = "linux")]
 use {getrandom as _, libc as _, rustix as _, serde_core as _};
 

@@ -68,7 +68,7 @@ impl Scene {
         })
     }
 
-    /// A complete scene.
+    /// A scene that specifies its force or a programme.
     pub fn of_input(input: Input) -> Scene {
         Scene {
             input,

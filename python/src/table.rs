@@ -32,7 +32,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Table of records.
+    /// Table of the columns of records, with metadata.
     pub fn new(records: Records, metadata: Pairs) -> Table {
         Table { records, metadata }
     }

@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 
 struct Apart;
 
-// SAFETY: each function hands its arguments on to the system's allocator, which keeps the trait's promises.
+// SAFETY: each function passes its arguments to the system allocator, which fulfils the contract of the trait.
 unsafe impl GlobalAlloc for Apart {
     #[inline(never)]
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {

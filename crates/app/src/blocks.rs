@@ -108,7 +108,7 @@ impl Blocks {
 /// Blocks of equal length in which several processes share a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
-    /// Folder of the sweep.
+    /// Folder that contains the blocks of the sweep.
     pub blocks: Blocks,
     rows: u64,
     block_rows: u64,
@@ -277,7 +277,7 @@ mod tests {
         assert_eq!(open().missing().unwrap(), [0..4, 8..10]);
         assert_eq!(open().missing_of(1, 2).unwrap(), [0..4, 8..10]);
         assert!(open().missing_of(2, 2).unwrap().is_empty());
-        // Shares counted from 0: all of them together are the whole, and share 0 is the last.
+        // Counted from 0: the shares together contain all missing blocks, and share 0 is the last share.
         assert!(open().missing_of(0, 2).unwrap().is_empty());
         let of_three = [0, 1, 2].map(|part| open().missing_of(part, 3).unwrap());
         assert_eq!(of_three.concat(), [8..10, 0..4]);

@@ -55,7 +55,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     };
     let mut gait = gait.clone();
     gait.step_frequency = match gait.step_frequencies.take() {
-        // Of several walkers the one who takes the steps of this speed.
+        // For several walkers: the step frequency at this speed selects the walker.
         Some(_) => step_frequency(&design),
         None => gait.step_frequency.map(|f| faster * f),
     };
@@ -63,7 +63,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
         Ok(None) => return Ok((design, None)),
         Ok(Some(force)) => {
             let mut scene = scene.clone();
-            // The mass is that of the machine, whatever the mean force at this speed.
+            // The mass of the machine does not depend on the mean force at this speed.
             let mass = (drive.mass > 0.0).then_some(drive.mass);
             scene.drive.mass = scene.drive.mass.or(mass);
             let problem = Problem::resolve(&scene, Some(&force))?.at_phase(design.problem.phase);

@@ -20,7 +20,7 @@ use crate::scene::Input;
 /// Maximum number of listed errors of one scene.
 const MOST: usize = 25;
 
-/// Result of an examination.
+/// Result of the examination of one part of a scene or recording.
 #[derive(Debug, Clone)]
 pub enum Finding {
     /// A part without errors: message of the command, with its data.
@@ -37,7 +37,7 @@ pub enum Finding {
     Design(Box<Design>),
 }
 
-/// Severity of a finding.
+/// Severity of a finding: no action, a check by the user, or an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// The finding needs no action.

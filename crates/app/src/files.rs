@@ -62,9 +62,9 @@ pub struct Source<'a> {
 /// A file that a design may have.
 #[derive(Debug, Clone, Copy)]
 pub struct File {
-    /// Name of the file.
+    /// Name of the file in the folder of the design.
     pub name: &'static str,
-    /// Purpose of the file.
+    /// Purpose of the file, by which lists are grouped.
     pub group: Group,
     of: Of,
     maker: Maker,
@@ -136,7 +136,7 @@ pub const ALL: [File; 38] = {
             Walks,
             Always(|s| Ok((csv::strides(s.design).map(String::into_bytes), Vec::new()))),
         ),
-        // Made by [`design::summary`](crate::design::summary), which knows the scene.
+        // Made by [`design::summary`](crate::design::summary), because it also requires the scene.
         file(Tables, "summary.json", All, Finish),
         piece(Drawings, "profile.dxf", Cams, Piece::Dxf),
         piece(Drawings, "profile.svg", Cams, Piece::Svg),

@@ -58,8 +58,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// As [`write_whole`], but the temporary file is hidden and is synced before it is renamed. Used for folders that other processes read at the same
-/// time.
+/// As [`write_whole`], but the temporary file is hidden, and it is synced before it is renamed. Used in folders that other processes read at the
+/// same time.
 ///
 /// # Errors
 ///
@@ -108,7 +108,7 @@ fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTe
     let mut temporary = Builder::new()
         .prefix(&name)
         .suffix(".partial")
-        // With the rights that the user's files have, not those of a secret.
+        // With the usual access rights of new files instead of those of a private temporary file.
         .make_in(folder, |p| fs::File::create_new(p))?;
     temporary.as_file_mut().write_all(bytes)?;
     Ok(temporary)

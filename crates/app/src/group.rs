@@ -1,6 +1,6 @@
 //! Groups of the files of a design in lists.
 
-/// Purpose of a file.
+/// Purpose of a file, by which lists of files are grouped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     /// Tables of numbers: CSV, JSON and workbooks.

@@ -45,13 +45,13 @@ pub fn check(place: &Path) -> Result<()> {
 ///
 /// The file is one of them; the error contains its path.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
-    // Links of a place are not followed where nothing was read.
+    // Links in the path are resolved only if files were read.
     let replaces = || place.canonicalize().is_ok_and(|p| inputs.contains(&p));
     if inputs.is_empty() || !replaces() {
         return Ok(());
     }
     let file = place.display().to_string();
-    // A name alone has an empty parent.
+    // The parent of a plain file name is empty.
     let folder = place.parent().filter(|p| !p.as_os_str().is_empty());
     Err(FileError::Replaced { file }.in_file(folder.unwrap_or(place)))
 }

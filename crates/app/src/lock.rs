@@ -53,7 +53,7 @@ impl Lock {
             let (mut file, is_new) = match options.write(true).create_new(true).open(path) {
                 Ok(file) => (file, true),
                 Err(e) if e.kind() != ErrorKind::AlreadyExists => return Err(e),
-                // A link could lead anywhere, and a pipe would never open.
+                // A link could point to any file, and opening a pipe could block without end.
                 Err(_) if !is_plain(path) => match fs::symlink_metadata(path) {
                     Ok(_) => return Err(ErrorKind::InvalidInput.into()),
                     Err(_) => continue,
@@ -69,7 +69,7 @@ impl Lock {
                 Err(TryLockError::WouldBlock) => return Ok(None),
                 Err(TryLockError::Error(e)) => return Err(e),
             }
-            // Its last holder may have removed it between opening and locking.
+            // The last holder may have removed the file between opening and locking.
             if !is_still_there(&file, path) {
                 continue;
             }
@@ -78,7 +78,7 @@ impl Lock {
                 let path = path.to_path_buf();
                 return Ok(Some(Lock { path, _file: file }));
             }
-            // Left by a process that was killed, and perhaps the user's under another name: not written into.
+            // The file was left by a killed process, or it may be a hard link to a file of the user. It is removed without writing to it.
             fs::remove_file(path)?;
         }
     }

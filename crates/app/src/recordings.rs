@@ -21,7 +21,7 @@ const ABOUT: [&str; 7] = [
     "changelog",
 ];
 
-/// Content of a folder.
+/// Files found in a folder and in its subfolders.
 #[derive(Debug, Default)]
 pub struct Inside {
     /// Files with endings of recordings, in alphabetical order.

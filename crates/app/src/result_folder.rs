@@ -186,7 +186,7 @@ fn check_place(path: &Path, name: &str) -> Result<()> {
     }
 }
 
-/// Whether a file is in the result folder itself or in a subfolder that is a real folder (not a link) or does not exist yet.
+/// Whether a file is in the result folder itself or in a subfolder. The subfolder is a real folder (not a link) or does not exist yet.
 fn is_inside(path: &Path, name: &str) -> bool {
     let parent = Path::new(name)
         .parent()

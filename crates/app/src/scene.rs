@@ -183,7 +183,7 @@ pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
         .map_err(|e: toml::de::Error| not_toml(path, text, &e))
 }
 
-/// Scene in a `summary.json`.
+/// Table of the scene in the text of a `summary.json`.
 fn of_summary(path: &Path, text: &str) -> Result<Table> {
     let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
     let missing = || FileError::NoSceneInSummary.in_file(path);

@@ -101,7 +101,7 @@ impl SweepQuestion {
         let mut scenes = self.scenes.clone();
         let mut axes = Vec::new();
         if let Some(first) = self.recordings.first() {
-            // A scene that leaves its recording to the sweep is complete with any of them.
+            // A scene without a recording is complete with any recording of the sweep.
             for scene in &mut scenes {
                 set_value(&mut scene.table, "gait.file", first.as_str().into())?;
             }

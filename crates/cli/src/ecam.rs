@@ -25,7 +25,7 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Share of the mean force below which the force error of the file is not printed, %.
+/// Share of the mean force, %. A force error of the file below this share is not printed.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
@@ -108,7 +108,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Writes the file where it is asked for, otherwise into the folder of the design; its path.
+/// Writes the file to the given path, otherwise to the folder of the design. Returns the path.
 fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> {
     if let Some(out) = &args.out {
         write_whole(out, cam.text.as_bytes())?;
@@ -129,7 +129,7 @@ struct Several {
     misfits: [Misfit; 3],
 }
 
-/// The design of so many consecutive recorded strides, and its response against that of all.
+/// Design of `count` consecutive recorded strides, with its response compared with that of all strides.
 fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
     let walk = design.walk();
     let recorded = walk.as_ref().map_or(0, Walk::strides);

@@ -46,7 +46,7 @@ pub struct PointsArgs {
     out: Option<PathBuf>,
 }
 
-/// CAD programs by what their "curve through points" reads.
+/// CAD programs, by the format that their command "curve through points" reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Program {
     // "Curve through XYZ points": x y z separated by tabs, no header
@@ -80,7 +80,7 @@ impl Program {
         }
     }
 
-    /// The file with these coordinates.
+    /// Content of the file with these coordinates.
     fn bytes(self, points: &[[f64; 2]], unit: &str) -> Result<Vec<u8>> {
         let rows = |separator: &str| -> String {
             let row = |[x, y]: &[f64; 2]| format!("{x:.9}{separator}{y:.9}{separator}0\n");
@@ -96,7 +96,7 @@ impl Program {
 }
 
 impl Unit {
-    /// Name and number per metre.
+    /// Name of the unit, and number of units per metre.
     fn scale(self) -> (&'static str, f64) {
         match self {
             Unit::Mm => ("mm", 1e3),
@@ -106,7 +106,7 @@ impl Unit {
     }
 }
 
-/// Writes the points of the profile, and of the second profile of a pair; exit code 3 when the design has no cam.
+/// Writes the points of the profile, and of the second profile of a pair. The exit code is 3 if the design has no cam.
 ///
 /// # Errors
 /// Faults of the input; a unit that the program does not read; files that cannot be written.
@@ -136,7 +136,7 @@ pub fn run(args: &PointsArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Writes the profile of one cam; a closed one ends where it begins.
+/// Writes the profile of one cam. The last point of a closed profile equals the first.
 fn written(args: &PointsArgs, cam: &Cam, place: &Path) -> Result<()> {
     let (unit, per_metre) = match args.cad {
         Program::Fusion => ("cm", 1e2),

@@ -38,9 +38,9 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
         port: args.port,
         language: language::given(),
     })?;
-    // A panic costs one answer; its trace belongs into the terminal.
+    // A panic ends only one response; its message belongs in the terminal.
     let _ = std::panic::take_hook();
-    // Nothing is half written between two requests: an interrupt is the usual end.
+    // No file is half written between two requests, so Ctrl-C is the normal way to end the program.
     let _ = ctrlc::set_handler(|| exit(i32::from(BUILT)));
     print(&ready.url());
     if !args.no_open {

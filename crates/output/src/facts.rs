@@ -232,7 +232,7 @@ impl List<'_> {
             self.words.name(design.family.name()),
             Brief::Value,
         );
-        // A harmonic law is one piece of no degree.
+        // A harmonic law has no degree and no spans.
         if design.degree > 0 {
             self.put("report-degree", design.degree.to_string(), Brief::Whole);
             let pieces = law.poly().pieces();
@@ -346,7 +346,7 @@ impl List<'_> {
         self.figure("torque_max_n_m", Brief::Whole);
         self.figure("torque_rms_n_m", Brief::Whole);
         self.figure("power_max_w", Brief::Whole);
-        // Without friction the mean is only rounding.
+        // Without friction, the mean power is only a rounding error.
         let power = &mut self.figures.machine;
         if let Some((mean, most)) = power.power_mean_w.zip(power.power_max_w) {
             power.power_mean_w = Some(if mean.abs() < 1e-9 * most { 0.0 } else { mean });
@@ -361,7 +361,7 @@ impl List<'_> {
         let Some(borne) = cam.allowable_pressure().filter(|_| !self.design.is_idle()) else {
             return;
         };
-        // The pressure that the materials bear, with the margin.
+        // Allowable pressure of the materials, with the safety factor.
         let of_hardness = cam.making.hardness;
         let of_hardness = of_hardness.filter(|h| h.allowable_pressure() == borne);
         let margin = pressure.filter(|p| *p > 0.0);

@@ -112,7 +112,7 @@ impl<W: Write + Send> Writer<W> {
         let mut properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_max_row_group_row_count(Some(GROUP_ROWS));
-        // Measured numbers hardly ever repeat: a dictionary does not pay. Parameters do.
+        // Results rarely repeat, so a dictionary would not save space. Parameters repeat.
         for name in NUMBERS.iter().chain([&TIME]) {
             properties = properties.set_column_dictionary_enabled(ColumnPath::from(*name), false);
         }

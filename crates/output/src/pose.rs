@@ -52,16 +52,16 @@ impl Bounds {
 pub enum Pose {
     /// A face through `at` in the direction `angle` (rad) from +x.
     Face {
-        /// Foot of the stem.
+        /// Point of the face at the foot of the stem, or of the perpendicular from the pivot, m.
         at: [f64; 2],
-        /// Direction of the face.
+        /// Direction of the face from +x, rad.
         angle: f64,
     },
     /// A roller, or the tip of a knife edge (radius 0).
     Roller {
-        /// Centre of the roller.
+        /// Centre of the roller, m.
         centre: [f64; 2],
-        /// Radius of the roller.
+        /// Radius of the roller, m; 0 for a knife edge.
         radius: f64,
     },
 }
@@ -83,7 +83,7 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
             ..
         } => Pose::Face {
             at: [pivot_distance + face_offset * nx, face_offset * ny],
-            // From the pivot the arm points to (−σ cos ξ, sin ξ): a quarter turn from the normal.
+            // The arm points from the pivot to (−σ cos ξ, sin ξ), perpendicular to the normal.
             angle: if pivot_distance > 0.0 {
                 nx.atan2(-ny)
             } else {

@@ -1,4 +1,4 @@
-// The page: boot and wiring.
+// Start of the page, and connections between its modules.
 
 import { $, hide, notice } from "./core/dom.js";
 import * as words from "./core/words.js";
@@ -29,10 +29,10 @@ import * as paper from "./panels/paper.js";
 let anew = true;
 
 let lastGesture = null;
-// What stays to be read after the first design.
+// Message to show after the first design.
 let told = "";
 
-// Changes values of the scene and asks for its design. Changes of one gesture are one version.
+// Changes values of the scene and requests its design. All changes of one gesture belong to one version.
 function edit(changes, gesture = null, more = {}) {
   const before = designs.present()?.answer.curves;
   if (before && gesture !== lastGesture) charts.leave(before);
@@ -43,7 +43,7 @@ function edit(changes, gesture = null, more = {}) {
   designs.ask(performance.now());
 }
 
-// Another scene, `more`: the files that it names, its recording, its drawn force.
+// Opens another scene. `more` contains the files that the scene names, its recording, and its drawn force.
 function openScene(toml, more = {}) {
   const [, name = ""] = /^name\s*=\s*"([^"]*)"/m.exec(toml) ?? [];
   versions.open(toml, { name, ...more });
@@ -53,13 +53,14 @@ function openScene(toml, more = {}) {
   stage.anew();
 }
 
-// Undo, redo, a version of the list.
+// Moves to another version: undo, redo, or a version from the list.
 function move(there) {
   const { name } = versions.now();
   if (there()) elsewhere(versions.now().name !== name);
 }
 
-// Of another scene no fields are known; those of another version stay until its own are there, so that the form does not flicker.
+// Requests the design of another version. The fields of another scene are unknown. Otherwise the old fields stay until the new ones arrive,
+// so that the form does not flicker.
 function elsewhere(isOther) {
   charts.forget();
   form.reset();
@@ -89,8 +90,8 @@ async function show(answer, since, more) {
   design.dataset.revision = Number(design.dataset.revision) + 1;
 }
 
-// Draws every panel after a change of the state. A panel keeps nothing of it: it gets the version, and `seen`: the answer on
-// the screen (null before the first), the fields known of the scene, and whether more answers of one gesture follow.
+// Draws every panel after a change of the state. A panel stores none of the state. It receives the version and `seen`: the displayed
+// response (null before the first), the known fields of the scene, and whether more responses of one gesture follow.
 function state(moving = false) {
   const version = versions.now();
   const seen = { answer: designs.present()?.answer ?? null, fields: designs.known(), moving };
@@ -99,7 +100,7 @@ function state(moving = false) {
   for (const panel of panels) panel.render(version, seen);
 }
 
-// Resolves when the next picture is on the screen; a hidden page has none.
+// Resolves when the next frame has been painted. A hidden page paints no frames, so the promise resolves at once.
 function painted() {
   if (document.hidden) return Promise.resolve();
   return new Promise((resolve) => {
@@ -141,14 +142,14 @@ async function first(start) {
     designs.ask();
     return;
   }
-  // A page in one file may carry a scene.
+  // A page in a single file may contain a scene.
   const inside = document.getElementById("packed")?.textContent;
   const held = await linked() ?? (inside ? await unpack(`s=${inside}`) : null);
   if (held) openScene(held.scene, held);
   else openScene(start.scene);
 }
 
-// The scene of the address; a damaged one is said.
+// Scene in the address of the page. For a damaged one, a message is prepared.
 async function linked() {
   const held = await unpack(location.hash);
   if (!held && hasScene(location.hash)) told = t("studio-link-broken");

@@ -14,7 +14,7 @@ const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs
 /// A file of the page that the report also contains.
 const MOTION: &str = "core/motion.js";
 
-/// Page itself. Its other files are below `base`. If `language` is `None`, the page uses the language of the browser.
+/// The page itself. Its other files are below `base`. If `language` is `None`, the page uses the language of the browser.
 pub fn page(base: &str, language: Option<Language>) -> Response {
     let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
     let page = page

@@ -1,4 +1,4 @@
-//! The opened folder. Its files may be read and new files may be written; nothing outside is accessed.
+//! The opened folder. Its files may be read and new files may be written. Files outside the folder are not accessed.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -135,7 +135,7 @@ impl Folder {
             match write_new(&path, bytes) {
                 Ok(()) => return Ok(name),
                 Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {
-                    // An equal file needs no second one.
+                    // If an equal file exists, no second file is written.
                     if self.read(name.as_ref()).is_ok_and(|old| old == bytes) {
                         return Ok(name);
                     }
@@ -171,7 +171,7 @@ impl Folder {
             if kind.is_dir() && depth < DEPTH && name != "target" && name != "node_modules" {
                 self.look(&path, depth + 1, out);
             }
-            // Links and pipes are not even looked into: they may never end.
+            // Links and pipes are not opened, because reading a pipe may never end.
             if !kind.is_file() {
                 continue;
             }

@@ -88,7 +88,7 @@ impl Guard {
         Guard { token, port }
     }
 
-    /// Address to open.
+    /// Address of the page, with the token.
     pub fn url(&self) -> String {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token)
     }
@@ -98,8 +98,8 @@ impl Guard {
         format!("/{}/", self.token)
     }
 
-    /// Whether a request is admitted: the host is this server, the origin is not a different one, the query or the first part of the path contains
-    /// the token, and the path has no parent folders.
+    /// Whether a request is admitted. The host must be this server, and the origin must not be a different one. The query or the first part of the
+    /// path must contain the token, and the path must not contain parent folders.
     pub fn admit(&self, head: &Head) -> Result<(), Response> {
         let own = [
             format!("127.0.0.1:{}", self.port),

@@ -5,9 +5,9 @@
 //! writes the files of one folder.
 //!
 //! ```text
-//! http/      connections, heads, answers         guard.rs    token, host, origin
-//! routes.rs  which address asks what             folder.rs   the opened folder
-//! files.rs   scenes opened and saved             assets.rs   the page
+//! http/      connections, heads, responses       guard.rs    token, host, origin
+//! routes.rs  URL routing                         folder.rs   the opened folder
+//! files.rs   opening and saving of scenes        assets.rs   files of the page
 //! ```
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -33,23 +33,23 @@ use gaitcam_app::page::{Engine, Start, set_language, table};
 use guard::{Guard, Place};
 use http::Server;
 
-/// Options of the studio.
+/// Options with which the studio is opened.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// A scene file, a folder, or the name of a built-in scene. If `None`, the working directory with the default scene.
+    /// A scene file, a folder, or the name of a built-in scene. `None` selects the working directory with the default scene.
     pub open: Option<PathBuf>,
     /// Port; 0 selects a free port.
     pub port: u16,
-    /// Language of the page at first; that of the browser if `None`.
+    /// Initial language of the page; `None` selects the language of the browser.
     pub language: Option<Language>,
 }
 
-/// A running studio server.
+/// State of a running studio server.
 struct Studio {
     guard: Guard,
     folder: Folder,
     start: Start,
-    /// Language of the page at first; that of the browser if `None`.
+    /// Initial language of the page; `None` selects the language of the browser.
     language: Option<Language>,
     engine: Engine,
     began: Instant,
@@ -134,7 +134,7 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     Ok((folder, start))
 }
 
-/// Locks the mutex, also after a panic of another thread, which leaves no inconsistent state.
+/// Locks the mutex. A panic of another thread leaves no inconsistent state.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

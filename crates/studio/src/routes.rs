@@ -83,7 +83,7 @@ fn of_tag(tag: &str) -> Language {
     Language::of_tag(tag).unwrap_or_default()
 }
 
-/// Converts an answer of the engine to a response.
+/// Converts a response of the engine to an HTTP response.
 fn answered(answer: Answer) -> Response {
     let status = match answer.understood {
         true => Status::Ok,

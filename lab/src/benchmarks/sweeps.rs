@@ -29,7 +29,7 @@ pub(crate) fn sweeps(report: &mut Report) {
         "gait.step_frequency=1.5 Hz:2.4 Hz",
         "gait.body_weight=400 N:1000 N",
     ];
-    // Long enough that starting threads, some 2 ms, is not what is measured.
+    // The number of rows is large, so that the start of the threads (about 2 ms) has little influence.
     let rows = 128_000;
     let spectral = |threads| swept(&["law.family=harmonic"], &both, rows, threads);
     let (one, two) = (spectral(1), spectral(2));

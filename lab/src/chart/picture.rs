@@ -46,7 +46,7 @@ impl Axis {
         } else {
             (0.0, 1.0)
         };
-        // A mark on the frame would be cut: leave a tenth of a decade.
+        // A mark on the frame would be cut off, so the range is extended by a tenth of a decade.
         let (low, high) = ((low - 0.1).floor() as i32, (high + 0.1).ceil() as i32);
         Axis {
             low,

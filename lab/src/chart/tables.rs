@@ -84,7 +84,7 @@ pub fn section(out: &mut String, chart: &Chart, drawn: bool) {
             chart.title, chart.file, chart.advice
         );
     }
-    // Columns of marks and points where there are any.
+    // Columns of marks and points, if the chart has any.
     let is_marked = !front.is_empty() || chart.rows.iter().any(|r| r.default);
     let has_points = chart.across == Across::Points;
     let mut head = vec!["method", "size", &chart.error, "time", "quartiles"];

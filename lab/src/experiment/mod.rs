@@ -78,7 +78,7 @@ pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> 
         .fold(0.0, f64::max))
 }
 
-/// Page of Markdown.
+/// Text of a Markdown page while it is written.
 struct Page(String);
 
 impl Page {

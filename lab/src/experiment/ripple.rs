@@ -53,7 +53,8 @@ pub fn turn(cam: &Cam, slope: f64) -> Result<Turn> {
             pair[0].contact_force - weight,
             pair[1].contact_force - weight,
         ];
-        // In the dwell the force is the weight, up to the ripple of the speed, which a circle does not feel.
+        // In the dwell, the force equals the weight up to rounding, because the speed ripple has no effect on a circle. The threshold excludes these
+        // crossings.
         if a * b < 0.0 && a.abs().max(b.abs()) > 1e-6 * weight {
             let part = a / (a - b);
             let time = pair[0].time + part * (pair[1].time - pair[0].time);
@@ -78,7 +79,7 @@ pub fn turn(cam: &Cam, slope: f64) -> Result<Turn> {
 
 /// Turn whose first interval is as long as the measured one.
 pub fn as_measured(cam: &Cam) -> Result<Turn> {
-    // A stiffer line shortens the stretch.
+    // A stiffer motor line shortens the interval.
     let (mut soft, mut stiff) = (0.02_f64, 1.0_f64);
     for _ in 0..40 {
         let middle = (soft * stiff).sqrt();
@@ -112,14 +113,14 @@ mod tests {
 
     #[test]
     fn a_stiff_motor_gives_the_angles_of_constant_speed() {
-        // cos A = cos 2A: the acceleration of the double harmonic changes its sign at two thirds of either flank.
+        // The acceleration of the double harmonic is proportional to cos A − cos 2A. It changes its sign at two thirds of either flank.
         let cam = thesis::double_harmonic();
         let stiff = turn(&cam, 1e4).unwrap();
         for (got, exact) in [stiff.first_end, stiff.second[0], stiff.second[1]]
             .iter()
             .zip([90.0, 180.0, 270.0])
         {
-            // What 1440 points of a profile leave.
+            // Error of a profile with 1440 points.
             assert!((got - exact).abs() < 0.01, "{stiff:?}");
         }
     }

@@ -18,7 +18,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         counts.dedup();
         for count in counts {
             let (cam, timing) = watch.time(|| make(&design, dialect, Some(count)));
-            // Too few points, or so many that rounded numbers spoil the force, are refused.
+            // Too few points are rejected, and so are so many points that the rounding of numbers distorts the force.
             let Ok(cam) = cam else { continue };
             let mut row = timing.row(
                 dialect.name(),

@@ -131,7 +131,7 @@ fn harmonics(
         let error = force_error(&drive, &law?.0, target);
         rows.push(timing.row("harmonics", format!("{count}"), error));
     }
-    // The default chooses the count as well, and pays for it.
+    // The default method also selects the number of harmonics, and its time includes this selection.
     let allowed = DEFAULT_ACCURACY * target.mean_n().abs();
     let (law, timing) = watch.time(|| first_rung(target, drive, allowed).map(with_profile));
     let law = law?.0;
@@ -255,7 +255,7 @@ fn rise_and_fall(x: f64, end: f64) -> f64 {
     0.5 * ((1.0 - p.cos()) - 0.25 * (1.0 - (2.0 * p).cos()))
 }
 
-/// Amplitude with the smallest mean square error.
+/// Amplitude with the minimum mean square error.
 fn double_harmonic(target: &ForceCurve, end: f64) -> f64 {
     let n = target.force_n.len();
     let angle = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;

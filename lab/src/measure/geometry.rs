@@ -70,7 +70,7 @@ fn by_differences(cam: &Cam, theta: f64, step: f64) -> f64 {
     let first = |l: f64, r: f64| (r - l) / (2.0 * step);
     let second = |l: f64, m: f64, r: f64| (l - 2.0 * m + r) / (step * step);
     let (dx, dy) = (first(a.x, c.x), first(a.y, c.y));
-    // The cam turns the other way than its profile is run through.
+    // The sign is negative, because the cam rotates opposite to the sense in which the profile is traversed.
     -radius(dx, dy, second(a.x, b.x, c.x), second(a.y, b.y, c.y))
 }
 

@@ -160,7 +160,7 @@ pub fn periodic_polynomial(
 ) -> (Option<Force>, usize) {
     let basis = PolynomialBasis::Legendre;
     let fit = basis.fit(target, std::f64::consts::TAU, degree - 2, 400);
-    // The mean of a Legendre series is its first coefficient: closure sets it to the weight.
+    // The mean of a Legendre series is its first coefficient. For a closed motion it must be the weight.
     let rest = drive.rest_force;
     let force = fit.map(|mut c| -> Force {
         c[0] = rest;

@@ -19,7 +19,7 @@ pub(super) fn values() -> Result<Vec<Value>> {
         angle: TAU,
     });
     let law = program(&segments, Extent::Turns(2))?;
-    // The table's roller is 5 mm, the text's 5.25 mm.
+    // The roller radius is 5 mm in the table and 5.25 mm in the text.
     let groove = BarrelGroove::new(law.clone(), FLOOR, SURFACE, Rollers::One { radius: 0.005 })?;
     let mut values = Vec::new();
     for degrees in [90.0, 180.0, 270.0] {
@@ -27,7 +27,7 @@ pub(super) fn values() -> Result<Vec<Value>> {
         let at = law.svaj(theta);
         values.extend([1e3 * at.s, 1e3 * at.v * SPEED, 1e3 * at.a * SPEED * SPEED]);
         values.extend([FLOOR, SURFACE].map(|r| groove.pressure_angle(theta, r).to_degrees()));
-        // The middle line is straight where the acceleration changes sign.
+        // The curvature of the centre line is zero where the acceleration changes sign.
         if degrees != 180.0 {
             let wall = groove.rho_wall(theta, FLOOR, Wall::Lower).abs();
             let middle = groove.rho_pitch(theta, SURFACE).abs();

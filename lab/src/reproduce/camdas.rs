@@ -41,7 +41,7 @@ fn example_11() -> Result<Law> {
     ])
 }
 
-/// Smallest and largest value of a derivative at whole degrees.
+/// Minimum and maximum of a derivative at whole degrees.
 fn at_degrees(law: &Law, order: usize) -> (f64, f64) {
     (0..360).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| {
         let at = law.svaj(f64::from(i).to_radians());
@@ -74,7 +74,7 @@ fn kinematics() -> Result<Vec<Value>> {
     let law = example_11()?;
     let both = |order| [true, false].map(|is_high| extreme(&law, order, is_high));
     let mut values: Vec<Value> = (1..=3).flat_map(both).collect();
-    // The fall of 20° in 45° alone decides the printed extremes; half-period motions rise before it.
+    // The fall of 20° in 45° alone determines the printed extremes. The rise before it consists of half-period motions.
     let law = turn(&[
         (Rise::SemicycloidalStart, 4.0, 72.0),
         (Rise::ConstantVelocity, 12.0, 108.0),
@@ -104,7 +104,7 @@ fn there_and_back(motion: Rise, lift: f64) -> Result<Law> {
     turn(&[(motion.clone(), lift, 180.0), (motion, -lift, 180.0)])
 }
 
-/// Pressure angles and smallest convex pitch radius of Ejemplo11 with an arm. Its three lengths reproduce the values of fig. 7.19.
+/// Pressure angles and minimum convex pitch radius of Ejemplo11 with an arm. Its three lengths reproduce the values of fig. 7.19.
 fn arm() -> Result<[f64; 3]> {
     let cam = scene::built_in("camdas_11_oscillating_roller")?
         .scene()?
@@ -192,13 +192,13 @@ fn eight_segments() -> Result<Cam> {
 }
 
 fn formulae() -> Result<[f64; 6]> {
-    // An arm's start angle from its sine: CAM-DAS §4.2.4 prints arctan of the ratio.
+    // The start angle of an arm follows from its sine. CAM-DAS §4.2.4 prints the arctangent of the ratio.
     let face = Follower::FlatOscillating {
         pivot_distance: 0.05,
         face_offset: 0.0,
         base_radius: 0.03,
     };
-    // §4: C = m + A cos[ξ(1 + ξ′)] is printed; the bracket belongs to the cosine alone.
+    // Printed in §4: C = m + A cos[ξ(1 + ξ′)]. The factor in parentheses must be outside the cosine.
     let (m, arm, xi, speed) = (80.0, 60.0, 2.0_f64, 0.2);
     Ok([
         Rise::SemicycloidalStart.ends()?.end.at.v,

@@ -72,7 +72,7 @@ pub(super) fn values() -> Result<Vec<Value>> {
                 .map(|c| Value::from(*c)),
         );
     }
-    // Equation 11: the force over the time as a part of β.
+    // Equation 11: force over the time as a fraction of β.
     let force = |k: usize| coefficients[k] * drive(SPEED).spring_rate / LBF * SPEED.powi(k as i32);
     values.extend((3..=8).map(|k| Value::from(force(k))));
     values.extend(forces(&law));
@@ -153,7 +153,7 @@ fn motion(law: &Law, exact: f64) -> [Value; 11] {
 /// Design of the piecewise quintic that is level at the critical points, for another objective.
 fn level(objective: &str) -> Result<Design> {
     let mut table = scene::table(scene::built_in("heel_tester_fitted")?.toml)?;
-    // Force points need no curve on a hydraulic drive.
+    // Force points require no force curve on a hydraulic drive.
     table.remove("gait");
     table.remove("limits");
     scene::set(&mut table, &format!("law.minimise=\"{objective}\""))?;

@@ -1,7 +1,7 @@
 //! Comparison of the four iterations of Campillo de Blas (2017) with each other and with the optimum.
 //!
-//! Measure: RMS difference between the force and the target (Young, 1.85 Hz, both feet, scaled to 1 kg), for the given phase and for the best phase
-//! of the law.
+//! Measure: RMS difference between the force and the target, for the given phase and for the best phase of the law. The target is that of Young (1.85
+//! Hz, both feet), scaled to 1 kg.
 
 use std::fmt::Write;
 
@@ -33,7 +33,7 @@ pub struct Method {
     pub rms: f64,
     /// RMS difference between force and target at the best phase of the law, N.
     pub rms_turned: f64,
-    /// Best phase, rad.
+    /// Phase of the law with the minimum error, rad.
     pub phase: f64,
     /// Maximum |jerk|, m/s³; infinite if the acceleration jumps.
     pub jerk: f64,
@@ -164,7 +164,7 @@ pub fn methods() -> Result<Vec<Method>> {
     Ok(out)
 }
 
-/// Law with the smallest force error for the given stroke, on the machine of Campillo de Blas (2017).
+/// Law with the minimum force error for the given stroke, on the machine of Campillo de Blas (2017).
 fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     let mut table = scene::table(scene::built_in("footbridge_thesis_scale")?.toml)?;
     scene::set(&mut table, &format!("limits.stroke=\"{stroke}\""))?;
@@ -216,7 +216,7 @@ pub(super) fn picture(methods: &[Method]) -> Picture {
                 .collect(),
         );
     }
-    // Six colours: the eccentric and the optimum of free stroke, which lies on the target, are left out.
+    // There are six colours. The eccentric and the optimum with free stroke, which coincides with the target, are left out.
     for m in methods.iter().skip(1).take(5) {
         names.push(m.name.clone());
         curves.push(m.curve.clone());

@@ -90,9 +90,9 @@ pub struct Row {
     pub stated: &'static str,
     /// Number computed with this library.
     pub recomputed: f64,
-    /// Kind of the difference.
+    /// Meaning of the difference between the two numbers.
     pub class: Class,
-    /// Reason of a difference.
+    /// Reason of the difference, as text.
     pub reason: String,
 }
 

@@ -44,7 +44,7 @@ impl Task<'_> {
             cones: Vec::new(),
         };
         if self.drive.spring_rate == 0.0 {
-            // Nothing in force or limits knows the absolute lift.
+            // Neither force nor limits depend on the absolute lift, so one coefficient is fixed at 0.
             conic.rows.push((vec![(n - 1, 1.0)], 0.0));
             conic.cones.push(SupportedConeT::ZeroConeT(1));
         }

@@ -40,9 +40,9 @@ pub struct Task<'a> {
     pub drive: Drive,
     /// Degree of the spline, at least 2.
     pub degree: usize,
-    /// Number of equal spans.
+    /// Number of equal spans of the spline.
     pub spans: usize,
-    /// Limits on the derivatives.
+    /// Two-sided limits on the derivatives.
     pub bounds: &'a [Bound],
 }
 
@@ -215,7 +215,7 @@ mod tests {
         let cone = conic(Between::Cone);
         let rows = conic(Between::Coefficients);
         let lax = conic(Between::Samples(1));
-        // The exchange may keep up to a millionth of the limit free for what the solver does not resolve.
+        // The exchange may leave up to a millionth of the limit unused, because of the tolerance of the solver.
         let used = jerk(&exchange);
         assert!(used > 1.0 - 2e-6 && used <= 1.0 + 1e-9, "{used}");
         assert!((jerk(&cone) - 1.0).abs() < 1e-6);

@@ -91,9 +91,9 @@ pub struct Twin {
     pub sensors: Sensors,
 }
 
-/// Result of a run.
+/// Result of a run of a test machine.
 pub struct RunOfTwin {
-    /// Log as CSV.
+    /// Log of the run as CSV.
     pub log: String,
     /// True force of the last turn at equal parts of its time, N.
     pub force: Vec<f64>,
@@ -125,7 +125,7 @@ impl Twin {
             "\n"
         };
         let (mut next, mut turns) = (begin, Vec::new());
-        // The true force of the last turns, at its times.
+        // True force of the last turns, with its times.
         let kept = end - 3.0 * period;
         for step in 0..(end / STEP) as usize {
             let t = step as f64 * STEP;
@@ -136,7 +136,7 @@ impl Twin {
                 let reading = mix(6) + sensors.bias + sensors.noise * dice.normal();
                 let time = next - begin + sensors.delay;
                 let _ = write!(columns, "{time:.6},{reading:.4}");
-                // The angle is that at the time of the reading, which is late.
+                // The cam angle belongs to the time of the row. The reading of the load cell is delayed.
                 let theta = mix(0) + sensors.delay * mix(1);
                 if sensors.has_angle {
                     let _ = write!(columns, ",{:.6}", theta.rem_euclid(TAU));
@@ -211,7 +211,7 @@ impl Twin {
                 )
             }
             None => {
-                // The force holds the acceleration of the shaft, which holds the force: linear.
+                // The force depends on the acceleration of the shaft, and this on the force. Both equations are linear.
                 let u = y[1] * at.v;
                 let still = load(at.s, u) + d.mass * y[1] * y[1] * at.a;
                 let inertia = self.motor.map_or(f64::INFINITY, |m| m[0]);

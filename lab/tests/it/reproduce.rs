@@ -22,8 +22,8 @@ const STATED: [(&str, f64, f64); 40] = [
         797.0,
         1.0,
     ),
-    // Quintic Hermite pieces between the critical points with the accelerations there chosen for least
-    // ∫j² give 940.29 and −1038.33; steadiness between the points, which they break, changes a little.
+    // Quintic Hermite spans between the critical points, with the accelerations there that minimise ∫j², give 940.29 and −1038.33. Monotonicity
+    // between the points, which these spans violate, changes the values slightly.
     (
         "largest acceleration, level at the extremes, least ∫j²",
         940.29,
@@ -69,7 +69,7 @@ const STATED: [(&str, f64, f64); 40] = [
     // Rp 60, arm 70, pivot 100 mm: −30.35° and 32.08° counter-clockwise.
     ("fig. 7.19 (Ejemplo11): largest pressure", 30.354, 5e-4),
     ("fig. 7.19 (Ejemplo11): smallest pressure", -32.077, 5e-4),
-    // 84√5/25 of 60 mm over the square of 60°.
+    // 84√5/25 · 60 mm / (60°)².
     ("fig. 8.19: largest acceleration", 411.0724, 5e-4),
     ("Freudenstein 1-3 with 1/54", -1.0 / 56.0, 1e-12),
 ];
@@ -83,7 +83,7 @@ fn stated_and_recomputed_numbers_are_those_of_the_theory_page() {
             .iter()
             .find(|r| r.quantity.starts_with(quantity))
             .or_else(|| {
-                // "X at 90°" stands in the middle of some names.
+                // In some names, "X at 90°" is in the middle.
                 let (what, at) = quantity.rsplit_once(" at ")?;
                 let (head, tail) = what.split_once(", ").unwrap_or((what, ""));
                 result.rows.iter().find(|r| {
@@ -111,7 +111,7 @@ fn stated_and_recomputed_numbers_are_those_of_the_theory_page() {
     assert_eq!(class("largest d′"), Some(Class::Misprint));
     assert_eq!(class("motor: factor"), Some(Class::NotReproducible));
     assert_eq!(class("coefficient C3"), Some(Class::Agrees));
-    // Every number that does not agree has a reason.
+    // Every number that differs must have a reason.
     for row in &result.rows {
         let plain = matches!(row.class, Class::Agrees | Class::NotStated);
         assert!(plain || !row.reason.is_empty(), "{}", row.quantity);

@@ -29,7 +29,7 @@ impl Compliant {
         let rate = |d: f64, v: f64| {
             let d = d.max(0.0);
             let elastic = if n == 1.5 { d * d.sqrt() } else { d.powf(n) };
-            // A dashpot cannot pull.
+            // A damper in a contact cannot pull.
             -(self.stiffness * elastic * (1.0 + chi * v / speed)).max(0.0) / mass
         };
         let (mut d, mut v, mut t) = (0.0, speed, 0.0);
@@ -42,7 +42,7 @@ impl Compliant {
             let next_d = d + step / 6.0 * (k1d + 2.0 * (k2d + k3d) + k4d);
             let next_v = v + step / 6.0 * (k1v + 2.0 * (k2v + k3v) + k4v);
             if next_d <= 0.0 && next_v < 0.0 {
-                // The force has faded to nothing here: the last part of a step is free motion.
+                // The force is zero here, so the last part of the step is free motion.
                 return -(v + d / (d - next_d) * (next_v - v));
             }
             (d, v) = (next_d, next_v);
@@ -59,7 +59,7 @@ fn exact_chi(e: f64) -> f64 {
     if e >= 1.0 {
         return 0.0;
     }
-    // In t = χe ∈ (0, 1): near 0 the function falls as −χ²(1 − e²)/2, at 1 it rises without bound.
+    // With t = χe in (0, 1): near 0 the function is −χ²(1 − e²)/2, and at 1 it tends to infinity.
     let f = |t: f64| (t / e).ln_1p() - (-t).ln_1p() - t * (1.0 + e) / e;
     let (mut low, mut high) = (1e-9 * (1.0 - e), 1.0);
     for _ in 0..200 {
@@ -77,7 +77,7 @@ fn returned_restitution(chi: f64) -> f64 {
     if chi <= 0.0 {
         return 1.0;
     }
-    // In e ∈ (0, 1/χ): falls from ln(1+χ) − χ < 0 … the function below rises with e.
+    // For e in (0, 1/χ) the function increases from ln(1 + χ) − χ < 0.
     let f = |e: f64| chi.ln_1p() - (-chi * e).ln_1p() - chi * (1.0 + e);
     let (mut low, mut high) = (0.0, (1.0 / chi).min(1.0));
     for _ in 0..200 {
@@ -101,7 +101,7 @@ fn exact_chi_for_one_half_is_1_432751() {
 
 #[test]
 fn common_damping_formulas_miss_the_restitution_asked_for() {
-    // Hunt–Crossley 3(1 − e)/2, Lankarani–Nikravesh 3(1 − e²)/4, Flores 8(1 − e)/(5e), asked for e = 0.5.
+    // For e = 0.5: Hunt–Crossley 3(1 − e)/2, Lankarani–Nikravesh 3(1 − e²)/4, Flores 8(1 − e)/(5e).
     for (chi, stated) in [(0.75, 0.663), (0.5625, 0.725), (1.6, 0.470)] {
         assert!((returned_restitution(chi) - stated).abs() < 5e-4);
     }

@@ -18,7 +18,7 @@ fn true_parameters_of_machines_of_the_model_lie_in_their_intervals() {
             all += 1;
         }
     }
-    // 95 %, less two standard deviations of so many; most of them are narrow.
+    // 95 % minus two standard deviations for this number of parameters. Most intervals must be narrow.
     assert!(inside as f64 > 0.90 * all as f64, "{inside} of {all}");
     assert!(told as f64 > 0.6 * all as f64, "{told} of {all} identified");
 }
@@ -52,7 +52,7 @@ fn two_new_cuts_bring_machines_with_everything_to_their_force() {
 
 #[test]
 fn a_third_cut_of_a_sprung_machine_with_friction_stays_near_its_force() {
-    // Machines that whole corrections drove away from it: 0.60 to 0.64 % after three cuts.
+    // For these machines, complete corrections increased the error to 0.60 to 0.64 % after three corrected cams.
     for number in [1007, 1016, 1034] {
         let mut case = Case::new(Class::Whole, number).unwrap();
         let (errors, _) = case.cuts(3).unwrap();

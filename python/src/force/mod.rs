@@ -88,7 +88,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// Population as one target.
+    /// Population of walkers as one target force.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {

@@ -162,7 +162,7 @@ impl Run {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (&Py<Design>, &'static str)> {
-        // A run follows from its question: that is what travels.
+        // A run is determined by its inputs, so only these are pickled.
         let simulate = py.import("gaitcam")?.getattr("simulate")?;
         let keywords = PyDict::new(py);
         keywords.set_item("machine", self.machine.as_ref())?;

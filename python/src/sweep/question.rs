@@ -17,7 +17,7 @@ use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::scene::Scene;
 
-/// Definition of a sweep.
+/// Definition of a sweep: scenes, force and axes.
 pub struct Question {
     scenes: Vec<Scene>,
     /// Force of all scenes, until its content is among the files of the sweep.

@@ -15,18 +15,18 @@ const CONTOURS: [[&str; 2]; 4] = [
     ["theta", "r"],
 ];
 
-/// Content of a response.
+/// Content of a response: data or a file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// Data as JSON text, in UTF-8.
     Json(Vec<u8>),
     /// A file of a design.
     File {
-        /// Name of the file.
+        /// Name under which the file is saved.
         name: String,
         /// Media type of the file.
         kind: &'static str,
-        /// Contents of the file.
+        /// Content of the file, as bytes.
         bytes: Vec<u8>,
     },
 }
@@ -41,7 +41,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Response with data.
+    /// Response to a valid request, with `value` as JSON.
     pub fn json(value: &impl Serialize) -> Answer {
         // Structs with string keys: this cannot fail.
         let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
@@ -112,7 +112,7 @@ fn contour(error: &Error) -> Option<Error> {
         })
         .collect();
     let has = |name: &&str| stems.iter().any(|stem| stem == name);
-    // Three components are those of a force.
+    // A table with three components contains a force.
     let is_flat = columns.len() <= 4 && !has(&"z");
     let is_contour = is_flat && CONTOURS.iter().any(|pair| pair.iter().all(&has));
     let columns = columns.join(", ");

@@ -140,7 +140,7 @@ fn no_entry(list: &str, number: usize) -> Error {
     StudioError::NoEntry { list, number }.into()
 }
 
-/// Entries of a list.
+/// Entries of a list in the table of a scene.
 fn entries<'t>(table: &'t mut Table, list: &str) -> Result<&'t mut Vec<Value>> {
     let (section, name) = list.split_once('.').unwrap_or(("", list));
     let inside = match section {
@@ -176,7 +176,7 @@ fn insert(table: &mut Table, list: &str, number: usize) -> Result<()> {
     Ok(())
 }
 
-/// First entry of a list.
+/// First entry of a list that is still empty.
 fn first(list: &str) -> Value {
     let pairs: &[(&str, &str)] = match list {
         "law.point" => &[("angle", "0"), ("lift", "0")],

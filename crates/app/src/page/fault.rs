@@ -7,7 +7,7 @@ use crate::page::words::WORDS;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
-/// Faults of the page.
+/// Faults of the requests of the page, and of its server.
 #[allow(missing_docs)] // The fields are the arguments of the sentences.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]

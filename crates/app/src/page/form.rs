@@ -31,13 +31,13 @@ pub struct Field {
 /// A slider in the unit of its field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slider {
-    /// Lower end of the slider.
+    /// Lower end of the slider, in `unit`.
     pub from: f64,
-    /// Upper end of the slider.
+    /// Upper end of the slider, in `unit`.
     pub to: f64,
-    /// Step of the slider.
+    /// Step of the slider, in `unit`.
     pub step: f64,
-    /// Position of the slider.
+    /// Position of the slider, in `unit`.
     pub at: f64,
     /// Unit after the number in a scene file, with its blank; empty for a count.
     pub unit: String,
@@ -56,7 +56,7 @@ pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap
             let path = key.path_at(index);
             let text = typed(table, &path);
             let in_design = match several.filter(|_| key.path == "accuracy.rms") {
-                // What is judged of several walkers is what is minimised over them.
+                // For several walkers, the limit applies to the minimised objective over them.
                 Some(all) => Some(all.objective_percent / 100.0),
                 None => value_in_design(key.path, scene, figures.as_ref()),
             };
@@ -187,7 +187,7 @@ fn slider(
     let value = key
         .get(scene, index)
         .and_then(gaitcam::scene::keys::Value::number);
-    // A field that is left open shows what the design has; a key without it starts at nothing to slide from.
+    // An empty field shows the value of the design. A key without any value has no slider.
     let value = value.or(in_design)?;
     let unit = unit_of(text, dimension);
     let factor = parse(&format!("1{unit}"), dimension)

@@ -8,7 +8,7 @@ use std::fmt;
 pub struct Hash(String);
 
 impl Hash {
-    /// Hash of bytes.
+    /// SHA-256 of `bytes`.
     pub fn of(bytes: &[u8]) -> Hash {
         Hash::of_parts(&[bytes])
     }

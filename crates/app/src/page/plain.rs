@@ -10,7 +10,7 @@ use crate::page::words::WORDS;
 
 /// Words before the names of options of `gait`, in both languages.
 const OPTION: [&str; 4] = ["option", "options", "opción", "opciones"];
-/// Words between such names.
+/// Words between the names of several options, in both languages.
 const BETWEEN: [&str; 7] = [", ", " and ", " or ", " y ", " e ", " o ", " u "];
 /// Sections in which a name without its section is searched, in this order.
 const SECTIONS: [&str; 6] = ["gait", "law", "machine", "drive", "cam", "limits"];
@@ -338,7 +338,7 @@ mod tests {
         for file in files {
             let path = file.unwrap().path();
             let name = path.file_stem().unwrap().to_str().unwrap().to_string();
-            // Descriptions of keys are for readers of scene files; sweeps, logs and folders belong to commands.
+            // Key descriptions are for readers of scene files. Messages about sweeps and folders belong to commands.
             if path.extension().is_none_or(|e| e != "ftl")
                 || ["keys", "sweep", "write"].contains(&name.as_str())
             {

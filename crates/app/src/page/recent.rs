@@ -9,7 +9,7 @@ pub struct Recent<K, V> {
 }
 
 impl<K: PartialEq, V: Clone> Recent<K, V> {
-    /// Creates an empty cache.
+    /// Creates an empty cache for `most` values.
     pub fn new(most: usize) -> Self {
         let list = VecDeque::new();
         Recent { most, list }

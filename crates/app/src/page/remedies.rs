@@ -13,7 +13,7 @@ const MOST: usize = 12;
 /// A change that may help, or a field that needs a value.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remedy {
-    /// Key of the scene.
+    /// Dotted key of the scene.
     pub key: String,
     /// Value as written in a scene file; `None` if the user has to enter one.
     #[serde(skip_serializing_if = "Option::is_none")]

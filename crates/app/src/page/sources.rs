@@ -19,9 +19,9 @@ use gaitcam::scene::{self, Scene};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Named {
-    /// Name of the file.
+    /// Name of the file, as written in the scene.
     pub name: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the file.
     pub hash: Hash,
 }
 
@@ -35,7 +35,7 @@ pub struct Files<'a> {
 }
 
 impl<'a> Files<'a> {
-    /// Files of a request.
+    /// Files of a request. `named` lists the stored files by their names in the scene.
     pub fn new(engine: &'a Engine, host: &'a dyn Host, named: Vec<Named>) -> Files<'a> {
         let used = RefCell::default();
         Files {

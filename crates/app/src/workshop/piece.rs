@@ -12,9 +12,9 @@ pub enum Piece {
     Svg,
     /// Drawing as a PDF file.
     Sheet,
-    /// Plate as STL.
+    /// Plate as an STL mesh.
     Stl,
-    /// Plate as 3MF.
+    /// Plate as a 3MF mesh.
     ThreeMf,
     /// Wall of a groove as STL.
     Wall(Wall),

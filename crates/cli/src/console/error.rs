@@ -11,7 +11,7 @@ use gaitcam::wording::Catalogue;
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-// `NoParquet` is of builds without it.
+// `NoParquet` is used only in builds without Parquet.
 #[cfg_attr(feature = "parquet", allow(dead_code))]
 pub enum CliError {
     CannotOpen { fault: String },

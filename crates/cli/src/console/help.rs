@@ -17,7 +17,7 @@ pub fn parser(language: Language) -> Command {
 /// Whole command line with its help texts in a language.
 pub fn command(language: Language) -> Command {
     let mut command = Cli::command().arg(lang());
-    // Flags and subcommands that clap adds itself are there only once it is built.
+    // Flags and subcommands that clap adds automatically exist only after `build`.
     command.build();
     match language {
         Language::En => command,

@@ -15,7 +15,7 @@ use crate::console::exit_code::INTERNAL_ERROR;
 use crate::console::terminal::{print_json, report};
 use crate::console::words;
 
-/// Last scene read.
+/// Last scene that was read, for a bug report.
 static SCENE: Mutex<Option<Table>> = Mutex::new(None);
 /// Text and source location of the first panic.
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
@@ -25,7 +25,7 @@ pub fn keep(scene: &Table) {
     *SCENE.lock().unwrap_or_else(PoisonError::into_inner) = Some(scene.clone());
 }
 
-/// Runs a command and reports a panic in it. The backtrace is not printed, since it is of no use to a user.
+/// Runs a command and reports a panic in it. The backtrace is not printed, because it does not help the user.
 pub fn caught(
     json: bool,
     work: impl FnOnce() -> Result<u8>,

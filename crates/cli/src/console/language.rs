@@ -7,7 +7,7 @@ use gaitcam::wording::Language;
 
 /// Language of the run, set once the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
-/// Language stated by `--lang`.
+/// Language stated by `--lang`; `None` without this option.
 static GIVEN: OnceLock<Option<Language>> = OnceLock::new();
 
 /// Sets the language for the rest of the run. It is set before the arguments are parsed, because help and errors use it.
@@ -16,7 +16,7 @@ pub fn set(arguments: &[OsString]) {
     let _ = LANGUAGE.set(given.unwrap_or_else(of_environment));
 }
 
-/// Language stated by `--lang`.
+/// Language stated by `--lang`; `None` without this option.
 pub fn given() -> Option<Language> {
     GIVEN.get().copied().flatten()
 }
@@ -35,7 +35,7 @@ fn of_arguments(arguments: &[OsString]) -> Option<Language> {
     None
 }
 
-/// Language of all output.
+/// Language of all output of this run.
 pub fn current() -> Language {
     *LANGUAGE.get_or_init(of_environment)
 }

@@ -51,7 +51,7 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
             let mut width = 0;
             while waits.recv_timeout(EVERY) == Err(RecvTimeoutError::Timeout) {
                 let text = line(begun.elapsed().as_secs_f64());
-                // Spaces cover what the line before had more.
+                // Spaces overwrite the rest of a longer previous line.
                 put(&format!("\r{text:<width$}"));
                 width = text.chars().count();
             }
@@ -84,7 +84,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written where standard error is no terminal.
+    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written if standard error is not a terminal.
     pub fn new(what: String, total: u64, done: u64, in_log: bool) -> Progress {
         let now = Arc::new(AtomicU64::new(done));
         let counted = now.clone();

@@ -125,7 +125,7 @@ fn unsuitable(error: &clap::Error, typed: String) -> CliError {
         return CliError::FlagWhole { typed };
     }
     let fault = source.map(ToString::to_string).unwrap_or_default();
-    // The words of clap's own ranges.
+    // Message of clap for a value outside its range.
     match fault.split_once(" is not in ") {
         Some((_, range)) => CliError::FlagRange {
             typed,

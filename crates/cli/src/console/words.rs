@@ -103,7 +103,7 @@ mod tests {
         let faults = english.iter().filter(|k| k.starts_with("cli-")).count();
         assert_eq!(faults, CliError::VARIANTS.len());
         for language in [Language::En, Language::Es] {
-            // Each message is read when it is asked for.
+            // A message is parsed only when it is requested, so every message is requested here.
             assert!(
                 english
                     .iter()

@@ -37,7 +37,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let numbers = numbers.filter(|n| covers.starts_with("cams,") && !n.is_empty());
     let numbers = numbers.ok_or_else(|| CliError::NotCover.in_file(&path))?;
     let first = Input::open(&folder.join(scene_of_cover(numbers[0], 1)))?;
-    // They have to be walkers as those of the cover are.
+    // The walkers must have the same form as the walkers of the cover.
     let known = first.target()?.and_then(|f| f.population);
     let mut all = known.map_or(Vec::new(), |p| p.walkers.clone());
     all.extend(walkers.iter().cloned());

@@ -40,7 +40,7 @@ impl Places {
             return Err(CliError::CycleEnding { file }.at_argument("--out"));
         }
         let places = if csv && !out.is_dir() {
-            // As synth does: a folder that is not there yet is made.
+            // A missing folder is created, as in `synth`.
             if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {
                 Folder::open(folder)?;
             }

@@ -68,7 +68,7 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     });
     let mean = cycle.as_ref().ok();
     let understood = Interpretation::of(&name, &recording, &stances, mean, feet);
-    // A refusal is printed once, on standard error.
+    // The reason for a rejection is printed only once, on standard error.
     let table = tables::table(
         &understood,
         &recording,

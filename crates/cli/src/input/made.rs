@@ -44,7 +44,7 @@ impl Made {
     }
 
     /// Reads the cam that the arguments name. Changes of a scene are part of its design. Changes of a result (its folder or summary.json) apply to
-    /// the machine, since its cam already exists. `flags` change the machine in both cases.
+    /// the machine, because its cam already exists. `flags` change the machine in both cases.
     ///
     /// # Errors
     ///
@@ -66,7 +66,7 @@ impl Made {
             set(&mut table, change).map_err(at_flag("--set"))?;
         }
         for Flag { name, key, value } in flags {
-            // Quoted, so that a bare number is refused as in a scene.
+            // The value is quoted, so that a number without a unit is rejected as in a scene.
             set(&mut table, &format!("{key}={value:?}")).map_err(at_flag(name))?;
         }
         let of_flag = |e: Error| {

@@ -54,7 +54,7 @@ pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<
     let table = complete(table);
     internal::keep(&table);
     let input = Input::new(table, files, file)?;
-    // A folder that cannot be read is refused where its recordings are.
+    // An unreadable folder is reported later, when its recordings are read.
     input
         .paths()
         .into_iter()

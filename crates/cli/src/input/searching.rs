@@ -110,7 +110,7 @@ mod tests {
         let limit = TimeLimit {
             time_limit: Some(0.1),
         };
-        // Other tests of this process run beside this one: only the time of a thread is its own.
+        // Other tests run in the same process at the same time. Only the processor time of the thread is independent of them.
         let row = limit.of_row();
         std::thread::sleep(Duration::from_millis(300));
         assert!(!row.is_asked());

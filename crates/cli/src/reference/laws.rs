@@ -40,7 +40,7 @@ fn joined(ends: &Ends) -> String {
 
 /// Prints the catalogue as a table or as JSON.
 pub fn run(args: &LawsArgs) -> Result<u8> {
-    // As scenes name it, in both languages.
+    // Scenes use the same names in both languages.
     let laws = match &args.name {
         Some(name) => vec![Rise::from_name(name)?],
         None => Rise::catalogue(),
@@ -71,7 +71,7 @@ fn object((rise, f, ends): &Row) -> Value {
 }
 
 fn text(rows: &[Row]) -> String {
-    // What the language calls a law, where scenes do not write it so.
+    // Name of a law in the language of the output, if it differs from the name in scenes.
     let called = |rise: &Rise| words::name(rise.name());
     let differs = rows.iter().any(|row| called(&row.0) != row.0.name());
     let second = |called: String| if differs { vec![called] } else { Vec::new() };

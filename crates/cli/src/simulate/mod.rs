@@ -129,7 +129,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let scene = toml::to_string(&input.resolved()).unwrap_or_default();
     let others = of_another_design(folder.path(), &scene);
     inputs::check_in(folder.path(), OF_RUN.into_iter().chain(["report.html"]))?;
-    // The complete result of the same scene stays.
+    // A complete result of the same scene is kept.
     let stays = others.is_empty() && folder.path().join("summary.json").exists();
     let solving = Instant::now();
     let (outcome, untargeted) = made.design()?;

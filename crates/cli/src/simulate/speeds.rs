@@ -93,7 +93,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     let &[first, last, count] = &parts[..] else {
         return Err(fault());
     };
-    // One unit may stand behind all: 1.4:2.3:10 Hz.
+    // A single unit at the end applies to both speeds: 1.4:2.3:10 Hz.
     let (count, unit) = count.split_once(' ').unwrap_or((count, ""));
     let count: usize = count.parse().map_err(|_| fault())?;
     let speed = |text: &str| {
@@ -182,7 +182,7 @@ fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
         let (s, c) = (frequency * row.time).sin_cos();
-        // Rows lie at equal angles.
+        // The rows are spaced equally in angle, so each row is weighted by its time step.
         let time = 1.0 / row.speed.abs();
         cosine += time * row.contact_force * c;
         sine += time * row.contact_force * s;

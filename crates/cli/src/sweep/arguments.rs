@@ -41,7 +41,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     }
     let mut set = args.set.clone();
     if let Some(first) = given.files.first() {
-        // A scene that leaves its recording to the command line is complete with any of them.
+        // A scene without a recording is complete with any recording of the command line.
         set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
     }
     let list = args.list.as_deref().map(list).transpose()?;
@@ -58,7 +58,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
             completed(table, &varied, args.sample.is_some())
         })?;
         let mut scene = NamedScene::of(input.whole);
-        // Shares of a sweep have the names that are the same on every machine.
+        // The shares of a sweep need names that are the same on every machine.
         if let (Some(file), None) = (file, args.shard) {
             scene.name = file.display().to_string();
         }
@@ -158,7 +158,7 @@ fn list(path: &Path) -> Result<Vec<Varied>> {
 fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     if let Err(fault) = read(&values) {
-        // The first row that makes the rows above it wrong.
+        // First row with which the list becomes invalid.
         let bad = (0..values.len()).find(|&row| read(&values[..=row]).is_err());
         return Err(list_fault(path, bad.unwrap_or(0), name, &fault));
     }

@@ -42,7 +42,7 @@ impl Counts {
     /// Counts of the rows of a block. There are fewer rows than expected if the block is truncated.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
-        // The rows before the fault are counted; the caller compares their number.
+        // The rows before the fault are counted. The caller compares the number with the expected one.
         let _ = each_row(path, |columns, row| {
             let error = columns.names.iter().position(|n| n == "error");
             let error = error.map_or(String::new(), |c| row.word(c));

@@ -72,7 +72,7 @@ impl Format {
     ) -> Result<Vec<u8>> {
         match self {
             Format::Csv => {
-                // CSV has no place for it; the folder's plan says the same.
+                // CSV cannot store metadata; the plan of the folder contains them.
                 let _ = metadata;
                 Ok((records.csv_header() + lines).into_bytes())
             }

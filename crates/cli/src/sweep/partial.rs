@@ -171,7 +171,7 @@ impl PartialTable {
             let _ = fs::remove_file(&joined);
         }
         placed?;
-        // The name is safe once its folder is.
+        // The renamed file is permanent only after its folder is synced.
         let parent = self.table.parent().filter(|p| !p.as_os_str().is_empty());
         if let Ok(parent) = File::open(parent.unwrap_or(Path::new("."))) {
             let _ = parent.sync_all();
@@ -181,7 +181,7 @@ impl PartialTable {
         }
         self.blocks.remove_abandoned();
         drop(self._lock);
-        // What others have put into it stays.
+        // A folder with files of others is not removed.
         let _ = fs::remove_dir(self.folder);
         Ok(self.counts)
     }

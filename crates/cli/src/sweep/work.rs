@@ -21,11 +21,11 @@ const BLOCK_SHARE: f64 = 0.01;
 /// Number of rows of the first block.
 const FIRST_BLOCK: u64 = 8;
 
-/// Installs a handler for Ctrl-C and returns the flag that it sets. A second Ctrl-C ends the program at once, without loss of blocks.
+/// Installs a handler for Ctrl-C and returns the flag that it sets. A second Ctrl-C ends the program at once; complete blocks are kept.
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
-    // Without a handler Ctrl-C kills the process, which the blocks survive.
+    // Without a handler, Ctrl-C ends the process at once; complete blocks are kept.
     let _ = ctrlc::set_handler(move || {
         if flag.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(INTERRUPTED));
@@ -42,7 +42,7 @@ pub fn jobs(given: Option<u16>) -> usize {
 
 /// Computation of blocks of rows.
 pub struct Work<'a> {
-    /// Source of the rows.
+    /// Computation of the rows of the sweep.
     pub runner: Runner<'a>,
     /// Format of the blocks.
     pub format: Format,
@@ -52,7 +52,7 @@ pub struct Work<'a> {
     pub jobs: usize,
     /// Set when the user stops the computation.
     pub stop: Arc<AtomicBool>,
-    /// Whether progress is written where standard error is no terminal.
+    /// Whether progress is also written if standard error is not a terminal.
     pub in_log: bool,
 }
 
@@ -63,7 +63,7 @@ impl Work<'_> {
 
     /// Computes the first rows of a range (all rows unless stopped), with the bytes of their block.
     pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
-        // Lines are made by the threads: one thread alone would take as long for them as two for the rows.
+        // Each thread formats the lines of its rows. A single thread would need as much time for the lines as two threads for the rows.
         let part = |records: Records| (self.format.lines(&records), records);
         let parts = (self.runner).map(rows, self.jobs, &|| self.is_stopped(), &part);
         let (lines, records): (Vec<String>, Vec<Records>) = parts.into_iter().unzip();

@@ -83,7 +83,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     })
 }
 
-/// Choices as text.
+/// Choices as a table for the console. `name` is the name of the design.
 pub fn text(name: &str, lines: &[Choice]) -> String {
     let rows = lines.iter().flat_map(|line| {
         let because = fill("explain-because", &json!({"reason": line.because}));

@@ -46,7 +46,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         values: front.iter().map(|t| value(figure, t)).collect(),
         words: Vec::new(),
     };
-    // The first figure is the RMS force error.
+    // The first figure of `FIGURES` is the RMS force error.
     let (x, y) = (column(against), column(&FIGURES[0]));
     let line = x.values.iter().copied().zip(y.values.iter().copied());
     let line: Vec<(f64, f64)> = line.collect();

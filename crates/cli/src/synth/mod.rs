@@ -101,7 +101,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let start = Instant::now();
     let waiting = args.time.of_input(args.json);
-    // A limit that was given covers the reading too.
+    // A time limit given by the user also applies to the reading of the input.
     let limit = waiting.as_ref().map(|_| args.time.of_design());
     let input = input::scene(&args.scene)?;
     let target = || {

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::summary::{filled, row};
 use crate::{console::language, console::words};
 
-/// One line per iteration.
+/// Table with one line per iteration, and the reason why the sequence ended.
 pub fn text(design: &Design) -> String {
     let solver = &design.solver;
     if solver.steps.is_empty() {

@@ -96,7 +96,7 @@ pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// First `most` lines, and a line with the number of further ones.
+/// At most `most` lines. If there are more, the last line is the number of lines left out.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
@@ -112,7 +112,7 @@ fn check_line(mark: &str, check: &Check, design: &Design) -> String {
     let message = match check.name {
         // The limit is a rounding tolerance.
         Criterion::Interference | Criterion::SecondInterference if check.pass => "synth-check-none",
-        // Of the whole turn, not of a place.
+        // The value applies to the whole turn and has no position.
         Criterion::RmsError => "synth-check-overall",
         _ => "synth-check",
     };

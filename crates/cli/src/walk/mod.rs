@@ -79,7 +79,7 @@ pub struct WalkArgs {
     pub json: bool,
 }
 
-/// Computes and writes the programme; exit code 3 where the design has no cam.
+/// Computes and writes the programme. The exit code is 3 if the design has no cam.
 pub fn run(args: &WalkArgs) -> Result<u8> {
     let most = args.max_acceleration.as_deref();
     let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;
@@ -128,7 +128,7 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// The walk of a recording.
+/// Reads the walk of a recording.
 fn recorded(path: &Path) -> Result<Walk> {
     inputs::note(path);
     let bytes = content(&Disk::default(), path)?;
@@ -171,7 +171,7 @@ fn generated(args: &WalkArgs, strides: usize, design: &Design) -> Result<Walk> {
     walk.ok_or_else(|| CliError::NothingToWalk.at_argument("--generate"))
 }
 
-/// The walk with the mean force of the cam, where the cam's mean force is its weight.
+/// The walk scaled to the mean force of the cam, which corresponds to the weight of the walker.
 fn on_cam(walk: Walk, design: &Design) -> Walk {
     let drive = &design.problem.drive;
     if drive.kind != DriveKind::MovingAxis {
@@ -234,7 +234,7 @@ fn picture(
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// Smallest and largest value.
+/// Minimum and maximum of the values.
 pub fn ends(values: &[f64]) -> [f64; 2] {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     values
@@ -242,7 +242,7 @@ pub fn ends(values: &[f64]) -> [f64; 2] {
         .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
 }
 
-/// Largest absolute value.
+/// Maximum absolute value.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
@@ -264,19 +264,19 @@ fn json(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> V
     })
 }
 
-/// Coefficient of variation of the amplitude at the step frequency, of the cam with its programme.
+/// Coefficient of variation of the amplitude at the step frequency, for the cam with its programme.
 fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
     let own = walk.with_force(&found.run.force_n[..walk.samples()]);
     own.variability().amplitude_cv
 }
 
-/// Misfits or ratios of the peaks, one after the other.
+/// Misfits, or ratios of the peaks, as a list.
 pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
     let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
     all.join("  ")
 }
 
-/// Damping ratios, in percent.
+/// Damping ratios in percent, as a list.
 pub fn dampings(of: &[Misfit]) -> String {
     let all: Vec<String> = of.iter().map(|m| number(100.0 * m.damping_ratio)).collect();
     all.join("  ")

@@ -1,4 +1,4 @@
-//! `gaitcam simulate --speed-programme`: the cam as designed under a speed over time.
+//! `gaitcam simulate --speed-programme`: the cam as designed with a speed that varies over time.
 
 use std::path::Path;
 
@@ -21,14 +21,14 @@ use gaitcam_app::read::read_text;
 use gaitcam_app::{PATIENCE, ResultFolder, inputs};
 use gaitcam_output::csv;
 
-/// Columns of a programme.
+/// Columns of a speed programme that was read from a file.
 struct Rows {
     programme: SpeedProgramme,
     start: f64,
     recorded_n: Option<Vec<f64>>,
 }
 
-/// Runs the cam of a scene or result under a programme and writes `programme.csv`; exit code 3 if contact is lost or a limit is violated.
+/// Simulates the cam of a scene or result with a programme and writes `programme.csv`. The exit code is 3 if contact is lost or a limit is violated.
 pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8> {
     inputs::note(path);
     let rows = read(path)?;
@@ -80,7 +80,7 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
     Ok(if passes { BUILT } else { NO_SUCH_CAM })
 }
 
-/// Limits of motion, force, torque and power that the run violates, each with its worst value.
+/// Limits of motion, force, torque and power that the run violates, each with the worst value and the limit.
 fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind, f64, f64)> {
     let [least, most] = ends(&run.force_n);
     let power = run.torque.iter().zip(&run.speed);
@@ -107,7 +107,7 @@ fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind,
     over.collect()
 }
 
-/// Reads a programme: `time_s`, `speed_rad_per_s`, and where they exist `angle_rad`, `recorded_n`.
+/// Reads a programme: the columns `time_s` and `speed_rad_per_s`, and, if present, `angle_rad` and `recorded_n`.
 fn read(path: &Path) -> Result<Rows> {
     let text = read_text(path)?;
     let mut lines = text

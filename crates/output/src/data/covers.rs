@@ -4,7 +4,7 @@ use gaitcam::cover::{Assigned, Cover, Fold};
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::sweep::{Field, Records};
 
-/// Components of an error.
+/// Components of a force error, as in column names.
 pub const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
 /// A column of errors, with the unit in its name.
@@ -12,7 +12,7 @@ fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) ->
     Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
 }
 
-/// A column of counts.
+/// A column of whole numbers.
 fn counts(name: &str, values: impl Iterator<Item = usize>) -> Field {
     Field::numbers(name, values.map(|count| count as f64).collect())
 }

@@ -70,12 +70,13 @@ pub fn floor(design: &Design) -> Option<String> {
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 
-/// `strides.csv`: the recorded strides that the cam is compared with, one after the other, at equal steps of time; they repeat without end.
+/// `strides.csv`: the consecutive recorded strides with which the cam is compared, at equal time steps. The sequence of strides is repeated without
+/// end.
 pub fn strides(design: &Design) -> Option<String> {
     design.repeated().map(|(walk, _)| strides_of(&walk))
 }
 
-/// The force of consecutive strides over time.
+/// Force of consecutive strides over time, as CSV.
 pub fn strides_of(walk: &Walk) -> String {
     let force = walk.force_n();
     let step = walk.duration_s / force.len() as f64;
@@ -134,7 +135,7 @@ pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
 
-/// Columns of `profile.csv`.
+/// Columns of `profile.csv` at `rows` equal steps.
 pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {
@@ -203,7 +204,7 @@ pub fn text(columns: &Columns) -> String {
             out.push_str(if i > 0 { "," } else { "" });
             let x = values[row];
             if x.is_finite() && x.abs() >= 1e16 {
-                // Without the sign that the exponent would get below.
+                // The shortest format would add a plus sign to the exponent here.
                 out.push_str(&format!("{x:?}"));
             } else if !x.is_nan() {
                 out.push_str(digits.format(x));

@@ -77,7 +77,7 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
 
 /// Empty workbook with a fixed date, so that equal results lead to equal bytes.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
-    // The library assembles each sheet on a thread of its own and panics where the system admits none.
+    // The library assembles each sheet on a separate thread and panics if the system allows no thread.
     #[cfg(not(target_family = "wasm"))]
     std::thread::Builder::new()
         .spawn(|| ())
@@ -128,7 +128,7 @@ fn cam_sheet(
         sheet.write_with_format(HEADINGS, at(letter), name, &heading)?;
     }
     let (start, length) = law.extent();
-    // A row for every degree, or every millimetre of travel.
+    // One row per degree, or per millimetre of travel.
     let step = measures.angle().factor;
     let last = (step * length + 1e-9).floor() as u32;
     for i in 0..=last {
@@ -141,7 +141,7 @@ fn cam_sheet(
         sheet.write(FIRST + i, 0, step * start + f64::from(i))?;
         for (letter, _, value) in columns.clone() {
             let value = value(synthesis, &row);
-            // Excel has no infinity: the radius of a flat spot is left empty.
+            // Excel has no infinity: the radius at a flat point is left empty.
             if value.is_finite() {
                 sheet.write(FIRST + i, at(letter), value)?;
             }
@@ -196,7 +196,7 @@ struct Row {
 /// A column in addition to the angle: its letter in CAM-DAS, the key of its heading, and its value.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// Columns of every cam.
+/// Columns that the sheet of every cam has.
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {

@@ -64,11 +64,11 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
     let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
     let panel = f.over_the_law(synthesis, frame, y)?;
-    // The radius passes through infinity where the flank turns from convex to concave.
+    // The radius passes through infinity between convex and concave parts of the profile.
     for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
         panel.curve(part, BLUE, 2.2)?;
     }
-    // A limit of 0 is the undercut's own bound: the axis.
+    // A limit of 0 only excludes undercut; its line would coincide with the axis.
     let limits = synthesis.checks.iter();
     for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
         let value = words.millimetres(check.limit);

@@ -102,7 +102,7 @@ impl Achieved {
         let factor = synthesis.cam.follower.measures().angle().factor;
         let mut drive = synthesis.problem.drive;
         if synthesis.is_idle() {
-            // Where nothing presses, the force of one unit of moved mass is drawn.
+            // Without mass, spring, damping and preload, the force is zero. The force of a moved mass of 1 kg is drawn instead.
             drive.mass = 1.0;
         }
         let idle = synthesis.is_idle();
@@ -146,7 +146,7 @@ impl Achieved {
 
     fn marks(&self, panel: &Panel) -> Drawn {
         panel.mark(self.high, true, BLUE, false)?;
-        // Zero is on the axis already.
+        // A minimum of zero is not marked, because the axis shows it.
         let [low, high] = [self.low.1, self.high.1];
         if high - low > 1e-9 * high.abs() && low.abs() > 1e-6 * high.abs() {
             panel.mark(self.low, false, BLUE, false)?;
@@ -168,7 +168,7 @@ fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     curve
 }
 
-/// Diagram of the error below the force, with the edges of the `held` band about the target, or with ± its RMS.
+/// Diagram of the error below the force, with the edges of the tolerance band about the target, or with ± its RMS.
 fn difference(
     f: &Figure,
     synthesis: &Design,

@@ -64,7 +64,7 @@ pub fn diagrams_over(
         .collect();
     let frame = Layout::ALONE.frame();
     let lines = lines(&entries, (frame.right - frame.left) / (0.9 * LETTERS));
-    // Names too long for three to a line take room of their own.
+    // If the names do not fit three to a line, the figure is made higher.
     let more = 1.6 * LETTERS * (lines.len() - names.len().div_ceil(3)) as f64;
     let layout = Layout {
         size: (1200, 300 + 260 * rows.len().max(1) as u32 + more as u32),

@@ -1,4 +1,4 @@
-//! The picture of a walk at resonance: the response of a mode over its frequency.
+//! Figure of a walk at resonance: response of a vibration mode over its frequency.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -12,39 +12,40 @@ use gaitcam::dynamics::RepeatedForce;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Damping ratio of the mode of the picture.
+/// Damping ratio of the mode in the figure.
 const DAMPING: f64 = 0.005;
-/// Number of recorded strides that an electronic cam repeats in the picture.
+/// Number of recorded strides that an electronic cam repeats in the figure.
 const STRIDES: usize = 16;
 
-/// A force with the response of a mode to it.
+/// A force for which the response of a mode is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
-    /// What causes the response.
+    /// Source of the force.
     pub of: Responding,
-    /// Periodic force from which the response of a mode is computed.
+    /// Periodic force that excites the mode.
     pub force: RepeatedForce,
 }
 
-/// What causes a response.
+/// Source of a force that excites a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Responding {
-    /// Force of the recorded strides.
+    /// Recorded strides.
     Recorded,
-    /// The cam at constant speed.
+    /// Cam at constant speed.
     Cam,
-    /// So many recorded strides, repeated.
+    /// Given number of recorded strides, repeated.
     Strides(usize),
-    /// The cam under a speed programme.
+    /// Cam with a speed programme.
     Programme,
 }
 
-/// Response to the recorded walk, to this cam at constant speed and to some recorded strides, repeated; only the frame without a recording.
+/// Responses to the recorded walk, to this cam at constant speed, and to some recorded strides, repeated. Without a recording only the frame is
+/// drawn.
 pub fn resonance(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// The same in a layout.
+/// As [`resonance`], in a given layout.
 pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let mut all = Vec::new();
     if let Some((walk, [recorded, cam])) = design.repeated() {
@@ -61,7 +62,7 @@ pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Pi
     drawn(&design.problem.name, &all, layout, words)
 }
 
-/// Responses of a mode to forces about the step frequency of the first.
+/// Responses of a mode to several forces. The frequency range is around the step frequency of the first force.
 pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
     drawn(name, all, Layout::ALONE, &words::words(language))
 }

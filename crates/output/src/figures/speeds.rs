@@ -48,7 +48,7 @@ pub struct AtSpeed {
 
 const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
-/// Quantity of a diagram.
+/// Quantity in one of the diagrams of the figure.
 #[derive(Clone, Copy, PartialEq)]
 enum Strip {
     Error,

@@ -18,7 +18,7 @@ use gaitcam::wording::{Language, walker};
 /// Number of steps per turn.
 const STEPS: usize = 360;
 
-/// Figure with the required forces of all walkers as a band, relative to each mean force, and the force of the cam for the worst walker.
+/// Figure with the required forces of all walkers as a band, relative to each mean force. It also contains the force of the cam for the worst walker.
 pub fn walkers(design: &Design, language: Language) -> Picture {
     walkers_in(design, Layout::ALONE, &words::words(language))
 }

@@ -213,7 +213,7 @@ impl Lines {
         self.row("gait-cycle", words.sentence("cycle", &c.source));
         let period = c.period;
         match period.uncertainty_s() {
-            // From one step or stride: more digits would promise what is not known.
+            // The period of a single step or stride is uncertain, so it is shown with two decimals.
             Some(error) => {
                 let [period, error] = [period.seconds, error].map(|x| words.fixed(x, 2));
                 self.row("gait-period", format_args!("{period} s ± {error} s"));

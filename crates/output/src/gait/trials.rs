@@ -30,7 +30,7 @@ pub struct TrialRow<'a> {
     pub understood: Option<&'a Interpretation>,
     /// Mean cycle of the recording, if it has one.
     pub curve: Option<&'a ForceCurve>,
-    /// Error for which there is no cycle.
+    /// Error that prevented a cycle.
     pub fault: Option<&'a Error>,
     /// Reason for the exclusion from the joint mean; `None` if the recording is included.
     pub left_out: Option<&'a LeftOut>,
@@ -55,7 +55,7 @@ fn write_rows(out: &mut Lines, rows: &[TrialRow]) {
     };
     let widths: Vec<usize> = (0..table[0].len()).map(width).collect();
     for row in &table {
-        // Words are flush left, numbers flush right; what follows the last column may be long.
+        // Text is aligned left and numbers are aligned right. The last column is not padded, because its text may be long.
         let cell = |(k, (cell, &wide)): (usize, (&String, &usize))| match k {
             0 | 1 => format!("{cell:<wide$}  "),
             _ if k + 1 == widths.len() => cell.clone(),

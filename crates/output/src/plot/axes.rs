@@ -90,7 +90,7 @@ fn power(values: &[f64], step: f64) -> i32 {
     3 * (largest.log10() / 3.0).floor() as i32
 }
 
-/// A power as superscript.
+/// A power of ten in superscript digits.
 fn raised(power: i32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let text = power.to_string();
@@ -269,7 +269,7 @@ impl<'a, 'c> Panel<'a, 'c> {
             };
         let (letters, gap) = (0.88 * self.size, 0.5 * self.size);
         let long = letters * text_width(name) + 2.0 * gap;
-        // Distance of the curve and of the value marked on it from the name at either end.
+        // Distance of the curve from the name at either end, in points.
         let free = |from: f64| {
             let points = curve.iter().map(|p| self.place(p.0, p.1));
             let beside = points.filter(|p| p[0] >= from && p[0] <= from + long);
@@ -281,7 +281,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         } else {
             (right[0] - gap, HPos::Right)
         };
-        // Text keeps the contrast that thin coloured letters would not have.
+        // The name is in the colour of text, because thin coloured letters would have little contrast.
         let lettering = Lettering::new(letters, palette::INK).anchored(end, side);
         write(self.canvas, name, [x, right[1] + shift], lettering)
     }

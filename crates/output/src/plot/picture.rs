@@ -28,7 +28,7 @@ impl Picture {
             size: (width, height),
         }
         .into_drawing_area();
-        // The recorder takes everything; only plotters' own bookkeeping could object.
+        // The recorder accepts every shape. Only an internal check of plotters could fail.
         let drawn = draw(&canvas);
         debug_assert!(drawn.is_ok());
         drop(canvas);

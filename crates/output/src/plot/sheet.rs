@@ -51,11 +51,11 @@ pub enum Shape {
         ink: Ink,
         width: Option<f64>,
     },
-    /// A line of text.
+    /// A line of text in one colour.
     Text { line: Line, ink: Ink },
 }
 
-/// Collects shapes from plotters.
+/// Drawing backend of plotters that stores the shapes.
 pub struct Recorder<'a> {
     /// Shapes drawn so far, in order.
     pub shapes: &'a mut Vec<Shape>,
@@ -101,7 +101,7 @@ impl DrawingBackend for Recorder<'_> {
     }
 
     fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
-        // A sixteenth of a point is nothing to see.
+        // A pixel of this sheet is a sixteenth of a point, which is not visible.
         Ok(())
     }
 
@@ -215,7 +215,7 @@ pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
     Color::stroke_width(&colour, units(width).max(1) as u32)
 }
 
-/// Style of a piece of text, and its anchor.
+/// Style of a text, and its anchor.
 #[derive(Clone, Copy)]
 pub struct Lettering {
     /// Size of an em, points.
@@ -245,13 +245,13 @@ impl Lettering {
         }
     }
 
-    /// Regular text, written upwards.
+    /// The text, written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// Bold text.
+    /// The text in bold letters.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self

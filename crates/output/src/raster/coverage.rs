@@ -56,12 +56,12 @@ impl Coverage {
         let end = (b.ceil() as usize).max(first + 1);
         let row = &mut self.rows[row];
         if end == first + 1 {
-            // Within one pixel: what is right of the edge's middle is covered.
+            // Edge within one pixel: the area to the right of the middle of the edge is covered.
             let right = d * (0.5 * (a + b) - first as f64);
             row.extend([(first, (d - right) as f32), (end, right as f32)]);
             return;
         }
-        // Over several pixels the covered area right of the edge grows as a parabola, a line, a parabola.
+        // Edge over several pixels: the covered area on its right is a parabola, then a line, then a parabola.
         let area = |x: f64| -> f64 {
             let u = (x - a).clamp(0.0, b - a);
             (0.5 * u * u + (x - b).max(0.0) * (b - a)) / (b - a)

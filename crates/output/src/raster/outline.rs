@@ -29,7 +29,7 @@ pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     };
     out.push(first);
     let (mut corner, mut last) = (first, first);
-    // Directions from the corner whose line passes all points since within the tolerance.
+    // Range of directions from the corner for which a line passes all points after the corner within the tolerance.
     let mut passing: Option<[[f64; 2]; 2]> = None;
     for &point in rest {
         let mut way = [point[0] - corner[0], point[1] - corner[1]];
@@ -86,7 +86,7 @@ pub fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
         }
         before = Some(t);
         let n = [-t[1] * half, t[0] * half];
-        // Counter-clockwise in the sense of `disc`: both have positive area in these coordinates.
+        // Counter-clockwise, as `disc`: both have a positive area in these coordinates.
         out.push(vec![
             [p[0] - n[0], p[1] - n[1]],
             [q[0] - n[0], q[1] - n[1]],

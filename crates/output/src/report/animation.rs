@@ -39,7 +39,7 @@ pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, wo
     drawing(out, synthesis, running, words);
     controls(out, synthesis, running, words);
     out.push_str("</div>\n");
-    // Only numbers and units: nothing here can end the script element.
+    // The data contain only numbers and units, so they cannot close the script element.
     let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
     let _ = writeln!(
         out,
@@ -257,7 +257,7 @@ fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
             let side = 0.7 * half;
             let bar = format!("M0.000 {:.3}H{arm:.3}V{side:.3}H0.000Z", -side);
             shape(out, &bar, FOLLOWER);
-            // A knife edge at the end of an arm is its tip.
+            // A knife edge at the end of an arm is drawn as its tip.
             let tip = if radius > 0.0 {
                 MM * radius
             } else {
@@ -296,7 +296,7 @@ fn draw_face(out: &mut String, cam: &Cam, reach: f64, stem: f64) {
     let (low, high) = face_reach(cam).unwrap_or((0.0, 0.0));
     let (more, thick) = (0.08 * reach, 0.035 * reach);
     let (low, high) = (MM * low - more, MM * high + more);
-    // The face's own normal away from the cam is −y where the pivot lies on +x.
+    // If the pivot is on +x, the normal of the face away from the cam is −y.
     let up = pivot.map_or(1.0, |p| -p[0].signum());
     if pivot.is_none() {
         let d = format!("M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}", -half);

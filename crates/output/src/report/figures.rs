@@ -110,7 +110,7 @@ fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "recording", None, &alt, &picture, words);
 }
 
-/// The recorded walk and the cam at resonance: sentence, picture and figures.
+/// Writes the response at resonance to the recorded walk and to the cam: sentence, picture and figures.
 fn resonance(out: &mut String, synthesis: &Design, words: &Words) {
     let Some((sentence, walker)) =
         facts::resonance(synthesis, words.language()).zip(synthesis.walker())

@@ -1,6 +1,6 @@
-// The cam in motion: where the parts of its drawing stand after u turns. The report and the studio share it.
+// Animation of the cam: positions of the parts of its drawing after u turns. The report and the studio use this module.
 
-// Value of a sampled quantity; null where it has none.
+// Value of a sampled quantity by linear interpolation; null if a neighbouring sample is null.
 export function value({ turns }, list, u) {
   const x = u / turns * (list.length - 1);
   const i = Math.min(Math.floor(x), list.length - 2);
@@ -8,19 +8,19 @@ export function value({ turns }, list, u) {
   return a === null || b === null ? null : a + (x - i) * (b - a);
 }
 
-// Angles go the short way where they wrap.
+// Angle in degrees, interpolated along the shorter way around the circle.
 function turned({ turns }, list, u) {
   const x = u / turns * (list.length - 1);
   const i = Math.min(Math.floor(x), list.length - 2);
   return list[i] + (x - i) * ((((list[i + 1] - list[i]) % 360) + 540) % 360 - 180);
 }
 
-// The parts that move, by their ids, as they stand in a drawing.
+// Moving parts of a drawing by their ids.
 export function partsOf(drawing) {
   return Object.fromEntries(["cam-turning", "cam-follower", "cam-second", "cam-push", "cam-contact"].map((id) => [id, drawing.querySelector(`#${id}`)]));
 }
 
-// Moves the parts: the cam to its angle theta, the follower, contact and force to where they are after u turns.
+// Moves the parts: rotates the cam to the angle theta, and places the follower, the contact and the force as after u turns.
 export function move(parts, motion, u, theta) {
   const at = (list) => value(motion, list, u);
   const stand = (part, x, y, a) => part.setAttribute("transform", `translate(${at(x)} ${at(y)}) rotate(${turned(motion, a, u)})`);

@@ -90,12 +90,13 @@ fn rounded(x: f64) -> Option<f64> {
     to(x, 1e4)
 }
 
-/// A force or torque with seven decimals, for small machines.
+/// `x` rounded to a multiple of 1/`places`; non-finite numbers become null.
 fn to(x: f64, places: f64) -> Option<f64> {
     x.is_finite().then(|| (x * places).round() / places)
 }
 
-/// Row of a simulation between two rows, by linear interpolation. The force of a landing is not extended over the flight.
+/// Row of a simulation between two rows, by linear interpolation. If one of them is in flight, force and torque are those of the nearer row, so that
+/// the force of a landing does not appear in the flight.
 fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     let n = rows.len();
     let x = (theta - rows[0].theta) / step;
@@ -221,7 +222,7 @@ impl Motion {
         let ([px, py], pa) = placed(cam, theta);
         let motion = cam.motion(theta);
         let flying = row.gap > 0.0;
-        // What rides on the cam keeps to it until it flies.
+        // A follower in contact has the lift of the law. After lift-off it has the simulated lift.
         let raised = if flying { row.lift - at.s } else { 0.0 };
         let (px, py, pa) = match cam.follower.pivot() {
             None => (px + raised * motion[0], py + raised * motion[1], pa),
@@ -231,7 +232,7 @@ impl Motion {
                 (x + pivot[0], y + pivot[1], pa + turn.to_degrees())
             }
         };
-        // Beyond a hundred prime radii a flank is straight to the eye.
+        // A flank with a radius above one hundred prime radii looks straight.
         let straight = p.rho.abs() > 100.0 * cam.follower.prime_radius();
         let touching = |x: f64| if flying { None } else { rounded(x) };
         self.s.push(rounded(factor * row.lift));

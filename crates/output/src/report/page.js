@@ -16,7 +16,7 @@
     if (document.documentElement.lang === "es") shown = shown.replace(".", ",");
     cell.textContent = v === null ? shown : shown.replace("-", "\u2212") + unit;
   }
-  // A thin line across every diagram at the present angle.
+  // A thin line in every diagram at the present angle.
   var cursors = Array.prototype.map.call(document.querySelectorAll("svg[data-left]"), function (svg) {
     var line = document.createElementNS("http://www.w3.org/2000/svg", "line");
     line.setAttribute("y1", svg.dataset.top);
@@ -50,7 +50,7 @@
     });
   }
   function pace() {
-    // The slider is logarithmic: from a two-hundredth of the true speed up to it.
+    // The slider is logarithmic, from 1/200 of the true speed up to the true speed.
     return Math.pow(10, +speed.value);
   }
   function tell() {

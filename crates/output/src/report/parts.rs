@@ -38,7 +38,7 @@ pub struct Checked {
     pub state: &'static str,
     /// Worst value over the cycle.
     pub value: f64,
-    /// Limit of the value; `None` where only rounding is allowed.
+    /// Limit of the value; `None` if the limit is only a rounding tolerance.
     pub limit: Option<f64>,
     /// Unit of value and limit.
     pub unit: &'static str,

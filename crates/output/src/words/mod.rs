@@ -10,7 +10,7 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// Texts of a language.
+/// Texts and number format of a language.
 pub fn words(language: Language) -> Words {
     Words::new(WORDS.of(language))
 }

@@ -1,4 +1,4 @@
-// One diagram over the cam's angle: axes, curves, limits, cursor.
+// One diagram over the cam angle: axes, curves, limits, cursor.
 
 import { make, say, svg, clear, html, render, renew } from "../core/dom.js";
 import { t, number, quantity } from "../core/words.js";
@@ -12,7 +12,7 @@ const TOP = 6;
 const pen = document.createElement("canvas").getContext("2d");
 
 export class Chart {
-  // What is drawn, and the designs under it.
+  // Displayed curves, and the curves of pinned designs.
   /** @type {any} */ panel;
   /** @type {any} */ curves;
   /** @type {any[]} */ pinned;
@@ -20,7 +20,7 @@ export class Chart {
   /** @type {[number, number]} */ ends;
   /** @type {string} */ endsOf;
   isMoving = false;
-  // What charts.js does with what is done to the diagram.
+  // Functions that charts.js sets for user actions on the diagram.
   /** @type {Function} */ onEnlarge;
   /** @type {Function} */ onResize;
   /** @type {Function} */ onZoom;
@@ -39,15 +39,15 @@ export class Chart {
     this.title = make("button", { type: "button", class: "enlarge", onclick: () => this.onEnlarge?.(this.id) }, this.named, this.unit);
     this.heading = make("h2", {}, this.title);
     this.picture = svg("svg", { role: "group" });
-    // The cursor by keyboard.
+    // The keyboard can move the cursor.
     this.picture.setAttribute("tabindex", "0");
     this.fields = {};
     this.root = make("figure", { class: `chart ${id}`, "data-chart": id },
       make("figcaption", {}, this.heading, this.value), make("div", { class: "plot" }, this.picture));
-    // The cursor lies over the picture: it moves with every frame, and the picture is not drawn again for it.
+    // The cursor is a separate element over the picture. It moves in every frame, and the picture need not be drawn again.
     this.cursor = make("div", { class: "cursor" });
     this.dot = make("div", { class: "dot" });
-    // Axes and numbers lie behind in a picture of their own: they are not laid out again with every curve.
+    // Axes and numbers are in a separate picture behind the curves, so that they are not laid out again with every curve.
     this.frame = svg("g");
     this.lines = svg("g");
     this.handles = svg("g");
@@ -74,7 +74,8 @@ export class Chart {
     this.follow();
   }
 
-  // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
+  // Sets the curves of the diagram. `pinned` contains the designs for comparison, each with curves and a colour. The cursor follows the
+  // clock.
   take(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
     say(this.named, this.name());
@@ -84,7 +85,7 @@ export class Chart {
     render(list.map(({ colour, name }) => html`<span><i style="border-color:${colour}"></i>${name}</span>`), this.legend);
   }
 
-  // Width that the numbers of the vertical axis need, px.
+  // Width of the numbers on the vertical axis, px.
   room() {
     const [width, height] = this.size;
     if (!this.panel || width < 20) return 0;
@@ -109,7 +110,7 @@ export class Chart {
   }
 
   range() {
-    // Under the hand the axis stays where it is.
+    // The axis stays unchanged while a limit or point is dragged.
     if (this.held?.range) return this.held.range;
     let low = Infinity;
     let high = -Infinity;
@@ -125,10 +126,10 @@ export class Chart {
     for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => seen(other.curves, l));
     if (low > high) [low, high] = [0, 1];
     const span = high - low;
-    // While a value is moved an axis that still serves stays: only the curve is seen to change.
+    // While a value is being changed, the axis stays unchanged if the curve still fits it well. Only the curve then moves.
     const [a, b] = this.ends ?? [0, 0];
     if (this.isMoving && this.endsOf === this.panel.unit && low >= a && high <= b && span > 0.5 * (b - a)) return this.ends;
-    // Limits far away would flatten the curve.
+    // A limit far from the curve is ignored, because it would flatten the curve.
     for (const { y: level } of this.panel.levels) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
     if (["force", "s"].includes(this.id) && low > 0 && low < 0.6 * high) low = 0;
     if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 1; high += 1; }
@@ -166,7 +167,7 @@ export class Chart {
     this.describe();
   }
 
-  // Axes, grid and their numbers as a list for `renew`.
+  // Axes, grid and numbers as a list for `renew`.
   grid(width, bottom, low, high, labels) {
     const texts = [];
     const { from: start, span: length, unit } = this.curves;
@@ -214,7 +215,7 @@ export class Chart {
         continue;
       }
       const p = [at, this.y(values[i])];
-      // Points nearer than a pixel to the last one are not drawn, but the ends of the curve are.
+      // Points less than one pixel from the last one are skipped. The ends of the curve are always drawn.
       if (pen === "L" && Math.abs(p[0] - drawn[0]) < 1 && Math.abs(p[1] - drawn[1]) < 1) last = p;
       else to(p);
     }
@@ -237,7 +238,7 @@ export class Chart {
     }));
   }
 
-  // Index of the sample at or before the cursor's angle.
+  // Index of the sample nearest to the angle of the cursor.
   index(theta) {
     const list = this.curves.theta;
     let [low, high] = [0, list.length - 1];
@@ -267,7 +268,7 @@ export class Chart {
     return theta >= from - 1e-9 && theta <= from + span + 1e-9;
   }
 
-  // The picture at a size for paper with labelled axes and without what is dragged.
+  // Picture in a size for paper, with labelled axes and without the elements that can be dragged.
   copy() {
     const { size, font } = this;
     Object.assign(this, { size: [340, 170], font: `10.5px ${font.slice(font.indexOf("px") + 2)}` });

@@ -1,4 +1,4 @@
-// All diagrams with one cursor: which are shown, which is large, what is dragged on them.
+// All diagrams with one cursor: selection, large diagram, and actions by dragging.
 
 import { $, html, render, say } from "../core/dom.js";
 import { Chart } from "./chart.js";
@@ -15,17 +15,17 @@ const charts = new Map();
 let shown = null;
 let fields = {};
 let pinned = [];
-// A pinned design whose curves are taken from those of the present one.
+// Pinned design whose curves are subtracted from those of the present design.
 let less = null;
-// The part of the turn that the diagrams show.
+// Displayed part of the turn, as fractions.
 let part = [0, 1];
 let ghost = null;
 let fading = 0;
 let large = null;
 let margin = 0;
-// Diagrams that were ticked or unticked by hand.
+// Diagrams that the user has selected or deselected.
 let chosen = {};
-// Nothing presses on the cam: forces, torque and power are those of one kilogram.
+// Without a load on the cam, forces, torque and power are those of one kilogram.
 let isIdle = false;
 const PRESSED = ["force", "torque", "power"];
 /** @type {Function} */
@@ -33,7 +33,7 @@ let edit = () => {};
 
 export function load(onEdit) {
   edit = onEdit;
-  try { chosen = JSON.parse(localStorage.getItem("gaitcam-diagrams") ?? "{}"); } catch { /* private windows keep nothing */ }
+  try { chosen = JSON.parse(localStorage.getItem("gaitcam-diagrams") ?? "{}"); } catch { /* A private window stores nothing. */ }
   clock.onAngle(() => { for (const chart of charts.values()) chart.follow(); });
   onLanguage(again);
   units.watch(again);
@@ -74,7 +74,7 @@ export function show(raw, next = fields, idle = isIdle) {
   for (const chart of drawn) chart.draw();
 }
 
-// All diagrams begin at one place, behind the widest number; it does not move back under the hand.
+// Aligns the left ends of all diagrams by the widest number. The margin does not shrink during a gesture.
 function align(list) {
   const before = margin;
   margin = Math.max(ghost ? margin : 0, ...list.map((chart) => chart.room()));
@@ -82,13 +82,13 @@ function align(list) {
   return margin !== before;
 }
 
-// Another size has other numbers on its axis.
+// Diagrams of another size have other numbers on their axes.
 function resized() {
   const list = [...charts.values()].filter((chart) => chart.root.isConnected);
   if (align(list)) for (const chart of list) chart.draw();
 }
 
-// Of a programme the lift is large, of a wanted force the force.
+// Default large diagram: the force if there is a target force, otherwise the lift.
 const usual = ({ panels }) => (panels[0].lines.some((l) => l.role === "target") ? "force" : "s");
 
 const under = (panel, list) => list.flatMap(({ curves, colour, name }) => {
@@ -98,7 +98,7 @@ const under = (panel, list) => list.flatMap(({ curves, colour, name }) => {
 
 const zoomed = (curves) => ({ ...curves, from: curves.start + part[0] * curves.length, span: (part[1] - part[0]) * curves.length });
 
-// Zooms about an angle: by a factor, or to the whole turn.
+// Zooms about an angle by a factor. Without a factor, the whole turn is displayed.
 function zoom(factor, theta) {
   const at = (theta - shown.start) / shown.length;
   const [low, before] = [part[0], part[1] - part[0]];
@@ -108,7 +108,7 @@ function zoom(factor, theta) {
   again();
 }
 
-// The main curve of a diagram less that of the pinned design at the same part of the turn; none where that has no such one.
+// Main curve of a diagram minus that of the pinned design at the same fraction of the turn; empty if the pinned design has no such diagram.
 function difference(raw, panel) {
   const other = less.curves.panels.find((p) => p.id === panel.id && p.unit === panel.unit);
   if (!other) return [];
@@ -148,21 +148,21 @@ export function enlarge(id) {
   again();
 }
 
-// The next one becomes the large diagram.
+// Makes the next diagram the large one.
 export function step(by) {
   const ids = shown.panels.map((p) => p.id);
   const at = ids.indexOf($("charts").firstElementChild.dataset.chart);
   enlarge(ids[(at + by + ids.length) % ids.length]);
 }
 
-// The design before a gesture stays behind it as a faint line, and goes when the hand has rested.
+// Shows the design before a gesture as a faint line. The line disappears after a pause.
 export function leave(curves) {
   ghost = curves;
   clearTimeout(fading);
   fading = setTimeout(() => { ghost = null; again(); }, GHOST);
 }
 
-// Another scene has no design before a gesture.
+// Removes the line of the earlier design when another scene is opened.
 export function forget() {
   clearTimeout(fading);
   ghost = null;
@@ -174,7 +174,7 @@ export function linger() {
   fading = setTimeout(() => { ghost = null; again(); }, GHOST);
 }
 
-// Designs to lie under the present one, and the one whose difference is shown instead.
+// Sets the designs that are drawn behind the present one, and the design that is subtracted from it.
 export function compare(list, taken = null) {
   pinned = list;
   less = taken;
@@ -187,7 +187,7 @@ function again() {
   clock.set(clock.angle());
 }
 
-// Which diagrams are shown.
+// Opens the selection of the displayed diagrams.
 export function choose() {
   const tick = (id) => ({ target }) => {
     chosen = { ...chosen, [id]: target.checked };
@@ -201,7 +201,7 @@ export function choose() {
   });
 }
 
-// Diagrams as pictures with labelled axes, for paper: [class, name, picture].
+// Diagrams as pictures with labelled axes for paper: [class, name, picture].
 export function pictures(ids = [...$("charts").children].map((e) => e.dataset.chart)) {
   const seen = ids.filter((id) => charts.get(id)?.root.isConnected).map((id) => charts.get(id));
   const out = seen.map((chart) => [chart.id, chart.title.textContent, chart.copy()]);
@@ -209,7 +209,7 @@ export function pictures(ids = [...$("charts").children].map((e) => e.dataset.ch
   return out;
 }
 
-// The large diagram as a table by degree; a row sets the cursor.
+// Opens a table of the large diagram with one row per degree. A row sets the cursor.
 export function table() {
   dialog("studio-table", (body) => {
     body.className = "data";
@@ -225,7 +225,7 @@ export function table() {
   });
 }
 
-// Marks the first row from this angle on.
+// Marks the first row at or after this angle.
 function goTo(body, typed) {
   const theta = parseFloat(typed.replace(",", "."));
   const found = [...body.querySelectorAll("[data-theta]")].find((e) => Number(e.dataset.theta) >= theta - 1e-9);

@@ -1,15 +1,15 @@
-// What can be dragged on a diagram: limit lines, and borders and lifts of the segments of a programme.
+// Elements of a diagram that can be dragged: limit lines, and borders and lifts of the segments of a programme.
 
 import { svg, clear } from "../core/dom.js";
 import { t, quantity, language } from "../core/words.js";
 
-// A unit as a scene file takes it.
+// Unit as written in a scene file.
 export const written = (unit) => unit.replace("°", "deg").replaceAll("·", " ").replace("²", "^2").replace("³", "^3");
 
-// Three digits: what a hand can place on a screen.
+// Number with three digits, the precision of dragging on a screen.
 export const rounded = (x) => Number(x.toPrecision(3));
 
-// Draws what is dragged on a chart, where it is not as it was.
+// Draws the elements of a diagram that can be dragged, if they have changed.
 export function draw(chart, group, place) {
   const lines = chart.panel.levels;
   const knots = knotsOf(chart);
@@ -22,7 +22,7 @@ export function draw(chart, group, place) {
   drawKnots(chart, group, knots, place);
 }
 
-// The limit lines; each is a slider that is also moved by the arrow keys.
+// Draws the limit lines. Each line is a slider that the arrow keys also move.
 function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
   for (const { y: level, key } of lines) {
     const at = chart.y(level);
@@ -48,13 +48,13 @@ function drawLimits(chart, plot, lines, { left, right, top, bottom, width }) {
   }
 }
 
-// What a limit's key is set to by its line at this height.
+// Value of the key of a limit for a line at this height.
 export function valueOf(chart, y, key) {
   const from = chart.panel.levels.find((l) => l.key === key)?.from ?? null;
   return `${rounded(from === null ? y : Math.abs(y - from))} ${written(chart.panel.unit)}`;
 }
 
-// Borders of the segments of a programme over the angle: [{number, theta, lift}].
+// Ends of the segments of a programme: [{number, theta, lift}].
 export function borders(fields, start) {
   const out = [];
   let theta = start;
@@ -67,13 +67,13 @@ export function borders(fields, start) {
   return out;
 }
 
-// Angles in degrees and lifts in the unit of the diagram: others are changed in the table.
+// Whether all angles are in degrees and all lifts in the unit of the diagram. Other values can be changed only in the table.
 function plain(fields, unit) {
   const wrong = Object.entries(fields).some(([key, { text }]) => /^law\.segment\.\d+\.(angle|lift)$/.test(key) && text && !new RegExp(`^[-+\\d.]+ (deg|${unit})$`).test(text));
   return !wrong;
 }
 
-// The borders that are dragged: [{number, theta, lift}], lifts above the lowest.
+// Borders that can be dragged: [{number, theta, lift}], with lifts above the lowest one.
 function knotsOf(chart) {
   if (chart.id !== "s" || !chart.onSegment || chart.curves.unit !== "°" || !plain(chart.fields, written(chart.panel.unit))) return [];
   const list = borders(chart.fields, chart.curves.start);
@@ -89,7 +89,8 @@ function drawKnots(chart, plot, knots, { top, bottom }) {
   }
 }
 
-// A border moves between its neighbours; a lift takes the next moving segment along, so that the lifts still add to 0.
+// Moves a border between its neighbours. A change of the lift is subtracted from the next moving segment, so that the sum of the lifts
+// stays 0.
 export function moveSegment(chart, number, theta, lift) {
   const { fields } = chart;
   const list = borders(fields, chart.curves.start);
@@ -110,7 +111,7 @@ export function moveSegment(chart, number, theta, lift) {
   return edits;
 }
 
-// The curves of a diagram as a table, at whole degrees or at every hundredth of the travel.
+// Curves of a diagram as a table, at whole degrees, or at every hundredth of the travel.
 export function table(chart) {
   const { curves, panel } = chart;
   const step = curves.unit === "°" ? 1 : curves.length / 100;

@@ -1,4 +1,4 @@
-// A scale of colours from dark blue over green to yellow: readable for colour-blind eyes on light and dark ground.
+// Colour scale from dark blue over green to yellow, readable for colour-blind users on light and dark backgrounds.
 
 const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
@@ -8,10 +8,10 @@ function colour(u) {
   return a.map((c, k) => Math.round(c + f * (b[k] - c)));
 }
 
-/** The colour of a part of the scale. @param {number} u From 0 to 1. */
+/** Colour at a position of the scale. @param {number} u From 0 to 1. */
 export const shade = (u) => `rgb(${colour(u).join(" ")})`;
 
-/** Whether white text is read better than black text on the colour. @param {number} u From 0 to 1. */
+/** Whether white text has more contrast than black text on the colour. @param {number} u From 0 to 1. */
 export function isDark(u) {
   const [r, g, b] = colour(u).map((c) => (c <= 10 ? c / 3295 : ((c / 255 + 0.055) / 1.055) ** 2.4));
   return 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.179;

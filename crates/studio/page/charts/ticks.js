@@ -1,8 +1,8 @@
-// Round numbers on an axis, and their texts.
+// Round numbers on an axis, and their text.
 
 import { language } from "../core/words.js";
 
-// Round numbers between two ends, about `count` of them and two at least.
+// Round numbers between two ends: about `count`, at least two.
 export function ticks(low, high, count) {
   const raw = (high - low) / Math.max(count, 1);
   if (!(raw > 0) || !Number.isFinite(raw)) return [];

@@ -1,15 +1,15 @@
-// The answers to the questions of a recording's reader belong to the recording: they are kept by the hash of its contents,
-// and a scene that gets another recording loses those of the former one.
+// Answers to the open questions about a recording. They are stored by the hash of its contents. If a scene gets another recording, the
+// answers about the former one are removed.
 
 const KEPT = "gaitcam-answers";
 const MOST = 40;
-// Keys of `gait` that say how a recording is read, and the one that accepts what the reader has found.
+// Keys of `gait` that describe how a recording is read, and the key that accepts the interpretation.
 const READER = ["time", "force", "unit", "rate", "mass", "kind", "period", "span", "noise"];
 const OWN = [...READER, "accept"];
 
 let all = null;
 function kept() {
-  try { all ??= JSON.parse(localStorage.getItem(KEPT)); } catch { /* private windows keep nothing */ }
+  try { all ??= JSON.parse(localStorage.getItem(KEPT)); } catch { /* A private window stores nothing. */ }
   all ??= {};
   return all;
 }
@@ -24,12 +24,12 @@ function keep(hash, answers) {
 
 const texts = (fields, keys) => Object.fromEntries(keys.map((key) => [key, fields[`gait.${key}`]?.text ?? ""]).filter(([, text]) => text));
 
-// How the scene reads its recording.
+// Reading options of the recording in the scene.
 export const options = (fields) => texts(fields, READER);
 
 const hashOf = (version) => version?.files[version.recording?.file];
 
-// Keeps the answers of a version's recording.
+// Stores the answers about the recording of a version.
 export function remember(version, fields) {
   const hash = hashOf(version);
   if (!hash || version.pending.length > 0 || version.recording.cycle) return;
@@ -38,13 +38,13 @@ export function remember(version, fields) {
   keep(hash, { ...read, ...texts(fields, ["accept"]), ...feet ? { feet } : {} });
 }
 
-// An answer that the user has chosen for the recording of a version: the feet are otherwise a wish of the scene.
+// Stores the feet that the user has selected for the recording of a version. Feet that the scene sets for another reason are not stored.
 export function chosen(version, key, value) {
   const hash = hashOf(version);
   if (hash && key === "gait.feet") keep(hash, { ...kept()[hash], feet: value });
 }
 
-// The changes of a scene that gets a recording: the answers kept for this one, and none of the former one.
+// Changes of a scene that gets a recording: sets the stored answers about this recording and removes those about the former one.
 export function changesFor(hash, version, fields) {
   const next = kept()[hash] ?? {};
   const former = kept()[hashOf(version)] ?? {};
@@ -56,7 +56,7 @@ export function changesFor(hash, version, fields) {
   return changes.map(([key, value]) => ({ set: { key: `gait.${key}`, value } }));
 }
 
-// A file's name as the name of a scene: letters, digits, - and _.
+// Name of a file as the name of a scene: letters, digits, - and _.
 export const stem = (file) => file.replace(/\.[^.]*$/, "").replace(/[^\p{L}\p{N}_-]+/gu, "_").replace(/^_+|_+$/g, "").slice(0, 60);
 
 let scenes = new Set();
@@ -64,7 +64,7 @@ export function load(names) {
   scenes = new Set(names);
 }
 
-// The name of the scene with a recording; null where the user has named the scene.
+// Name of the scene with a recording; null if the user has named the scene.
 export function nameFor(file, version) {
   const isOwn = version.name && !scenes.has(version.name) && version.name !== stem(version.recording?.file ?? "");
   return isOwn ? null : stem(file) || null;

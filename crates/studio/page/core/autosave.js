@@ -1,4 +1,4 @@
-// The address and the browser's memory follow the versions: for a reload, for a link, for the next visit.
+// Writes each version to the address of the page and to the storage of the browser: for a reload, for links, and for the next visit.
 
 import * as blobs from "./blobs.js";
 import { pack, used } from "./packing.js";
@@ -26,20 +26,20 @@ async function write() {
   history.replaceState(null, "", place);
   versions.written(place.hash);
   versions.keep();
-  try { localStorage.setItem(LAST, JSON.stringify({ name: v.name, packed: text })); } catch { /* private windows keep nothing */ }
+  try { localStorage.setItem(LAST, JSON.stringify({ name: v.name, packed: text })); } catch { /* A private window stores nothing. */ }
 }
 
-// Restores the versions of before a reload, where the files of the one shown are still at hand.
+// Restores the versions from before a reload. The result is false if files of the displayed version are missing.
 export async function restore() {
   return versions.restore() && blobs.hasAll(used(versions.now()));
 }
 
-// The last scene of an earlier visit, packed; null where there is none.
+// Last scene of an earlier visit, packed; null if there is none.
 export function last() {
   try { return JSON.parse(localStorage.getItem(LAST)); } catch { return null; }
 }
 
-// The link of a version: a page that others can reach has an address, one on this machine has none. `inside` as in `pack`.
+// Link of a version. If the page is on a server that others can reach, it contains the address of the page. `inside` as in `pack`.
 export async function link(v = versions.now()) {
   const { text, inside } = await pack(v);
   const isOwn = /^(localhost|127\.|\[::1\]|$)/.test(location.hostname) || location.protocol === "file:";

@@ -1,11 +1,11 @@
-// Contents of files by their hash: with the engine, and in the browser's own store for a reload.
+// Contents of files by their hash, stored by the engine, and in the browser for a reload.
 
 import { engine } from "./net.js";
 
-// Those that were looked for in the browser's store without success.
+// Hashes that were not found in the storage of the browser.
 const absent = new Set();
 
-// Takes contents in and returns their hash.
+// Stores contents and returns their hash.
 export async function put(bytes) {
   const hash = await engine.keep(bytes);
   absent.delete(hash);
@@ -22,22 +22,22 @@ export async function get(hash) {
   return engine.bytes(hash) ?? null;
 }
 
-// After a reload the engine is given the files of a version again; nothing where it has them.
+// Passes the files of a version to the engine again after a reload; null if the engine has all of them.
 export function ensure(files) {
   const missing = Object.values(files).filter((hash) => hash && !engine.bytes(hash) && !absent.has(hash));
   return missing.length === 0 ? null : Promise.all(missing.map(get));
 }
 
-// Whether the contents of all these files are at hand.
+// Whether the contents of all these files are available.
 export async function hasAll(files) {
   const all = await Promise.all(Object.values(files).filter(Boolean).map(get));
   return all.every(Boolean);
 }
 
-// The files of a version as a question carries them.
+// Files of a version as part of a request.
 export const listed = (files) => Object.entries(files).filter(([, hash]) => hash).map(([name, hash]) => ({ name, hash }));
 
-// --- the browser's store -------------------------------------------------------------------------
+// --- storage of the browser ----------------------------------------------------------------------
 
 let opened = null;
 function database() {
@@ -53,7 +53,7 @@ function database() {
 async function store(hash, bytes) {
   try {
     (await database()).transaction("files", "readwrite").objectStore("files").put(bytes, hash);
-  } catch { /* private windows keep nothing */ }
+  } catch { /* A private window stores nothing. */ }
 }
 
 async function load(hash) {

@@ -1,4 +1,4 @@
-// The cam's angle: one value that everything on the page follows.
+// Cam angle, which all parts of the page display.
 
 let motion = null;
 let theta = 0;
@@ -46,7 +46,7 @@ function wrapped(next) {
   return motion.start + within * motion.length;
 }
 
-// Sets the angle; beyond its ends a turn begins anew.
+// Sets the angle. An angle outside the turn is wrapped to it.
 export function set(next) {
   if (!motion) return;
   theta = wrapped(next);
@@ -61,7 +61,7 @@ export function play(on) {
   for (const watcher of watchers) watcher();
 }
 
-// While a design is on its way the cam turns on unseen: the answer's picture must not wait for others.
+// While a design is computed, the angle advances without drawing, so that the picture of the response is not delayed.
 export function hold(on) {
   held = on;
 }

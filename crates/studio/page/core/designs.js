@@ -1,13 +1,13 @@
-// Which question is asked: the design of the present version, one at a time. Intermediate states of a gesture may be
-// skipped, the last never. A change that is refused stays with its version; the others go on.
+// Requests for the design of the present version, one at a time. Intermediate states of a gesture may be skipped, but not the last one. A
+// rejected change stays with its version, and the other changes are applied.
 
 import { engine, Fault } from "./net.js";
 import * as blobs from "./blobs.js";
 import * as versions from "./versions.js";
 
 const AGAIN = 2000;
-// Where a design takes longer, a first law that keeps the limits is asked for while a value is moved, and the best when the
-// hand has rested, ms.
+// If a design takes longer than LONG, a quick design within the limits is requested while a value is being changed. The optimum is
+// requested after a pause of REST. Both in ms.
 const LONG = 100;
 const REST = 250;
 let slow = false;
@@ -16,10 +16,10 @@ let refining = false;
 let running = null;
 let waiting = null;
 let shown = null;
-// Prime radius and offset of the last whole design, m.
+// Prime radius and offset of the last complete design, m.
 let size = null;
 let retry = 0;
-// Fields of the form: those of the last design or, where the scene has none, those that could be read of it.
+// Fields of the form: from the last design, or, if the scene has no design, from the reading of the scene.
 let fields = {};
 /** @type {Record<string, (...all: any[]) => any>} */
 const handlers = { show: () => {}, state: () => {}, working: () => {}, lost: () => {}, colour: () => "none" };
@@ -28,30 +28,30 @@ export function on(more) {
   Object.assign(handlers, more);
 }
 
-// The answer on the screen, with the version that it belongs to; null where that is a version of another scene.
+// Displayed response with its version; null if the version belongs to another scene.
 export const present = () => (isForeign() ? null : shown);
 
-// Whether the picture on the screen is that of another scene.
+// Whether the displayed picture belongs to another scene.
 export const isForeign = () => shown !== null && shown.line !== versions.now()?.line;
 
 export const known = () => fields;
 
-// Another scene: nothing is known of its fields.
+// Forgets the fields, which belong to another scene.
 export function forget() {
   fields = {};
 }
 
-// The design of the present version is shown, whole.
+// Whether the complete design of the present version is displayed.
 export function isCurrent() {
   const v = versions.now();
   if (shown?.answer.quick) return false;
   return Boolean(v) && v.pending.length === 0 && !v.fault && shown?.version === v.id;
 }
 
-// Asks for the design of the present version. `since` is when the input came.
+// Requests the design of the present version. `since` is the time of the input, ms.
 export function ask(since = performance.now()) {
   clearTimeout(retry);
-  // A whole design of a value that is moved on is of no use.
+  // A complete design is useless while its value is still being changed.
   if (running && refining) stop();
   whole = false;
   if (running) waiting = since;
@@ -59,7 +59,7 @@ export function ask(since = performance.now()) {
   handlers.state();
 }
 
-// Asks at once: what runs belongs to another version.
+// Requests the design at once. A running request is stopped, because it belongs to another version.
 export function askAnew(since = performance.now()) {
   stop();
   ask(since);
@@ -71,7 +71,7 @@ function stop() {
   waiting = null;
 }
 
-// Leaves the present question unanswered: the version stays pending.
+// Stops the present request. Its version stays without a response.
 export function cancel() {
   stop();
   handlers.working(false, 0);
@@ -87,7 +87,7 @@ async function run(since) {
   const v = versions.now();
   handlers.working(true, since);
   try {
-    // Where nothing is missing the question leaves at once.
+    // If no file is missing, the request is sent without delay.
     const missing = blobs.ensure(v.files);
     if (missing) await missing;
     const outcome = await settle(v, control.signal, quick);
@@ -103,7 +103,8 @@ async function run(since) {
       rests = held && !more;
       if (rests) retry = setTimeout(refine, REST);
       shown = { version: v.id, line: v.line, answer: outcome.answer, files: v.files };
-      // A long answer is on its way while the last one is drawn; a short one is asked for with the value of the moment.
+      // If designs are slow, the next one is requested before the last one is drawn. If they are fast, the next request is sent afterwards
+      // with the latest value.
       if (more && slow) next();
       await handlers.show(outcome.answer, since, more);
     } else if (outcome.same) shown = { ...shown, version: v.id };
@@ -133,7 +134,7 @@ function next() {
   run(since);
 }
 
-// A question about a version with some of its changes; faults of the scene are answers, a lost engine is not.
+// Requests a version with some of its changes. A fault of the scene is a result. A failure of the engine is an exception.
 async function tried(route, v, groups, signal, quick = false) {
   const changes = groups.flatMap((p) => p.edits);
   try {
@@ -151,7 +152,7 @@ async function tried(route, v, groups, signal, quick = false) {
 
 const plain = ({ code, key, place, message, help, remedies }) => ({ code, key, place, message, help, remedies });
 
-// The version with all its changes; where that is refused, with those that can be taken.
+// Requests the version with all its changes. If this is rejected, only the valid changes are applied.
 async function settle(v, signal, quick) {
   const all = await tried("design", v, v.pending, signal, quick);
   if (all.answer) return { scene: all.answer.scene, name: all.answer.name, pending: [], answer: all.answer };
@@ -172,7 +173,7 @@ async function settle(v, signal, quick) {
   return base(v, left, signal);
 }
 
-// Nothing can be taken: the picture is that of the scene before the changes.
+// No change is valid: the displayed design is that of the scene without the changes.
 async function base(v, left, signal) {
   const same = present()?.answer.scene === v.scene && JSON.stringify(shown.files) === JSON.stringify(v.files);
   if (same) return { scene: v.scene, name: v.name, pending: left, same };
@@ -181,7 +182,7 @@ async function base(v, left, signal) {
   return { scene: v.scene, name: read?.name ?? v.name, fields: read?.fields, pending: left, answer, fault };
 }
 
-// The scene itself cannot be designed yet: what can be read of it is taken.
+// The scene cannot be designed yet: its fields are read without a design.
 async function unfinished(v, fault, signal) {
   const left = [];
   const taken = [];

@@ -1,8 +1,8 @@
-// Templates and small helpers for elements.
+// Templates and helper functions for elements.
 
 export { html, svg as svgTemplate, render, nothing, repeat, live } from "./vendor.js";
 
-/** The element with an id; what kind it is its user knows. @type {(id: string) => any} */
+/** Element with an id, of any type. @type {(id: string) => any} */
 export const $ = (id) => document.getElementById(id);
 
 /** @param {string} name @param {Record<string, any>} attributes @param {...any} children @returns {any} */
@@ -28,8 +28,8 @@ export function svg(name, attributes = {}, ...children) {
   return element;
 }
 
-// Gives a group of an SVG the children of a list, [name, attributes, text]: those that are there are changed where they
-// differ, not made again.
+// Sets the children of an SVG group from a list of [name, attributes, text]. Existing children are changed if they differ and are not
+// created again.
 export function renew(group, list) {
   list.forEach(([name, attributes, text], i) => {
     let child = group.children[i];
@@ -53,17 +53,17 @@ export function clear(element) {
   return element;
 }
 
-// Hides or shows an element; one that is so already is left alone.
+// Hides or shows an element. An element that is already in this state is not touched.
 export function hide(element, on = true) {
   if (element.hidden !== on) element.hidden = on;
 }
 
-// Gives an element its text; one that has it already is left alone, so that nothing is laid out again.
+// Sets the text of an element. An element that already has the text is not touched, so that nothing is laid out again.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-// A drawing of the engine as an element: the only door for markup that comes as text. Scripts and handlers are left out.
+// Drawing of the engine as an element. This is the only function that accepts markup as text. It removes scripts and event handlers.
 export function picture(text) {
   const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
   for (const element of [root, ...root.querySelectorAll("*")]) {
@@ -73,7 +73,7 @@ export function picture(text) {
   return document.importNode(root, true);
 }
 
-// An open dialog makes all outside of it inert: what has to be read and closed beside it goes inside while it is open.
+// An open dialog makes everything outside it inert. Elements that must stay usable are therefore moved into the dialog while it is open.
 export function above(box) {
   const dialog = document.querySelector("dialog[open]");
   if (!dialog || box.parentElement === dialog) return;
@@ -81,7 +81,7 @@ export function above(box) {
   dialog.addEventListener("close", () => document.body.append(box), { once: true });
 }
 
-// Shows a short notice that goes by itself.
+// Shows a short notice, which disappears after some seconds unless `lasting` is set.
 let timer = 0;
 export function notice(text, lasting = false) {
   const box = $("notice");

@@ -1,4 +1,4 @@
-// The door to the engine: questions and answers as data, files by the hash of their bytes.
+// Interface to the engine: requests and responses as data, files by the hash of their bytes.
 
 import * as http from "../engine/http.js";
 import * as wasm from "../engine/wasm.js";
@@ -17,7 +17,7 @@ export function speak(tag) {
   language = tag;
 }
 
-// Bytes by their hash: an engine that has lost them is given them again.
+// Bytes by their hash, in case the engine loses them and they must be passed to it again.
 const kept = new Map();
 
 async function sha256(text) {
@@ -25,7 +25,7 @@ async function sha256(text) {
   return [...sum].map((b) => b.toString(16).padStart(2, "0")).join("");
 }
 
-// What fetch and workers throw where nobody answers; anything else is a mistake of the page.
+// Converts exceptions of fetch and of workers without a response. Any other exception is an error of the page.
 async function reached(promise) {
   let answer;
   try {
@@ -43,14 +43,14 @@ async function ask(route, question, signal) {
   const text = JSON.stringify({ language, ...question });
   for (;;) {
     const asked = below.ask(route, text, signal);
-    // Without a secure context the page has no hash to compare.
+    // Outside a secure context, the browser computes no hash for this check.
     const sum = crypto.subtle && sha256(text);
     const answer = await reached(asked);
     if (answer.missing) {
       await again(answer.missing, route);
       continue;
     }
-    // The answer to another question is none.
+    // A response to another request is rejected.
     if (answer.of && sum && answer.of !== await sum) throw new Fault({ code: "lost", message: "" });
     return answer;
   }
@@ -64,7 +64,7 @@ async function again(hashes, route) {
   }
 }
 
-// The engine has kept a file that it made; so does the page.
+// Stores a file that the engine has made and stored.
 function made(answer, hash) {
   if (answer.csv && hash && !kept.has(hash)) kept.set(hash, new TextEncoder().encode(answer.csv));
   return answer;
@@ -87,7 +87,7 @@ export const engine = {
     return answer;
   },
   download: (question, /** @type {{signal?: AbortSignal}} */ { signal } = {}) => ask("export", question, signal),
-  // This page in one file with a packed scene inside, where the page carries its engine.
+  // This page in a single file with a packed scene inside, if the page contains its engine.
   page: below.page,
   folder: below.folder && {
     list: () => reached(below.folder.list(language)),

@@ -1,12 +1,12 @@
-// Scenes in links and in exported pages: packed text that any copy of the page can open, with the files inside.
+// Scenes in links and in exported pages, as packed text with their files. Every copy of the page can open them.
 //
-// The text is base64 of deflated JSON with a checksum before it. A file that is too long for a link, or binary, is replaced
-// by the mean cycle of the recording; where the file itself is at hand, the page opens the scene with it again.
+// The text is the base64 form of compressed JSON with a checksum before it. A file that is binary or too long for a link is replaced by the
+// mean cycle of the recording. If the file itself is available, the page opens the scene with the file.
 
 import { engine } from "./net.js";
 import * as blobs from "./blobs.js";
 
-// Longest file in a link, and all files of an exported page together, bytes.
+// Maximum size of a file in a link, and of all files in an exported page together, bytes.
 const IN_LINK = 60_000;
 const IN_PAGE = 8 * 2 ** 20;
 
@@ -26,7 +26,7 @@ export function bytesOf(text) {
   return Uint8Array.from(plain, (c) => c.charCodeAt(0));
 }
 
-// FNV-1a, 32 bits: a link that was cut or changed on its way is recognised.
+// FNV-1a checksum, 32 bits, which detects a truncated or changed link.
 export function checksum(text) {
   let sum = 0x811c9dc5;
   for (let i = 0; i < text.length; i += 1) sum = Math.imul(sum ^ text.charCodeAt(i), 0x01000193);
@@ -39,7 +39,7 @@ export async function compress(value) {
   return base64(packed);
 }
 
-// The value of a packed text; null where it is damaged. Links of earlier versions have no checksum.
+// Value of a packed text; null if the text is damaged. Links of earlier versions have no checksum.
 export async function decompress(packed) {
   try {
     const plain = new TextDecoder().decode(await pass(bytesOf(packed), new DecompressionStream("deflate-raw")));
@@ -60,21 +60,21 @@ export function asText(contents) {
   }
 }
 
-// The files that a version uses: those that its scene or a waiting change names, and its recording.
+// Files that a version uses: files named in its scene or in a pending change, and its recording.
 export function used({ scene, pending, files, recording }) {
   const texts = [scene, JSON.stringify(pending.map((p) => p.edits))];
   const isUsed = ([name, hash]) => hash && (name === recording?.file || texts.some((text) => text.includes(JSON.stringify(name))));
   return Object.fromEntries(Object.entries(files).filter(isUsed));
 }
 
-// The contents of a file as JSON; null where there is no room for them.
+// Contents of a file as JSON; null if there is not enough space.
 function inJson(contents, isPage, room) {
   const text = contents.length <= (isPage ? room : IN_LINK) ? asText(contents) : null;
   if (text !== null) return text;
   return isPage && contents.length <= room ? { base64: base64(contents) } : null;
 }
 
-// The scene with the mean cycle of its recording; null where the engine cannot make one.
+// Scene with the mean cycle of its recording; null if the engine cannot make one.
 async function cycle(v) {
   try {
     return await engine.ask("cycle", { scene: v.scene, files: blobs.listed(v.files) });
@@ -83,11 +83,11 @@ async function cycle(v) {
   }
 }
 
-// A version as packed text, and how each of its files is inside: `whole`, as `cycle` or `not`.
+// Version as packed text, and how each of its files is included: `whole`, as `cycle`, or `not`.
 export async function pack(v, isPage = false) {
   const files = used(v);
   const held = { scene: v.scene, files: {}, hand: v.hand ?? undefined, recording: v.recording ?? undefined };
-  // Values that no design has answered, refused ones too.
+  // Values without a design, including rejected ones.
   if (v.pending.length > 0) held.changes = v.pending.map((p) => p.edits);
   const inside = [];
   let room = IN_PAGE;
@@ -104,7 +104,7 @@ export async function pack(v, isPage = false) {
   return { text: await compress(held), inside };
 }
 
-// Puts the mean cycle in the place of a recording that has no room. `origin` is the scene with the whole file.
+// Replaces a recording without space by its mean cycle. `origin` is the scene with the complete file.
 async function shorten(held, inside, v, files) {
   const missing = inside.filter((file) => file.how === "not");
   const made = await cycle(v);
@@ -122,10 +122,10 @@ async function shorten(held, inside, v, files) {
 
 const SCENE = /(?:[#&?]|^)(?:s|scene)=([\w-]*)/;
 
-// Whether a text has the part of a link that holds a scene, damaged or not.
+// Whether a text contains a packed scene, damaged or not.
 export const hasScene = (text) => SCENE.test(text);
 
-// The scene of a link or of any text that holds one; null where there is none or where it is damaged.
+// Scene in a link or in another text; null if there is none, or if it is damaged.
 export async function unpack(text) {
   const found = SCENE.exec(text);
   const held = found && await decompress(found[1]);

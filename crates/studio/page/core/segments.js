@@ -1,9 +1,10 @@
-// The segments of a programme and what an entry changes: of the angles, that of its own row and of the one that takes the
-// rest. No angle is scaled but by `rebalance`.
+// Segments of a programme, and the effect of an entry: it changes the angle of its own row and of the row that takes the rest. Only
+// `rebalance` scales the other angles.
 //
-// A programme is {rows: [{motion, lift, angle}], locks: [boolean], rest: number or null, last: number or null, whole, unit}:
-// texts as in the scene, the angles that are locked, the row chosen to take the rest, the row typed last, and what the
-// angles add to (null where the travel follows from them) in `unit`, degrees or millimetres.
+// A programme is {rows: [{motion, lift, angle}], locks: [boolean], rest: number or null, last: number or null, whole, unit}. `rows`
+// contains texts as in the scene, and `locks` marks locked angles. `rest` is the row that the user chose to take the rest. `last` is the
+// row changed last. `whole` is the required sum of the angles in `unit`, degrees or millimetres; it is null if the travel follows from the
+// angles.
 
 import { unitOf, value } from "./typed.js";
 
@@ -12,23 +13,23 @@ const SIZES = {
   mm: 1, um: 1e-3, "µm": 1e-3, cm: 10, m: 1000, in: 25.4, ft: 304.8,
 };
 const NEAR = 1e-6;
-// What is left to the segment that takes the rest.
+// Minimum angle or length of the segment that takes the rest, in degrees or millimetres.
 const LEAST = 1;
 
 const SIZE = /^\s*([-+]?[\d.]+(?:e[-+]?\d+)?)(?:\s*\/\s*([\d.]+))?\s*([^\d\s].*)?$/i;
 
-// A text as a number of degrees or millimetres; NaN where it is none.
+// Value of a text in degrees or millimetres; NaN if the text is not a number.
 export function size(typed) {
   const [, number, below = "1", unit = ""] = SIZE.exec(typed.replace(",", ".")) ?? [];
   return Number(number) / Number(below) * (SIZES[unit.trim()] ?? NaN);
 }
 
-// A typed text as the scene takes it, in a field that shows `unit`.
+// Typed text in the form of the scene file, from a field that shows `unit`.
 const written = (typed, unit) => value(typed.replace("−", "-"), unit).replace(/\s*°/, " deg");
 
 const digits = (x) => String(Number(x.toPrecision(12)));
 
-// A number of degrees or millimetres as a text in a unit.
+// Text in a unit, from a value in degrees or millimetres.
 export const text = (x, unit) => `${digits(x / SIZES[unit])} ${unit}`;
 
 export const count = (p) => p.rows.length;
@@ -36,20 +37,20 @@ const angles = (p) => p.rows.map((row) => size(row.angle));
 const sum = (list) => list.reduce((a, b) => a + b, 0);
 const without = (list, i) => list.filter((_, k) => k !== i);
 
-// What the angles lack to the whole; negative where they are too large.
+// Difference between the required sum of the angles and their sum; negative if the angles are too large.
 export function gap(p) {
   if (p.whole === null || p.rows.length === 0) return 0;
   const x = p.whole - sum(angles(p));
   return Math.abs(x) < NEAR ? 0 : x;
 }
 
-// The sum of all lifts, in millimetres or degrees.
+// Sum of all lifts, in millimetres or degrees.
 export function rise(p) {
   const x = sum(p.rows.map((row) => size(row.lift || "0")));
   return Math.abs(x) < NEAR ? 0 : x;
 }
 
-// The row that takes the rest: the chosen one, else the last dwell, else the last; -1 where all others are locked.
+// Row that takes the rest: the chosen row, else the last dwell, else the last row; -1 if all other rows are locked.
 export function rest(p, but = -1) {
   const free = p.rows.map((_, i) => i).filter((i) => i !== but && !p.locks[i]);
   if (free.includes(p.rest)) return p.rest;
@@ -60,7 +61,7 @@ export const isDwell = (row) => row.motion === "" || row.motion === "dwell";
 
 const put = (p, i, change) => ({ ...p, rows: p.rows.map((row, k) => (k === i ? { ...row, ...change } : row)) });
 
-// The row that takes the rest gets what the others leave, where they leave something.
+// Sets the row that takes the rest to the remaining angle, if this is positive.
 function filled(p, but = -1) {
   const r = rest(p, but);
   if (r < 0 || p.whole === null) return p;
@@ -75,7 +76,7 @@ export function setAngle(p, i, typed) {
   return filled({ ...next, rest: rest(next, i) < 0 ? p.rest : rest(next, i) }, i);
 }
 
-// The largest angle that fits into a row; null where none does.
+// Maximum angle for a row; null if no angle fits.
 export function largest(p, i) {
   const r = rest(p, i);
   const others = sum(without(angles(p), i)) - (r < 0 ? 0 : size(p.rows[r].angle));
@@ -83,7 +84,7 @@ export function largest(p, i) {
   return x > NEAR ? text(x, p.unit) : null;
 }
 
-// A lift; the next segment that moves returns by what this one has grown, so that the lifts still add to 0.
+// Sets a lift. The change is subtracted from the next moving segment, so that the sum of the lifts stays 0.
 export function setLift(p, i, typed) {
   const own = unitOf(p.rows[i].lift) || p.lifts;
   const next = put(p, i, { lift: written(typed, own) });
@@ -93,13 +94,13 @@ export function setLift(p, i, typed) {
   return put(next, other, { lift: text(size(p.rows[other].lift || "0") - grown, unitOf(next.rows[i].lift) || own) });
 }
 
-// The next row that moves after a row, around the turn; -1 where there is none.
+// Next moving row after a row, around the turn; -1 if there is none.
 export function returning(p, i) {
   const order = p.rows.map((_, k) => (i + 1 + k) % p.rows.length).slice(0, -1);
   return order.find((k) => !isDwell(p.rows[k])) ?? -1;
 }
 
-// A law: a dwell has no lift, and a motion from a dwell closes the lifts, or begins with one.
+// Sets the motion of a row. A dwell has no lift. A dwell that becomes a motion gets the lift that closes the sum, or else a usual lift.
 export function setMotion(p, i, motion) {
   if (isDwell({ motion })) return put(p, i, { motion, lift: "" });
   if (!isDwell(p.rows[i])) return put(p, i, { motion });
@@ -107,7 +108,7 @@ export function setMotion(p, i, motion) {
   return put(p, i, { motion, lift: text(open === 0 ? p.usual : -open, p.lifts) });
 }
 
-// A dwell before row `at`, with half the angle of the row that takes the rest.
+// Adds a dwell before row `at`, with half the angle of the row that takes the rest.
 export function add(p, at, row = { motion: "dwell", lift: "" }) {
   const donor = rest(p);
   const half = p.rows.length === 0 ? p.whole ?? p.usualLength : size(p.rows[donor]?.angle ?? "") / 2;
@@ -119,7 +120,7 @@ export function add(p, at, row = { motion: "dwell", lift: "" }) {
   return { ...given, rest: p.rest === null ? null : moved, last: null };
 }
 
-// The segment that closes the lifts, at the end.
+// Adds a segment at the end that closes the sum of the lifts.
 export const addReturn = (p) =>
   add(p, p.rows.length, { motion: p.rows.findLast((r) => !isDwell(r))?.motion ?? "cycloidal", lift: text(-rise(p), p.lifts) });
 
@@ -138,10 +139,10 @@ export function move(p, from, to) {
   return { ...p, rows: moved(p.rows), locks: moved(p.locks), rest: p.rest === null ? null : at.indexOf(p.rest), last: null };
 }
 
-// The row that takes the rest closes the turn.
+// Sets the row that takes the rest so that the turn is complete.
 export const close = (p) => filled(p);
 
-// Scales the angles that are not locked so that the turn is covered.
+// Scales the angles that are not locked so that the turn is complete.
 export function rebalance(p) {
   const free = sum(angles(p).filter((_, i) => !p.locks[i]));
   const left = p.whole - sum(angles(p).filter((_, i) => p.locks[i]));
@@ -150,7 +151,7 @@ export function rebalance(p) {
   return filled({ ...p, rows: scaled, last: null });
 }
 
-// Parts of the whole for the picture: [{row, from, to}], the gap with row -1. `whole` is 1 or more where they overlap.
+// Fractions of the whole for the picture: [{row, from, to}]. A gap has row -1. `whole` is below 1 if the angles are too large.
 export function parts(p) {
   const known = angles(p).map((x) => (x > 0 ? x : 0));
   const whole = p.whole ?? sum(known);
@@ -162,7 +163,7 @@ export function parts(p) {
 }
 
 const MOVES = { up: 1, down: -1, dwell: 0 };
-// What a click makes: parts of the turn.
+// Templates of programmes: kind of motion and fraction of the turn.
 export const TEMPLATES = {
   "double-dwell": [["up", 1 / 3], ["dwell", 1 / 6], ["down", 1 / 3], ["dwell", 1 / 6]],
   "rise-return": [["up", 1 / 2], ["down", 1 / 2]],

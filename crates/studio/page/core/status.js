@@ -1,4 +1,4 @@
-// What the page says about the version shown: designed, on its way, refused.
+// Messages about the displayed version: designed, in progress, rejected.
 
 import { $, hide, html, notice, nothing, render as draw, say } from "./dom.js";
 import { language, number, t } from "./words.js";
@@ -6,7 +6,7 @@ import * as designs from "./designs.js";
 import * as versions from "./versions.js";
 import * as view from "./view.js";
 
-// A fault is said when the hand has rested so long, and a search is shown when it has lasted so long, ms.
+// Pause before a fault is shown, and duration of a search before its progress is shown, ms.
 const REST = 400;
 const PATIENCE = 1000;
 let longest = 60;
@@ -15,7 +15,7 @@ let remedies = () => [];
 let resting = 0;
 let said = "";
 
-// `more` gives buttons for a fault: [text, action].
+// Sets the time limit of a search, s. `more` returns the buttons for a fault: [text, action].
 export function load(seconds, more) {
   longest = seconds;
   remedies = more;
@@ -33,7 +33,7 @@ export function render(v) {
   faults(v);
 }
 
-// Faults appear when the hand rests, and go at once.
+// Shows faults after a pause and hides them at once.
 function faults(v) {
   clearTimeout(resting);
   const own = v?.fault ? [v.fault] : [];
@@ -64,7 +64,7 @@ function line(fault) {
   </div>`;
 }
 
-// The engine does not answer: said once, taken back when it does.
+// Shows a notice that the engine does not respond.
 export function lost(error) {
   notice(t(error.code === "http" ? "studio-refused" : "studio-lost"), true);
 }

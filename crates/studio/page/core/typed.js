@@ -1,29 +1,30 @@
-// Values as people type them: a bare number means the unit that its field shows, a comma is a decimal one.
+// Values as typed by users. A number without a unit has the unit of its field. A comma is a decimal sign.
 
 const NUMBER = String.raw`[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?`;
 const BARE = new RegExp(`^${NUMBER}$`);
 const COMMA = /(?<![\d.,])(\d*),(\d+)(?![\d.,])/g;
 const SUM = /^[\d\s.,+\-*/()]*[*/()][\d\s.,+\-*/()]*/;
 
-// The unit behind the number of a text; empty where there is none.
+// Unit after the number of a text; empty if there is none.
 export function unitOf(text = "") {
   const found = new RegExp(`^\\s*${NUMBER}\\s*([^\\d\\s].*)$`).exec(text);
   return found && !found[1].includes(":") ? found[1].trim() : "";
 }
 
-// What the scene takes for a typed text, in a field that shows `unit`.
+// Typed text in the form of the scene file, from a field that shows `unit`.
 export function value(text, unit) {
   const plain = calculated(text.trim().replace(COMMA, (all, whole, part) => `${whole || "0"}.${part}`));
   return unit && BARE.test(plain) ? `${plain} ${unit}` : plain;
 }
 
-// The number of a text that is one number with or without a unit.
+// Value of a text that is a single number with or without a unit.
 export function number(text = "") {
   const [, x, unit = ""] = new RegExp(`^\\s*(${NUMBER})\\s*([^\\d\\s/].*)?$`).exec(text) ?? [];
   return x === undefined || unit.includes(":") ? NaN : Number(x.replace(",", "."));
 }
 
-// `2*40 mm` is 80 mm. A single fraction, `3/8 in`, is left as it is: the scene takes it.
+// Replaces a calculation by its result: `2*40 mm` becomes 80 mm. A single fraction, `3/8 in`, stays unchanged, because scene files accept
+// it.
 function calculated(text) {
   const [part = ""] = SUM.exec(text) ?? [];
   if (part === "" || /^\s*\d+\s*\/\s*\d+\s*$/.test(part)) return text;
@@ -31,7 +32,7 @@ function calculated(text) {
   return Number.isFinite(x) ? `${Number(x.toPrecision(12))} ${text.slice(part.length)}`.trim() : text;
 }
 
-// A sum of products by recursive descent; anything else is NaN.
+// Sum of products, evaluated by recursive descent; NaN for any other text.
 class Sum {
   constructor(text) {
     this.parts = text.match(/\d+\.?\d*|\.\d+|[-+*/()]/g) ?? [];

@@ -1,8 +1,8 @@
-// Lengths and speeds as they are shown: millimetres or inches, rad/s or rpm. Scenes and files keep the units they have.
+// Displayed units of lengths and speeds: millimetres or inches, rad/s or rpm. The units in scenes and files do not change.
 
 import { number } from "./words.js";
 
-// What a unit is shown in on demand, and the factor that leads to it.
+// Alternative unit for each unit, and the factor to it.
 const OTHERS = { mm: ["in", 1 / 25.4], m: ["in", 1 / 0.0254], "rad/s": ["rpm", 30 / Math.PI] };
 const UNIT = String.raw`(mm|m)(?=/rad[²³]?|/s[²³]?)(/rad[²³]?|/s[²³]?)|(mm|rad/s)(?![\p{L}/²³])`;
 const NUMBER = String.raw`[-−]?\d+(?:[.,]\d+)?`;
@@ -11,12 +11,12 @@ const watchers = [];
 let chosen = new Set();
 
 export function load() {
-  try { chosen = new Set((localStorage.getItem("gaitcam-units") ?? "").split(" ").filter(Boolean)); } catch { /* private windows keep nothing */ }
+  try { chosen = new Set((localStorage.getItem("gaitcam-units") ?? "").split(" ").filter(Boolean)); } catch { /* A private window stores nothing. */ }
 }
 
 export const names = () => [...chosen].join(" ");
 
-// Shows one unit in place of the other.
+// Selects a displayed unit in place of another.
 export function choose(next, before) {
   chosen.delete(before);
   chosen.add(next);
@@ -30,7 +30,7 @@ export function watch(watcher) {
 
 const parsed = (text) => Number(text.replace("−", "-").replace(",", "."));
 
-// Every length and speed in a text, ranges "a … b mm" too.
+// Text with all lengths and speeds converted, including ranges such as "a … b mm".
 export function text(whole) {
   return whole.replace(ONE, (all, first, last, gap, per, rest, plain) => {
     const [to, factor] = unit(plain ?? per);
@@ -40,14 +40,14 @@ export function text(whole) {
   });
 }
 
-// A unit with the factor that leads to it.
+// Displayed unit for a unit, and the factor to it.
 export function unit(of) {
   const [, base, rest] = /^(mm|m|rad\/s)((?:\/.*)?)$/.exec(of) ?? [];
   const [to, factor] = OTHERS[base] ?? [];
   return chosen.has(to) ? [to + rest, factor] : [of, 1];
 }
 
-// A diagram's panel in the units shown.
+// Panel of a diagram in the displayed units.
 export function panel(whole) {
   const [to, factor] = unit(whole.unit);
   if (factor === 1) return whole;
@@ -57,7 +57,7 @@ export function panel(whole) {
   return { ...whole, unit: to, lines, levels };
 }
 
-// A text of a scene as it is printed: powers raised, degrees close to their number.
+// Text of a scene in printed form: superscript powers, and degree signs next to the number.
 export function typeset(text) {
   return text.replace(/\^2\b/g, "²").replace(/\^3\b/g, "³").replace(/(\d) ?deg\b/g, "$1°").replace(/\bdeg\b/g, "°");
 }

@@ -1,20 +1,20 @@
-// The state of the page: an immutable list of versions, which of them is shown, and the designs that are pinned.
-// Undo, redo, links, reload and autosave only read it.
+// State of the page: an immutable list of versions, the index of the displayed version, and the pinned designs. Undo, redo, links, reload
+// and autosave use only this state.
 //
-// A version is
-//   scene      text of the scene without the values below
+// A version consists of
+//   scene      text of the scene without the pending changes
 //   name       name of the scene
-//   pending    changes that no design has answered yet, or that were refused: {edits, keys, gesture, fault}
-//   fault      why the scene itself cannot be designed; null where it can or where that is not known yet
-//   files      hash of the contents by the name that the scene gives to the file
-//   line       number of the version at which this scene was opened: versions of one line are one scene that was changed
-//   recording  {file, without, cycle}: the recording, the contacts that do not count, and the file of the mean cycle where
-//              only that is at hand
+//   pending    changes without a design, or rejected changes: {edits, keys, gesture, fault}
+//   fault      reason why the scene itself cannot be designed; null if it can, or if this is not known yet
+//   files      hash of the contents of each file, by the name of the file in the scene
+//   line       number of the version in which this scene was opened; versions with the same line are states of one scene
+//   recording  {file, without, cycle}: the recording, its excluded contacts, and the file of the mean cycle if only this file is available
 //   hand       {period_s, points}: the force drawn by hand
-//   programme  {locks, rest, last, former}: angles that are locked, the segment that takes the rest, the one typed last,
-//              and the values that the programme took the place of
-//   gesture    what made it: a later change of the same gesture takes its place
-//   title      what changed, and `made` the values, for the list of versions
+//   programme  {locks, rest, last, former}: locked angles, the segment that takes the rest, the segment changed last, and the values that
+// the
+//              programme replaced
+//   gesture    name of the gesture that made the version; a later change of the same gesture replaces the version
+//   title      text for the list of versions, with the changed values in `made`
 
 const LONGEST = 300;
 let number = 0;
@@ -41,7 +41,7 @@ function version(content) {
   return Object.freeze({ ...empty, line: number, ...content, id: number });
 }
 
-// Adds a version after the present one; of the same gesture it takes the present one's place.
+// Adds a version after the present one. If both belong to one gesture, the new version replaces the present one.
 function push(next) {
   const same = next.gesture !== null && now()?.gesture === next.gesture;
   const list = present.list.slice(0, same ? present.at : present.at + 1).slice(-LONGEST);
@@ -51,46 +51,46 @@ function push(next) {
 const SEGMENTS = "law.segment";
 const keyOf = (e) => (e.programme ? SEGMENTS : e.set ? e.set.key : JSON.stringify(e));
 const keysOf = (edits) => edits.map(keyOf);
-// A whole programme replaces values of its segments too.
+// A whole programme also replaces the values of its segments.
 const replaced = (keys) => (key) => keys.includes(key) || (keys.includes(SEGMENTS) && key.startsWith(`${SEGMENTS}.`));
 
-// Changes values; `more` are the files, the recording and the drawn force that come with them.
+// Changes values. `more` contains the files, the recording and the drawn force that belong to them.
 /** @param {any[]} edits @param {string | null} gesture @param {any} more */
 export function edit(edits, gesture, { title = "", ...more } = {}) {
   const before = now();
   const keys = keysOf(edits);
-  // A new value takes the place of one that waits or was refused under the same key.
+  // A new value replaces a pending or rejected value of the same key.
   const others = before.pending.filter((p) => !p.keys.every(replaced(keys)));
   const next = Object.freeze({ edits, keys, gesture, fault: null });
   const made = edits.filter((e) => e.set).map((e) => e.set);
-  // A force chosen by its name is neither a recording with ticks nor a drawn one.
+  // A force file selected by its name is neither a recording with excluded contacts nor a drawn force.
   if (keys.includes("gait.file") && !more.files) more = { recording: null, hand: null, ...more };
   const files = { ...before.files, ...more.files };
   push(version({ ...before, ...more, pending: [...others, next], gesture, title, made, files }));
 }
 
-// A step that changes no value of the scene.
+// Adds a version without a changed value of the scene.
 export function note(more) {
   push(version({ ...now(), ...more, gesture: null, made: [] }));
 }
 
-// Another scene; the present one can be returned to.
+// Opens another scene. Undo returns to the present one.
 export function open(scene, { files = {}, name = "", title = "", recording = null, hand = null, changes = [] } = {}) {
   const pending = changes.map((edits) => Object.freeze({ edits, keys: keysOf(edits), gesture: null, fault: null }));
   push(version({ scene, name, title, files, recording, hand, pending }));
 }
 
-// What the engine answered about a version: its scene, the changes that were refused, the fault of the scene itself.
+// Stores the response of the engine to a version: its scene, the rejected changes, and the fault of the scene itself.
 export function settle(id, { scene, name, pending, fault = null }) {
   const i = present.list.findIndex((v) => v.id === id);
   if (i < 0) return;
   const list = [...present.list];
   list[i] = Object.freeze({ ...list[i], scene, name, pending, fault });
-  // Later versions that were built on the same unanswered changes keep them: they are asked in turn.
+  // Later versions with the same pending changes keep them, because each version is requested separately.
   become({ ...present, list });
 }
 
-// Takes one refused change back; a step of its own.
+// Withdraws a rejected change, as a new version.
 export function withdraw(change) {
   const before = now();
   push(version({ ...before, pending: before.pending.filter((p) => p !== change), gesture: null, made: [] }));
@@ -113,13 +113,13 @@ export function setPins(pins) {
   become({ ...present, pins });
 }
 
-// Whether the version shows a value that is not in its design.
+// Whether the version contains a value that its design does not have.
 export const refused = (v) => Boolean(v?.fault) || Boolean(v?.pending.some((p) => p.fault));
 
-// --- kept over a reload ---------------------------------------------------------------------------
+// --- storage for a reload -------------------------------------------------------------------------
 
 const KEPT = "gaitcam-versions";
-// Addresses that this page has written: a reload may have begun before the latest one.
+// Latest addresses that this page has written. A reload may start before the last one is written.
 let addresses = [];
 
 export function written(address) {
@@ -128,14 +128,14 @@ export function written(address) {
 
 export function keep() {
   try {
-    // Of the pins only what a design is made from: their pictures are asked again.
+    // Only the inputs of pinned designs are stored. Their designs are requested again.
     const plain = ({ scene, files, name, colour, hand, recording }) => ({ scene, files, name, colour, hand, recording });
     const pins = present.pins.map(plain);
     sessionStorage.setItem(KEPT, JSON.stringify({ ...present, pins, addresses }));
-  } catch { /* no room, or a private window: the address still holds the scene */ }
+  } catch { /* The storage is full or private. The address still contains the scene. */ }
 }
 
-// Restores what a reload left behind, unless the address names another scene; returns whether it did.
+// Restores the versions after a reload, unless the address contains another scene. Returns whether it did.
 export function restore() {
   try {
     const kept = JSON.parse(sessionStorage.getItem(KEPT));

@@ -6,7 +6,7 @@ import { t, onLanguage } from "./words.js";
 const TABS = ["values", "force", "programme", "compare", "text"];
 const opened = new Map();
 
-// In a frame of another page, `?embed=force,s`: the cam and these diagrams, to be looked at only.
+// In a frame of another page (`?embed=force,s`): the cam and these diagrams, without controls.
 export const embedded = new URLSearchParams(location.search).get("embed")?.split(",") ?? null;
 
 export function theme() {
@@ -14,7 +14,7 @@ export function theme() {
   try {
     const kept = localStorage.getItem("gaitcam-theme");
     if (kept) dark = kept === "dark";
-  } catch { /* private windows keep nothing */ }
+  } catch { /* A private window stores nothing. */ }
   const show = () => { document.documentElement.dataset.theme = dark ? "dark" : "light"; };
   show();
   $("theme").addEventListener("click", () => {
@@ -61,7 +61,7 @@ export function tabs() {
 
 let filling = null;
 
-// Opens the dialog with a title and what `fill` puts into it; another language fills it anew.
+// Opens the dialog with a title and the content that `fill` adds. A change of the language fills it again.
 export function dialog(title, fill) {
   filling = () => {
     $("dialog-title").textContent = t(title);
@@ -76,7 +76,7 @@ export function dialog(title, fill) {
   box.scrollTop = 0;
 }
 
-// Opens the dialog with a template; returns what draws it anew.
+// Opens the dialog with a template. Returns the function that draws it again.
 export function sheet(title, className, template) {
   let box = null;
   const refresh = () => { if (box.isConnected) render(template(), box); };
@@ -89,7 +89,7 @@ export function sheet(title, className, template) {
   return refresh;
 }
 
-// A picture in a narrow place opens large.
+// Picture that opens in the dialog when it is clicked.
 export function enlarging(text, title) {
   const large = () => dialog(title, (body) => {
     render(html`<div class="scroll enlarged" tabindex="0">${drawn(text)}</div>`, body);

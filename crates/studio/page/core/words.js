@@ -1,4 +1,4 @@
-// The words of the page in both languages; switching is immediate.
+// Texts of the page in both languages. A change of the language has an immediate effect.
 
 import { speak } from "./net.js";
 
@@ -14,7 +14,7 @@ export function language() {
   return tag;
 }
 
-// A text by its key; {name} stands for a value.
+// Text of a key; {name} is replaced by a value.
 export function t(key, values = {}) {
   const text = all[tag][key] ?? key;
   return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
@@ -28,7 +28,7 @@ export function onLanguage(listener) {
   listeners.push(listener);
 }
 
-// Gives every marked element below `root` its text.
+// Sets the text of every marked element below `root`.
 export function translate(root = document) {
   for (const e of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-text]"))) e.textContent = t(e.dataset.text);
   for (const e of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[data-label]"))) {
@@ -38,10 +38,10 @@ export function translate(root = document) {
   }
 }
 
-// The language that was chosen here, else that of the command line, else the browser's first that the page has.
+// Sets the language: the one selected in the page, else that of the command line, else the first supported language of the browser.
 export function begin() {
   let kept = null;
-  try { kept = localStorage.getItem("gaitcam-language"); } catch { /* private windows keep nothing */ }
+  try { kept = localStorage.getItem("gaitcam-language"); } catch { /* A private window stores nothing. */ }
   const wished = [kept, document.documentElement.lang, ...(navigator.languages ?? [])];
   become(wished.map((tag) => tag?.slice(0, 2)).find((tag) => tag in all) ?? "en");
 }
@@ -59,11 +59,11 @@ function become(next) {
   for (const listener of listeners) listener(next);
 }
 
-// A number with at most so many significant digits, as the program's own formatter writes it: without trailing zeros.
+// Number with at most `digits` significant digits and without trailing zeros, as formatted by the program.
 export function number(x, digits = 4) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   const size = Math.abs(x);
-  // Not toLocaleString, which takes a hundred times longer: this is called for every frame.
+  // This function is called for every frame. `toLocaleString` would take a hundred times longer.
   const plain = size !== 0 && (size < 1e-4 || size >= 1e9)
     ? x.toExponential(digits - 1).replace("e+", "e")
     : x.toFixed(size === 0 ? 0 : Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
@@ -71,10 +71,10 @@ export function number(x, digits = 4) {
   return (tag === "es" ? short.replace(".", ",") : short).replaceAll("-", "−");
 }
 
-// A text with numbers as scenes write them, in the language's manner.
+// Text with numbers in the form of scenes, with the decimal sign of the language.
 export const local = (text) => (tag === "es" ? text.replace(/(\d)\.(?=\d)/g, "$1,") : text);
 
-// A number with its unit; degrees stand close to it.
+// Number with its unit. A degree sign has no space before it.
 export function quantity(x, unit, digits) {
   const gap = unit === "°" || unit === "" ? "" : "\u00a0";
   return number(x, digits) + (x === null || x === undefined ? "" : gap + unit);

@@ -1,5 +1,4 @@
-// A sheet for a class: what is given and what is to be found; the answers are shown by a button, on paper they have a page
-// of their own.
+// Exercise sheet for a class: given values, and quantities to be found. A button shows the answers; on paper they are on a separate page.
 
 import { html, notice } from "../core/dom.js";
 import { t, local } from "../core/words.js";
@@ -39,7 +38,7 @@ export function open() {
       ${figures(value)}<div class="copies"><figure class="copy">${cam}</figure>${filled}</div></section>`);
 }
 
-// The values of the scene as a list, its segments and points as tables.
+// Values of the scene as a list, with its segments and points as tables.
 function given(fields) {
   const set = Object.entries(fields).filter(([key, { text }]) => text !== "" && key !== "name");
   const plain = set.filter(([key]) => !/\.\d+\./.test(key));

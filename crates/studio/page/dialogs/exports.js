@@ -1,4 +1,4 @@
-// Every file that the command writes, as a download, by what it is wanted for; of the design that is shown, never of another.
+// Every file that the command writes, as a download, grouped by purpose. The files belong to the displayed design.
 
 import { html, nothing, notice } from "../core/dom.js";
 import { t } from "../core/words.js";
@@ -11,13 +11,13 @@ import * as designs from "../core/designs.js";
 import * as versions from "../core/versions.js";
 import { turning } from "./turning.js";
 
-// The file that the page itself makes.
+// File that the page itself makes.
 const FILM = "cam.gif";
-// Files that are made for a cutter, and those that are compressed already.
+// Files for a cutter, and endings of files that are already compressed.
 const CUTTER = ["cutter.csv", "cutter.nc", "cutter_second.nc"];
 const COMPRESSED = /\.(png|gif|pdf|xlsx|3mf)$/;
 
-// Files by what they are wanted for; any other belongs to the last.
+// Files by purpose. Files that are not listed belong to the last group.
 const INTENTS = {
   cut: [
     "profile.dxf", "cam.step", "drawing.pdf", "profile.svg", "profile.csv", "second_profile.csv", "cutter.csv", "cutter.nc",
@@ -28,7 +28,7 @@ const INTENTS = {
   show: ["report.html", "cam.png", "cam.svg", FILM],
 };
 
-// The names under each intent, in the order of the table; names that it does not know come last.
+// File names by group, in the order of the table. Names that are not in the table come last.
 export function sorted(names) {
   const known = new Set(Object.values(INTENTS).flat());
   const others = names.filter((name) => !known.has(name));
@@ -36,7 +36,7 @@ export function sorted(names) {
   return all.map(([intent, list]) => [intent, intent === "show" ? [...list, ...others] : list]).filter(([, list]) => list.length > 0);
 }
 
-// A scene or recording as the name of a file.
+// Scene or recording as a file name.
 export function fileName(name, recording) {
   const base = (recording ?? name).replace(/^.*[/\\]/, "").replace(/\.(c3d|mot|sto|csv|tsv|txt|asc)$/i, "");
   return base || "cam";
@@ -44,7 +44,7 @@ export function fileName(name, recording) {
 
 const said = (error) => [error.message, error.help].filter(Boolean).join(" – ") || t("studio-lost");
 
-// Hands a file to the browser.
+// Offers a file as a download.
 export function download(blob, name) {
   const a = document.createElement("a");
   Object.assign(a, { href: URL.createObjectURL(blob), download: name });
@@ -52,7 +52,7 @@ export function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(a.href), 2000);
 }
 
-// A link whose file is made when it is asked for.
+// Link whose file is made when the user follows the link.
 function link(name, made) {
   const get = async (event) => {
     event.preventDefault();
@@ -65,7 +65,7 @@ function link(name, made) {
   return html`<a href="#" download=${name} @click=${get}>${name}</a>`;
 }
 
-// All files as one archive; those that cannot be made are named.
+// All files in one archive. The result also names the files that cannot be made.
 async function archive(names, made) {
   const [files, without] = [{}, []];
   const mtime = new Date();
@@ -95,7 +95,7 @@ function all(title, names, made) {
   return html`<button type="button" class="main" id="export-all" @click=${get}>${t("studio-export-all", { count: names.length })}</button>`;
 }
 
-// This page with the scene inside, and how another page shows it.
+// Download of this page with the scene inside, and the code with which another page includes it.
 function page(name) {
   const made = async () => engine.page((await pack(versions.now(), true)).text);
   const frame = `<iframe src="${name}?embed=force,s" title="${name}" width="900" height="800"></iframe>`;

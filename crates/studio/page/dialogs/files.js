@@ -1,4 +1,4 @@
-// Scenes of the opened folder, scenes of this machine, links; saved under a name that is free, or as a download.
+// Scenes of the opened folder, scenes in the browser, and links. A scene is saved under an unused name or as a download.
 
 import { html, nothing, notice } from "../core/dom.js";
 import { t } from "../core/words.js";
@@ -82,14 +82,14 @@ const named = (text) => `${(text ?? "").trim().replace(/\.toml$/, "") || "scene"
 
 const file = (v) => new Blob([v.scene], { type: "application/toml" });
 
-// Why the present version is not saved as it is shown; null where it is.
+// Reason why the present version is not saved as displayed; null if it is.
 function unsaved(v) {
   if (v.pending.length === 0) return null;
   const refused = v.pending.filter((p) => p.fault).flatMap((p) => p.keys.map(label));
   return refused.length > 0 ? t("studio-save-refused", { name: refused.join(", ") }) : t("studio-not-designed");
 }
 
-// Saves the version that is shown; one with a refused value is not saved as if it had none.
+// Saves the displayed version. A version with pending or rejected values is not saved.
 export function save() {
   if (!versions.now()) return;
   let out = "";

@@ -1,4 +1,4 @@
-// The built-in scenes by group, with their pictures; a search finds those too that no group shows.
+// Built-in scenes by group, with their pictures. A search also finds scenes that no group contains.
 
 import { html, nothing } from "../core/dom.js";
 import { t, has, language } from "../core/words.js";
@@ -14,7 +14,7 @@ const GROUPS = {
   straight: ["thesis_barrel", "translating_cam"],
 };
 
-// Pictures by scene, asked once.
+// Pictures of scenes, each requested once.
 const pictures = new Map();
 
 function asked(name) {
@@ -23,7 +23,7 @@ function asked(name) {
   return pictures.get(name);
 }
 
-// An image is asked for when it comes into view.
+// Requests a picture when its place becomes visible.
 const near = new IntersectionObserver((entries) => {
   for (const { isIntersecting, target } of entries) {
     if (!isIntersecting) continue;
@@ -40,7 +40,7 @@ function watchImages() {
 
 const begun = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-// What a scene is; of an example of a book its number comes last.
+// Title of a scene. For an example from a book, its number is at the end.
 export function titled({ name, doc }) {
   const key = `studio-scene-${name}`;
   const whole = has(key) ? t(key) : doc[language()];
@@ -50,7 +50,7 @@ export function titled({ name, doc }) {
 
 const plain = (text) => text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "");
 
-// Whether every word begins one of the name or of the title; a number is a whole one.
+// Whether every search word is the start of a word in the name or the title. A number must match a whole word.
 export function matches(scene, words) {
   const own = plain([scene.name, ...titled(scene)].join(" ")).split(/[^\p{L}\p{N}]+/u);
   const isFound = (word) => own.some((other) => (/^\d+$/.test(word) ? Number(other) === Number(word) : other.startsWith(word)));

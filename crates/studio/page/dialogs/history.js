@@ -1,4 +1,4 @@
-// The versions of the scene, newest first: a click goes back to one.
+// Versions of the scene, newest first. A click returns to a version.
 
 import { html, nothing } from "../core/dom.js";
 import { t } from "../core/words.js";
@@ -17,7 +17,7 @@ export function open(move) {
 
 function entry(v, i, present, move) {
   const values = v.made.map(({ key, value }) => `${label(key)} ${value || "–"}`).join(", ");
-  const named = v.made.some(({ key }) => label(key) === v.title); // the values begin with it
+  const named = v.made.some(({ key }) => label(key) === v.title); // the values already contain the title
   const text = [named ? "" : v.title || v.name || t("studio-versions-opened"), values].filter(Boolean).join(": ");
   const go = () => {
     closeDialog();

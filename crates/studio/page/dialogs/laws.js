@@ -1,20 +1,20 @@
-// The catalogue of laws: each as curves with its factors; one can be chosen for a segment.
+// Catalogue of laws with curves and factors. One of them can be selected for a segment.
 
 import { html, svgTemplate, nothing } from "../core/dom.js";
 import { t, number, language } from "../core/words.js";
 import { closeDialog, sheet } from "../core/view.js";
 
-// The title of a law in the language: 3-4-5 keeps its hyphens.
+// Title of a law in the language of the page. The hyphens of 3-4-5 are restored.
 const titleOf = (law) => law.title[language()].replace(/(\d) (?=\d)/g, "$1-");
 
-// The name of a law in the language; one with parameters is shown as it is written.
+// Name of a law in the language of the page. A law with parameters is shown as written in the scene.
 export function nameOf({ laws, dwell }, written) {
   if (written === "dwell") return dwell?.[language()] ?? written;
   const law = laws.find((one) => one.written === written || one.name === written);
   return law ? titleOf(law) : written;
 }
 
-// A curve as a small picture; a fall stands on its head.
+// Curve as a small picture. For a fall, the picture is upside down.
 export function curve(values, kind, isFall = false) {
   const [width, height] = [54, 24];
   const known = values.filter((v) => v !== null);

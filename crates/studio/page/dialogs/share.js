@@ -1,4 +1,4 @@
-// The present scene for others: as a link, as a QR code, as a page in one file.
+// The present scene for others: as a link, as a QR code, or as a page in a single file.
 
 import { html, notice, svgTemplate } from "../core/dom.js";
 import { t } from "../core/words.js";
@@ -10,7 +10,7 @@ import * as autosave from "../core/autosave.js";
 import * as versions from "../core/versions.js";
 import { download } from "./exports.js";
 
-// Longest text in a QR code that a telephone still reads from a screen.
+// Maximum length of the text in a QR code that a telephone can read from a screen, characters.
 const LONGEST_CODE = 1800;
 const BESIDE = 4;
 
@@ -33,7 +33,7 @@ function content(version, link) {
       ${t("studio-link-page-holds")}</p>` : html`<p>${t("studio-link-no-page")}</p>`}`;
 }
 
-// What the link holds of each file, said before it is copied.
+// Text about the content of the link for each file, shown before the link is copied.
 function inside(files) {
   if (files.length === 0) return html`<p id="share-inside">${t("studio-link-scene")}</p>`;
   const line = ({ name, how }) => html`<li data-inside=${how} class=${how === "not" ? "bad" : ""}>${t(`studio-link-file-${how}`, { file: name })}</li>`;
@@ -49,7 +49,7 @@ async function copy({ text, isOwn }) {
   }
 }
 
-// The QR code of a link; where it is too long for one, what would fit is said.
+// QR code of a link. If the link is too long, a text with the maximum length replaces the code.
 function code({ text, inside: files }) {
   if (text.length > LONGEST_CODE) {
     const what = files.length > 0 ? "studio-link-no-code-file" : "studio-link-no-code";

@@ -1,21 +1,21 @@
-// The turning cam as an animated picture.
+// The rotating cam as an animated picture.
 
 import { move, partsOf } from "../core/motion.js";
 import * as stage from "../panels/stage.js";
 import { GIFEncoder, applyPalette, quantize } from "../core/vendor.js";
 
-// Pixels of the longer side, pictures of one turn, milliseconds for each, and how many pictures give the colours.
+// Longer side in pixels, number of frames per turn, time per frame in ms, and number of frames from which the colours are taken.
 const [SIZE, COUNT, DELAY, SAMPLES] = [400, 48, 80, 6];
 const COLOURS = ["--blue", "--orange", "--green", "--purple", "--red", "--quiet", "--ink", "--grid"];
 
-// One turn of the cam on the screen, without marks and other designs.
+// One turn of the displayed cam, without marks and other designs.
 export async function turning({ motion }) {
   const picture = stage.picture();
   const [, , w, h] = picture.getAttribute("viewBox").split(" ").map(Number);
   const scale = SIZE / Math.max(w, h);
   const [width, height] = [Math.round(w * scale), Math.round(h * scale)];
   for (const [name, value] of Object.entries({ width, height })) picture.setAttribute(name, value);
-  // Outside the page its colours have no names.
+  // The names of the colours are not defined outside the page, so their values are set.
   const colours = getComputedStyle(document.documentElement);
   for (const name of COLOURS) picture.style.setProperty(name, colours.getPropertyValue(name));
   const canvas = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
@@ -35,7 +35,7 @@ export async function turning({ motion }) {
   return encoded(motion.back ? frames.reverse() : frames);
 }
 
-// Frames of one size with common colours, shown again and again.
+// Animation of frames with the same size and common colours, repeated without end.
 function encoded(frames) {
   const [{ width, height }] = frames;
   const some = frames.filter((_, i) => i % Math.ceil(frames.length / SAMPLES) === 0);

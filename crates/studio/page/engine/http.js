@@ -1,4 +1,4 @@
-// The engine of `gaitcam studio`: questions to its server, under the token that is the page's folder.
+// Engine of `gaitcam studio`: sends requests to its server. The path contains the token.
 
 function address(path, language) {
   const url = new URL(path, document.baseURI);
@@ -6,7 +6,7 @@ function address(path, language) {
   return url;
 }
 
-// An idle connection may be closed at the moment of asking: every question may be asked again.
+// The server may close an idle connection while a request is sent, so a failed request is sent once more.
 async function reach(path, options) {
   try {
     return await fetch(path, options);
@@ -16,7 +16,7 @@ async function reach(path, options) {
   }
 }
 
-// The data of an answer, the file that it holds, or the status of a refusal.
+// Data of a response, its file, or the status of a rejection.
 async function read(response) {
   if (!response.ok && response.status !== 400) return { refused: response.status };
   if (response.headers.has("content-disposition")) return response.blob();

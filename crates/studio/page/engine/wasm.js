@@ -1,15 +1,15 @@
-// The engine inside the page, in workers: one for what follows the hand, one for what takes longer, and one with the whole
-// module for files, runs and recordings, loaded when the first of them is asked for.
+// Engine inside the page, in three workers. One is for short requests and one for long requests. The third contains the whole module for
+// files, simulations and recordings; it is loaded at the first such request.
 
-// A search ends itself after 60 s; a worker that is silent longer has been ended by the browser, ms.
+// A search ends after at most 60 s. A worker without a response after this time, in ms, is considered as ended by the browser.
 const PATIENCE = 75000;
 const SILENT = "no answer";
 
 const inline = (id) => document.getElementById(id)?.textContent;
 const unpack = (stream) => stream.pipeThrough(new DecompressionStream("gzip"));
 
-// The page in one file carries the whole module as text; a page in a folder has both beside it, and keeps them for visits
-// without a network where the browser can.
+// A page in a single file contains the whole module as text. A page in a folder loads the module from a file and, if possible, stores it
+// for visits without a network.
 async function packed(name) {
   const text = inline("engine-module");
   if (text) return new Blob([Uint8Array.from(atob(text.trim()), (c) => c.charCodeAt(0))]).stream();
@@ -34,15 +34,15 @@ function worker() {
   return new Worker(url);
 }
 
-// Questions wait here, not in the worker: one that is given up while it waits ends no work. A worker that fails, or that
-// is silent longer than any question may take, is ended; the next question begins another one.
+// Requests wait here and not in the worker, so that a waiting request can be cancelled without ending the worker. A worker that fails, or
+// that exceeds the time limit, is ended. The next request starts a new worker.
 export class Lane {
   waiting = [];
   busy = null;
   worker = null;
   clock = 0;
 
-  // `begun` gives a worker that is ready for questions, `patience` is in milliseconds.
+  // `begun` returns a worker that is ready for requests. `patience` is in ms.
   constructor(begun, patience = PATIENCE) {
     this.begun = begun;
     this.patience = patience;
@@ -82,7 +82,7 @@ export class Lane {
     };
   }
 
-  // A module that has failed in the middle of something is begun anew.
+  // A module that has failed is started again.
   answered(data) {
     if (data.broken) this.stop();
     if (this.busy) this.end(this.busy, "resolve", data);
@@ -126,7 +126,7 @@ const LANES = {
 };
 const lane = (route) => LANES[route] ?? hand;
 
-// A question at which the engine fails is not asked again: it would fail again.
+// A request at which the engine fails is not repeated, because it would fail again.
 const failed = (message) => ({ error: { code: message === SILENT ? "silent" : "broken", message } });
 
 export async function ask(route, text, signal) {
@@ -145,10 +145,10 @@ export async function keep(bytes, route) {
 
 export const folder = null;
 
-// Where the page in one file has room for a scene, or has one already.
+// Place for a scene in a page in a single file, empty or filled.
 const PACKED = /<!--packed-->|<script type="text\/plain" id="packed">[\w-]*<\/script>/;
 
-// This page in one file, with a packed scene inside.
+// This page in a single file, with a packed scene inside.
 export async function page(scene) {
   const own = inline("engine-module") && window.gaitcamPage;
   const text = own || await (await fetch(new URL("gaitcam.html", document.baseURI))).text();

@@ -1,11 +1,12 @@
-// The engine in a worker: it is given the compiled module, then one question or file at a time.
+// Engine in a worker. It first receives the compiled module, then one request or file at a time.
 
 /** @type {any} */
 let engine = null;
 /** @type {any} */
 const post = postMessage;
 
-// What the module's libraries import for the page's own objects is never called while a cam is designed.
+// Some libraries of the module import functions of browsers. These functions are never called during a design, so they are replaced by
+// empty ones.
 function imports(module) {
   const all = { env: { seconds: () => performance.now() / 1000 } };
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {

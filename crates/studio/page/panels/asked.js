@@ -1,4 +1,4 @@
-// Questions about the design on the screen, and what each answer was computed from.
+// Requests about the displayed design, with the scene of each response.
 
 import { html, notice } from "../core/dom.js";
 import { engine } from "../core/net.js";
@@ -14,21 +14,21 @@ export function load(again) {
   redraw = again;
 }
 
-// The scene on the screen with its files.
+// Displayed scene with its files.
 const present = () => ({ scene: designs.present().answer.scene, files: blobs.listed(designs.present().files) });
 
-/** The last answer to a question; null before the first. @param {string} name */
+/** Last response to a request; null before the first. @param {string} name */
 export const found = (name) => answers.get(name)?.found ?? null;
 
-/** Whether the answer belongs to a design that is no longer on the screen. @param {string} name */
+/** Whether the response belongs to a design that is no longer displayed. @param {string} name */
 export const isStale = (name) => answers.has(name) && answers.get(name).of !== JSON.stringify(present());
 
-/** Whether an answer is on its way. @param {string} name */
+/** Whether a request is being processed. @param {string} name */
 export const isRunning = (name) => running.has(name);
 
 /**
- * Asks the engine about the design on the screen; a fault is shown as a notice.
- * @param {string} route @param {string} name @param {object} [question] @param {object} [more] Kept with the answer.
+ * Sends a request about the displayed design. A fault is shown as a notice.
+ * @param {string} route @param {string} name @param {object} [question] @param {object} [more] Data that are stored with the response.
  */
 export async function ask(route, name, question = {}, more = {}) {
   const of = present();
@@ -44,9 +44,9 @@ export async function ask(route, name, question = {}, more = {}) {
   }
 }
 
-/** A button that asks. @param {string} id @param {string} text @param {() => void} action */
+/** Button that sends a request. @param {string} id @param {string} text @param {() => void} action */
 export const button = (id, text, action) =>
   html`<button type="button" id=${id} ?disabled=${running.has(id)} @click=${action}>${text}</button>`;
 
-/** The place of an answer; one of an earlier design is dimmed. @param {string} id @param {unknown} content */
+/** Element for a response. The response for an earlier design is dimmed. @param {string} id @param {unknown} content */
 export const place = (id, content) => html`<div id=${id} class=${isStale(id) ? "stale" : ""}>${content}</div>`;

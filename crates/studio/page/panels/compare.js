@@ -1,4 +1,4 @@
-// The slate of pinned designs; below it sensitivity, trade-off, runs and sweeps of the present design.
+// Table of pinned designs. Below it: sensitivity, trade-off, simulations and sweeps of the present design.
 
 import { $, html, live, nothing, render as draw, repeat } from "../core/dom.js";
 import { t, number, local, onLanguage } from "../core/words.js";
@@ -22,7 +22,7 @@ let start = { figures: [], trades: [] };
 let edit = () => {};
 /** @type {(scene: string, more?: object) => void} */
 let openScene = () => {};
-// Colour of the pinned design whose difference to the present one is shown.
+// Colour of the pinned design that is subtracted from the present one.
 let against = null;
 
 const pins = () => versions.history().pins.filter((p) => p.curves);
@@ -50,7 +50,7 @@ function show() {
     ${runs.sections(seen)}`, $("compare"));
 }
 
-// A scene with the files of the present version.
+// Opens a scene with the files of the present version.
 function take(scene) {
   const { files, hand, recording } = versions.now();
   openScene(scene, { files, hand, recording });
@@ -71,7 +71,7 @@ export function pin() {
 const pictured = ({ name, scene, curves, numbers, verdict, fields }) =>
   ({ name, scene, curves, numbers, verdict, inputs: inputsOf(fields) });
 
-// After a reload the pinned scenes are designed again.
+// Designs the pinned scenes again after a reload.
 export async function restore() {
   for (const pin of versions.history().pins) {
     if (pin.curves) continue;
@@ -80,7 +80,7 @@ export async function restore() {
       const question = { scene: pin.scene, changes: [], files: blobs.listed(pin.files), colour: "none" };
       const whole = { ...pin, ...pictured(await engine.ask("design", question)), name: pin.name };
       versions.setPins(versions.history().pins.map((p) => (p === pin ? whole : p)));
-    } catch { /* its file is gone: the pin stays without a picture */ }
+    } catch { /* Its file is missing: the pinned design stays without a picture. */ }
   }
   overlay();
 }
@@ -107,7 +107,7 @@ function compareWith(colour) {
   overlay();
 }
 
-// --- the slate -----------------------------------------------------------------------------------------
+// --- table of designs ----------------------------------------------------------------------------------
 
 function slate(answer) {
   const present = { ...answer, inputs: inputsOf(answer.fields), colour: "var(--blue)", name: t("studio-slate-present") };
@@ -129,7 +129,7 @@ function slate(answer) {
 
 const shownValue = (v) => units.text(local(choice(v)));
 
-// Name, return, difference and removal of a pinned design.
+// Row of a pinned design: name, and buttons to return to it, to show the difference and to remove it.
 function variant(p, i, swatch) {
   const act = (key, text, action, pressed) => html`<button type="button" class="tiny" aria-label="${t(key)} ${i}" title=${t(key)}
     aria-pressed=${pressed ?? nothing} @click=${action}>${text}</button>`;

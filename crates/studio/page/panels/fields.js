@@ -1,12 +1,12 @@
-// What the values of a scene say: which differ between scenes, which are given, where a design lies on an axis.
+// Values of a scene: differences between scenes, given values, and the position of a design on an axis.
 
 import { local } from "../core/words.js";
 import { choice, label } from "./names.js";
 
-// The values that a scene has, by their keys.
+// Values of a scene by their keys, without empty ones.
 export const inputsOf = (fields) => Object.fromEntries(Object.entries(fields).map(([key, { text }]) => [key, text]).filter(([, text]) => text !== ""));
 
-// The values of the scenes that are not the same in all of them.
+// Values that are not the same in all scenes.
 export function differing(all) {
   const keys = new Set(all.flatMap((p) => Object.keys(p.inputs ?? {})));
   const rows = [...keys].map((key) => [key, all.map((p) => p.inputs?.[key] ?? "")]);
@@ -14,7 +14,7 @@ export function differing(all) {
 }
 
 /**
- * The scene's name, and the values that differ from those of the designs pinned before.
+ * Name of the scene, with at most two values that differ from those of the design pinned last.
  * @param {{name: string, inputs: Record<string, string>}} made
  * @param {{name: string, inputs?: Record<string, string>}[]} others
  */
@@ -27,7 +27,7 @@ export function nameOf(made, others) {
 }
 
 /**
- * The values of a scene: single ones, and the entries of lists by their numbers.
+ * Values of a scene: single values, and the entries of lists by their numbers.
  * @param {Record<string, {text: string}>} fields
  */
 export function given(fields) {
@@ -46,14 +46,14 @@ export function given(fields) {
   return { single, entries: [...entries] };
 }
 
-// From 50 % to 150 %, within the slider's ends.
+// `count` values from 50 % to 150 % of the present value, within the ends of the slider.
 export function valuesAbout({ from, to, at, unit }, count) {
   const [low, high] = [Math.max(from, at - 0.5 * Math.abs(at)), Math.min(to, at + 0.5 * Math.abs(at))];
   return Array.from({ length: count }, (_, i) => `${Number((low + (high - low) * i / (count - 1)).toPrecision(4))}${unit}`);
 }
 
 /**
- * The value of an axis that the present design has, or nearly has; −1 where it is elsewhere.
+ * Index of the value of an axis that is nearest to the present value; −1 if the present value is not within half a step.
  * @param {string[]} list @param {number} at
  */
 export function nearest(list, at) {

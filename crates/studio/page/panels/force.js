@@ -1,4 +1,4 @@
-// The wanted force: recordings dropped on the page, how they are read, and their contacts.
+// Target force: recordings dropped on the page, their reading options, and their contacts.
 
 import { $, hide, html, live, notice, nothing, picture, render as draw } from "../core/dom.js";
 import { t, language, number } from "../core/words.js";
@@ -20,9 +20,9 @@ let edit = () => {};
 /** @type {(...all: any[]) => any} */
 let openScene = () => {};
 let folderFiles = [];
-// What the engine has found in recordings, by question; null where it refuses one.
+// Results of reading recordings, by request; null for a rejected recording.
 const known = new Map();
-// The recordings of this visit, by their names.
+// Recordings read since the page was opened, by their names.
 const read = new Map();
 
 export function load(onEdit, onScene) {
@@ -43,7 +43,7 @@ async function listFolder() {
   show();
 }
 
-// Follows the version: undo brings the recording, its ticks and its answers back.
+// Displays a version. After undo, this restores its recording, excluded contacts and answers.
 export function render(version, { answer, fields }) {
   hand.follow(answer);
   answers.remember(version, fields);
@@ -56,9 +56,9 @@ function show() {
   if (openTab() === "force") draw(page(versions.now()), $("force"));
 }
 
-// --- what a recording holds ----------------------------------------------------------------------
+// --- content of a recording ----------------------------------------------------------------------
 
-// The question about the recording of a version; null where there is none or only its mean cycle.
+// Request about the recording of a version; null if there is none, or only its mean cycle.
 function question(version) {
   const { recording, files } = version ?? {};
   if (!recording || recording.cycle || !files[recording.file]) return null;
@@ -76,13 +76,13 @@ async function find(version) {
   const key = keyOf(asked);
   known.set(key, null);
   try {
-    // After a reload the engine may not have it yet.
+    // After a reload, the engine may not have the file yet.
     await blobs.get(asked.hash);
     const found = await engine.ask("contacts", asked);
     known.set(key, found);
     read.set(found.file, found);
   } catch (error) {
-    // An engine that was lost is asked again.
+    // The request is repeated later if the engine did not respond.
     if (error.code === "lost" || error.code === "http") known.delete(key);
   }
   show();
@@ -120,7 +120,7 @@ async function take(file, ...others) {
   notice(words.filter(Boolean).join(" "));
 }
 
-// Takes a file; what there is to say about it.
+// Opens a file. Returns a message about it, or an empty text.
 async function taken(file) {
   if (/\.toml$/i.test(file.name)) {
     openScene(await file.text());
@@ -148,8 +148,8 @@ async function fromFolder(path) {
 
 const set = (key, value) => ({ set: { key, value } });
 
-// The recording becomes the scene's force, read with its own answers and none of another recording. Of one that the reader
-// refuses the scene says why and what can be chosen.
+// Makes the recording the force of the scene. It is read with the stored answers about this recording only. If it is rejected, the fault of
+// the scene contains the reason and the possible changes.
 function use(file, hash) {
   const version = versions.now();
   const named = answers.nameFor(file, version);
@@ -158,10 +158,10 @@ function use(file, hash) {
   edit(edits, null, { files: { [file]: hash }, recording: { file, without: [] }, hand: null, title: file });
 }
 
-// --- what the reader asks ------------------------------------------------------------------------
+// --- open questions ------------------------------------------------------------------------------
 
-// What can be done about a fault or an open question: buttons with the value that the engine offers, and ways to the fields
-// that need one.
+// Corrections of a fault or an open question: buttons with the values that the engine suggests, and buttons that go to the fields without a
+// suggestion.
 export function remedies({ remedies: offered = [] }) {
   return offered.map(({ key, value }) => (value === undefined
     ? [`${label(key)} …`, () => focus(key)]
@@ -179,7 +179,7 @@ function choose(key, value) {
 
 const acceptedOf = (fields) => (fields["gait.accept"]?.text ?? "").split(/[,\s]+/).filter(Boolean);
 
-// What the user has accepted about the recording stands with the verdict.
+// Shows what the user has accepted about the recording, next to the verdict.
 function accepted(version, fields) {
   const list = fields["gait.accept"]?.acts ? acceptedOf(fields) : [];
   hide($("accepted"), list.length === 0);
@@ -215,7 +215,7 @@ function page(version) {
 
 function picked({ target }) {
   const files = [...target.files];
-  // The same file may be chosen again.
+  // Without this, the same file could not be chosen again.
   target.value = "";
   take(...files);
 }
@@ -230,7 +230,7 @@ function folder() {
 }
 
 const figures = new WeakMap();
-// The picture of a recording as an element, made once.
+// Picture of a recording as an element, made once.
 function figureOf(found) {
   if (!figures.has(found)) figures.set(found, enlarging(found.picture, "studio-force-recording"));
   return figures.get(found);
@@ -245,14 +245,14 @@ function details(found, ticks) {
   </div>`;
 }
 
-// Beside another recording all is open.
+// Element of a recording in the comparison, with all its details open.
 const beside = (found) => html`<div class="found">
   <h3>${found.file}</h3>
   ${found.picture ? html`<figure>${picture(found.picture)}</figure>` : nothing}
   <details open><summary>${t("studio-force-details")}</summary><pre tabindex="0">${found.table}</pre></details>
 </div>`;
 
-// Two recordings of this visit side by side: the present one and one that is chosen.
+// Two recordings side by side: the present one and a selected one.
 function sides(found) {
   const others = [...read.values()].filter((r) => r.file !== found.file).reverse();
   dialog("studio-force-sides", (body) => {
@@ -283,7 +283,7 @@ function contacts(version, found) {
     <table><caption>${t("studio-contacts")}</caption><tbody>${found.stances.map(row)}</tbody></table></div>`;
 }
 
-// The mean cycle of the contacts that stay is a file of its own, which the scene names. It needs no answers of the reader.
+// Excludes contacts. The mean cycle of the others becomes a separate file that the scene names. This file needs no reading options.
 async function leaveOut(without) {
   const version = versions.now();
   const { file } = version.recording;

@@ -1,4 +1,4 @@
-// The form, built from the key table: a text or a choice for every value, a slider where a range makes sense.
+// Form, built from the key table: a text or a choice for every value, and a slider for values with a meaningful range.
 
 import { $, html, nothing, render as put, repeat, live } from "../core/dom.js";
 import { t, local, onLanguage, language } from "../core/words.js";
@@ -13,11 +13,11 @@ import { id, listeners, template } from "./row.js";
 export { label } from "./names.js";
 
 const SECTIONS = ["", "gait", "drive", "law", "cam", "limits", "accuracy", "machine"];
-// Values that most scenes turn on first.
+// Values that most scenes change first.
 const MAIN = ["gait.model", "gait.file", "gait.step_frequency", "gait.body_weight", "drive.speed", "cam.follower",
   "limits.stroke", "limits.pressure_angle", "limits.curvature", "accuracy.rms"];
 const FIRST = ["name", ...MAIN.filter((key) => key !== "gait.file" && key !== "gait.model")];
-// Values that belong together are set at once, where the first of them acts and is not set.
+// Values that are set together by one button, if the first of them applies and all are empty.
 const TOGETHER = {
   drive: [["spring", { "drive.spring_rate": "1000 N/m", "drive.preload": "50 N" }]],
   machine: [
@@ -39,7 +39,7 @@ const texts = new Map();
 export function load(table, onEdit) {
   keys = table.filter((k) => !k.key.includes(".N."));
   edit = onEdit;
-  try { folded = new Set(JSON.parse(localStorage.getItem(FOLDED) ?? "[]")); } catch { /* private windows keep nothing */ }
+  try { folded = new Set(JSON.parse(localStorage.getItem(FOLDED) ?? "[]")); } catch { /* A private window stores nothing. */ }
   slider.load(send);
   possible.load(draw);
   onLanguage(() => {
@@ -56,12 +56,12 @@ export function reset() {
   slider.reset();
 }
 
-// Another scene has other ends of its sliders.
+// Forgets the ends of the sliders, which belong to another scene.
 export function anew() {
   slider.forgetEnds();
 }
 
-// Goes to the field of a key.
+// Opens the field of a key.
 export function focus(key) {
   tab("values");
   const section = keys.find((k) => k.key === key)?.section ?? "";
@@ -73,7 +73,7 @@ export function focus(key) {
   field.scrollIntoView({ block: "center" });
 }
 
-// The fields of the scene; over them the values of the version that no design has.
+// Draws the fields of the scene. Pending values of the version replace the values of the scene.
 export function render(version, { fields }) {
   slider.follow(version);
   slider.seek(version, fields);
@@ -111,7 +111,7 @@ function row(key, version, fields) {
   };
 }
 
-// A refused change or a fault of the scene that names this key.
+// Rejected change or fault of the scene with this key.
 function faultOf(name, version) {
   const named = version?.pending.find((p) => p.fault?.key === name);
   return named?.fault ?? (version?.fault?.key === name ? version.fault : null);
@@ -167,7 +167,7 @@ function all() {
   draw();
 }
 
-// What a value is found by.
+// Text that is searched for a value.
 function textOf(key) {
   if (!texts.has(key.key)) {
     const words = [key.key, label(key.key), help(key), key.doc[language()], ...key.choices.map(choice)];

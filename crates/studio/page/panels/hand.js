@@ -1,4 +1,4 @@
-// A force drawn by hand: points of one cycle that are dragged, added and deleted.
+// Force drawn by hand: points of one cycle that the user drags, adds and deletes.
 
 import { html, nothing, notice, svg, svgTemplate } from "../core/dom.js";
 import { t, number } from "../core/words.js";
@@ -18,7 +18,7 @@ let scale = [0, 1];
 let asking = 0;
 let version = 0;
 let gesture = 0;
-// The version's force that the editor shows.
+// Drawn force of the version that the editor shows.
 let seen = null;
 const FILE = "force-by-hand.csv";
 
@@ -27,7 +27,7 @@ export function load(onEdit, draw) {
   redraw = draw;
 }
 
-// Follows the version: undo brings the points back.
+// Displays the force of the present version. After undo, this restores its points.
 export function follow(next) {
   answer = next;
   const { hand = null } = versions.now() ?? {};
@@ -43,24 +43,24 @@ export function follow(next) {
 
 const plain = () => ({ period_s: drawn.period_s, points: drawn.points.map((p) => [...p]) });
 
-// The curve through the points, from what the engine keeps of it.
+// Requests the curve through the points.
 async function trace() {
   const hash = versions.now().files[FILE];
   const mine = version;
   try {
     const { force_n } = await engine.ask("force", { file: FILE, ...plain() });
     if (mine === version && drawn && versions.now().files[FILE] === hash) drawn.curve = force_n;
-  } catch { /* the points alone */ }
+  } catch { /* Only the points are shown. */ }
   redraw();
 }
 
-// The button that begins, or the editor.
+// Button that starts the drawing, or the editor.
 export function section() {
   if (drawn) return editor();
   return html`<button type="button" id="draw-force" class="main" ?disabled=${!answer} @click=${begin}>${t("studio-force-draw")}</button>`;
 }
 
-// Begins with the present force.
+// Starts with points on the present force.
 function begin() {
   const { curves, motion } = answer;
   const target = curves.panels[0].lines.find((l) => l.role === "target") ?? curves.panels[0].lines[0];
@@ -77,7 +77,7 @@ function begin() {
   keep();
 }
 
-// Hands the points to the server, which says what curve goes through them.
+// Stores the points as a file. The response contains the curve through them.
 async function keep() {
   version += 1;
   const mine = version;
@@ -107,7 +107,7 @@ function fit() {
 const x = (time) => PAD + time / drawn.period_s * (WIDTH - PAD - 8);
 const y = (force) => HEIGHT - 18 - (force - scale[0]) / (scale[1] - scale[0]) * (HEIGHT - 26);
 
-// Time and force under the pointer.
+// Time (s) and force (N) under the pointer.
 function under(event) {
   const across = event.currentTarget.getScreenCTM().inverse();
   const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(across);
@@ -116,7 +116,7 @@ function under(event) {
   return [Math.max(0, Math.min(drawn.period_s * 0.999, time)), Math.round(force * 10) / 10];
 }
 
-// A point stays between its neighbours.
+// Moves a point, which stays between its neighbours.
 /** @param {number} i @param {number[]} to */
 function move(i, [time, force]) {
   const gap = drawn.period_s / 200;
@@ -146,7 +146,7 @@ function remove(i) {
 /** @type {(point: number[], i: number) => string} */
 const named = ([time, force], i) => t("studio-point", { number: i + 1, time: number(time, 3), force: number(force, 4) });
 
-// The curve through the points as a path.
+// Curve through the points as a path.
 function path() {
   const step = drawn.period_s / drawn.curve.length;
   return drawn.curve.map((f, i) => `${i ? "L" : "M"}${x(i * step).toFixed(1)} ${y(f).toFixed(1)}`).join("");
@@ -180,7 +180,7 @@ function key(event, i) {
   /** @type {any} */ (document.querySelectorAll(".editor .knot")[chosen])?.focus();
 }
 
-// The points on the force diagram itself.
+// Points as elements of the force diagram.
 export function overlay(chart) {
   if (!drawn) return [];
   const { start, length } = chart.curves;
@@ -191,7 +191,7 @@ export function overlay(chart) {
   return dots.filter(Boolean);
 }
 
-// A point of the force diagram goes where the pointer is.
+// Moves a point of the force diagram to the pointer.
 export function place(i, part, force, begins) {
   if (begins) gesture += 1;
   chosen = i;
@@ -207,7 +207,7 @@ function drag(event) {
   keep();
 }
 
-// A new point halfway to the next one.
+// Adds a point halfway to the next one.
 function between() {
   const [a, b] = [drawn.points[chosen], drawn.points[chosen + 1] ?? [drawn.period_s, drawn.points[0][1]]];
   add([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);

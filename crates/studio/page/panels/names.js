@@ -1,15 +1,15 @@
-// Names of keys and choices, and the help of a key in the words of the page.
+// Names of keys and choices, and the help text of a key with these names.
 
 import { t, has, language } from "../core/words.js";
 
-// Dotted keys, single or as the beginning of others.
+// Dotted keys, complete or as the start of other keys.
 const KEY = /\b(gait|cam|drive|law|limits|machine|accuracy)(\.\w+)+\b/g;
 const HYPHENATED = /\b[a-z]+(?:-[a-z]+)+\b/g;
 
 const word = (key) => `studio-key-${key.replaceAll(".", "-")}`;
 
 export function label(key) {
-  // An entry of a list: its number tells it from the others.
+  // The number of an entry distinguishes it from the other entries of the list.
   const [, number] = /\.(\d+)\./.exec(key) ?? [];
   const whole = word(key.replace(/\.(\d+|N)\./, "."));
   const column = `studio-column-${key.split(".").at(-1)}`;
@@ -18,7 +18,7 @@ export function label(key) {
   return number ? `${text} ${number}` : text;
 }
 
-// The name of a check: that of its limit, or its own.
+// Name of a check: a separate name, or the name of its limit.
 export function criterion(key) {
   const own = `studio-criterion-${key}`;
   return has(own) ? t(own) : label(`limits.${key}`);
@@ -28,7 +28,7 @@ export const choice = (value) => (has(`studio-choice-${value}`) ? t(`studio-choi
 
 const quoted = (text) => (language() === "es" ? `«${text}»` : `“${text}”`);
 
-// The description of a key; keys and choices in it are called by their names.
+// Description of a key, with the names of keys and choices instead of the keys and choices themselves.
 export function help({ doc }) {
   const named = doc[language()].replace(KEY, (key) => (has(word(key)) ? quoted(t(word(key))) : key));
   return named.replace(HYPHENATED, (value) => (has(`studio-choice-${value}`) ? quoted(choice(value)) : value));

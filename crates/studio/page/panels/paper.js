@@ -1,4 +1,4 @@
-// What is printed: name, date and link of the scene, its values, verdict, figures, cam, diagrams, checks and notes.
+// Printed page: name, date and link of the scene, its values, verdict, figures, cam, diagrams, checks and notes.
 
 import { $, html, nothing, render as draw, svgTemplate } from "../core/dom.js";
 import { t, language, local, number } from "../core/words.js";
@@ -11,7 +11,7 @@ import { choice, label } from "./names.js";
 import * as stage from "./stage.js";
 import { offered } from "./verdict.js";
 
-// A longer address makes a code too fine to be read from paper.
+// Maximum length of an address in a code that can be read from paper, characters.
 const LONGEST_CODE = 900;
 const LONGEST_ADDRESS = 160;
 
@@ -39,14 +39,14 @@ const diagram = ([id, name, picture]) => html`<figure class="copy ${id}"><figcap
 const figure = ({ name, value, more }) =>
   html`<div><dt>${name}</dt><dd>${units.text(value)} ${more ? html`<small>${units.text(more)}</small>` : nothing}</dd></div>`;
 
-// The verdict with its reason, and the changes that help.
+// Verdict with its reasons and the suggested changes.
 function judged(answer) {
   const changes = offered(answer);
   return html`<p class="verdict-line"><b>${t(`studio-verdict-${answer.infeasible ? "infeasible" : answer.verdict}`)}</b> ${units.text(answer.reasons)}
     ${changes.length > 0 ? html`${t("studio-relax")} ${changes.join("; ")}.` : nothing}</p>`;
 }
 
-// The address of the scene: as text where it is short, else as a code.
+// Address of the scene: as text if it is short, otherwise as a code.
 function link() {
   const { hash, href, protocol, hostname } = location;
   const isOwn = protocol === "file:" || /^(localhost|127\.|\[::1\])/.test(hostname);

@@ -1,4 +1,4 @@
-// Play, pace and direction of the animation.
+// Controls of the animation: start, speed and direction.
 
 import { $, html, render, say } from "../core/dom.js";
 import { t, onLanguage } from "../core/words.js";
@@ -28,7 +28,7 @@ export function load() {
   $("angle").addEventListener("input", () => { clock.play(false); clock.set(Number($("angle").value)); });
 }
 
-// A new cam starts to turn, one turn in about five seconds.
+// Starts the animation of a new cam, with one turn in about five seconds.
 export function begin(motion) {
   clock.set(motion.start);
   const wanted = motion.period / 5;

@@ -1,4 +1,4 @@
-// What a slider can be set to: the verdicts of the designs over its values, asked for in the background while the hand rests.
+// Feasible values of a slider: verdicts of the designs over its values, requested in the background during pauses.
 
 import { engine, Fault } from "../core/net.js";
 import { t, number } from "../core/words.js";
@@ -14,17 +14,17 @@ const KEPT = 40;
 const COLOURS = { acceptable: "var(--possible)", "not-for-high-speed": "var(--possible-slow)" };
 const classOf = ([, verdict]) => (verdict in COLOURS ? verdict : "none");
 
-// The slider that is meant: {key, range}; the last one that was pointed at, focused or moved.
+// Slider whose values are examined: {key, range}. It is the last one that was pointed at, focused or moved.
 let aim = null;
 let timer = 0;
 let control = null;
 let draw = () => {};
-// Verdicts by what they depend on: {points: [[value, verdict]], done}.
+// Verdicts by their inputs: {points: [[value, verdict]], done}.
 const found = new Map();
 
 export function load(onFound) {
   draw = onFound;
-  // Whatever the hand does comes first.
+  // Any input of the user interrupts the requests.
   for (const name of ["pointerdown", "keydown", "input"]) document.addEventListener(name, rest, { capture: true, passive: true });
 }
 
@@ -48,7 +48,7 @@ function rest() {
   if (aim) timer = setTimeout(begin, REST);
 }
 
-// All that the verdicts depend on: every value of the scene but this one, its files, and the ends of the slider.
+// All inputs of the verdicts: every other value of the scene, its files, and the ends of the slider.
 function depends({ key, range }) {
   const fields = Object.entries(designs.known()).filter(([other]) => other !== key).map(([, field]) => field.text);
   return JSON.stringify([key, range.from, range.to, range.unit, fields, versions.now()?.files]);
@@ -77,7 +77,7 @@ async function begin() {
     entry.done = true;
     draw();
   } catch (error) {
-    // Another input came first, or the engine has no such question.
+    // Another input interrupted the request, or the engine does not support it.
     if (!(error instanceof Fault) && error.name !== "AbortError") throw error;
   } finally {
     if (control?.signal === signal) control = null;
@@ -94,7 +94,7 @@ async function fill(entry, version, { key, range: { from, to, step, unit } }, si
     return values;
   };
   const at = (i) => Number((from + (to - from) * i / Math.max(1, count - 1)).toPrecision(9));
-  // One that was stopped goes on where it was.
+  // An interrupted examination continues at the next value.
   for (let i = entry.points.length; i < count;) {
     i += (await ask({ from: at(i), to, count: count - i })).length;
   }
@@ -112,7 +112,7 @@ async function halve([low, high], step, ask) {
   }
 }
 
-// Neighbours of one class as [class, from, to]; a border lies on the side of what is not acceptable.
+// Adjacent points with the same class as [class, from, to].
 export function stretches(points) {
   const all = [];
   for (const point of points) {
@@ -123,7 +123,7 @@ export function stretches(points) {
   return all;
 }
 
-// A gradient for the track of the slider and the same in words; null where nothing is known.
+// Gradient for the track of the slider, and a text; null if no verdict is known.
 export function shown(key, range) {
   if (aim?.key !== key) return null;
   aim.range = range;

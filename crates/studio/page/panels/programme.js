@@ -1,4 +1,4 @@
-// The programme of segments: templates, the picture of the turn, one row per segment; below it the other lists of the scene.
+// Programme of segments: templates, picture of the turn, one row per segment. Below it are the other lists of the scene.
 
 import { $, html, live, nothing, render as draw, repeat, svgTemplate } from "../core/dom.js";
 import { t, has, number, local, onLanguage } from "../core/words.js";
@@ -15,14 +15,14 @@ import { catalogue, curve, nameOf } from "../dialogs/laws.js";
 const SEGMENT = "law.segment";
 const LISTS = ["law.point", "law.dwell", "gait.weight"];
 const ORDER = ["angle", "from", "to", "lift", "force", "weight", "velocity", "acceleration", "jerk"];
-// Sections whose values return when the last segment is removed.
+// Sections whose former values are restored when the last segment is removed.
 const FORMER = /^(drive|gait|law|limits\.force_|accuracy|machine\.floor)/;
 /** @type {(changes: any[], gesture?: string, more?: object) => void} */
 let edit = () => {};
 let version = null;
 let seen = { answer: null, fields: {} };
 let laws = { laws: [], dwell: {} };
-// The row under the hand, the field in which something is typed, and a number for each visit of a field.
+// Row under the pointer, field that is being edited, and a number for each visit of a field.
 let hot = -1;
 let typing = null;
 let visit = 0;
@@ -45,13 +45,13 @@ export function render(v, now) {
   show();
 }
 
-// --- the programme of the version ------------------------------------------------------------------
+// --- programme of the version ----------------------------------------------------------------------
 
 const textOf = (key) => seen.fields[key]?.text ?? "";
 const isStraight = () => "cam.travel" in seen.fields;
 const column = () => (isStraight() ? "length" : "angle");
 
-// The segments of the last design, then what no design has answered yet or what was refused.
+// Segments of the last design, with the pending and rejected changes.
 function rows() {
   let list = [];
   for (let n = 1; `${SEGMENT}.${n}.motion` in seen.fields; n += 1) {
@@ -67,7 +67,7 @@ function rows() {
   return list;
 }
 
-// What the segments cover: a length that is given, half a turn of a constant breadth, one or several turns.
+// Required sum of the segments: the travel, half a turn for a cam of constant breadth, or one or several turns.
 function whole(list) {
   if (isStraight()) return segments.size(textOf("cam.travel")) || null;
   const total = list.reduce((x, row) => x + segments.size(row.angle), 0);
@@ -114,7 +114,7 @@ const formerValues = () => Object.entries(seen.fields)
   .filter(([key, { text }]) => text !== "" && FORMER.test(key) && !key.startsWith(SEGMENT))
   .map(([key, { text }]) => [key, text]);
 
-// The values before the programme; lists with all their columns, since a new entry begins as a copy.
+// Changes that restore the values before the programme. For lists they contain all columns, because a new entry starts as a copy.
 function restored(former) {
   const entries = former.map(([key, value]) => ({ key, value, list: /^(.*)\.(\d+)\.(\w+)$/.exec(key) }));
   const plain = entries.filter((e) => !e.list).map(({ key, value }) => ({ set: { key, value } }));
@@ -131,7 +131,7 @@ function restored(former) {
   return [...plain, ...inserted];
 }
 
-// What only the page knows is a step too.
+// Adds a version for a change of data that only the page stores.
 function remember(more, title) {
   const { locks, rest, last } = { ...present(), ...more };
   versions.note({ programme: { former: version.programme?.former ?? null, locks, rest, last }, title });
@@ -140,10 +140,10 @@ function remember(more, title) {
 
 const numbered = (key, i) => `${t(key)} ${i + 1}`;
 
-// --- the picture of the turn -----------------------------------------------------------------------
+// --- picture of the turn ---------------------------------------------------------------------------
 
 const percent = (x) => `${(100 * x).toFixed(3)}%`;
-// A text of a scene with four digits, in the language's manner.
+// Text of a scene with four digits, in the number format of the language.
 function shown(text) {
   const unit = typed.unitOf(text);
   const plain = Number(text.slice(0, text.length - unit.length));
@@ -186,7 +186,7 @@ function spoken(p) {
   return open > 0 ? t("studio-turn-gap", { size }) : t("studio-turn-over", { size });
 }
 
-// The cam's angle on the picture.
+// Draws the cam angle in the picture.
 function cursor(theta) {
   const line = $("turn-cursor");
   if (!line || openTab() !== "programme" || !seen.answer) return;
@@ -213,7 +213,7 @@ function refusedKeys() {
   return version.pending.map((p) => p.fault?.key).filter(Boolean);
 }
 
-// A field: while something is typed in it, it shows that.
+// Text field. While it is being edited, it shows the typed text.
 /** @param {{input?: Function, changed?: Function, disabled?: boolean}} on */
 function field(key, name, text, on) {
   const own = typing?.key === key ? typing.text : shown(text);
@@ -261,7 +261,7 @@ function row(p, i) {
     ${p.last === i ? misfit(p, i) : nothing}</li>`;
 }
 
-// What does not fit, with the buttons that make it fit.
+// Message about angles that do not add up to the whole, with buttons for corrections.
 function misfit(p, i) {
   const open = segments.gap(p);
   if (open === 0 || Number.isNaN(open)) return nothing;
@@ -291,7 +291,7 @@ function openLifts(p) {
     ${other && p.rows.filter((r) => !segments.isDwell(r)).length > 1 ? html`<button type="button" @click=${set}>${other}</button>` : nothing}</p>`;
 }
 
-// --- templates and what a programme took the place of ------------------------------------------------
+// --- templates, and values that a programme replaced -------------------------------------------------
 
 function templates() {
   const small = (name) => {
@@ -325,7 +325,7 @@ function idle(p) {
     <button type="button" @click=${() => change(present(), t("studio-programme-take"))}>${t("studio-programme-take")}</button></p>`;
 }
 
-// --- the other lists ---------------------------------------------------------------------------------
+// --- other lists -------------------------------------------------------------------------------------
 
 function count(list) {
   let n = 0;
@@ -359,11 +359,11 @@ function other(list) {
     <button type="button" @click=${() => edit([{ insert: { list, number: n + 1 } }])}>${t(`studio-add-${name}`)}</button></section>`;
 }
 
-// --- all of it ---------------------------------------------------------------------------------------
+// --- whole panel -------------------------------------------------------------------------------------
 
 function show() {
   if (openTab() !== "programme" || !version) return;
-  // Of a version that has no answer yet nothing is known: the rows stay until it comes.
+  // The fields of a version without a response are unknown. The old rows stay until the response arrives.
   if (Object.keys(seen.fields).length === 0 && !version.fault && !isPending()) return;
   const p = present();
   const heads = ["motion", "lift", column(), "rest"].map((name) => html`<span>${has(`studio-column-${name}`) ? t(`studio-column-${name}`) : nothing}</span>`);

@@ -1,4 +1,4 @@
-// One value of the form: its name, which opens its help, its text or choice, and its slider.
+// One value of the form: name with help text, text or choice, and slider.
 
 import { html, nothing, live } from "../core/dom.js";
 import { t, local, language } from "../core/words.js";
@@ -11,10 +11,10 @@ import { label, choice, help } from "./names.js";
 const NUMBERS = ["number", "number-or-word", "count"];
 const isNumber = ({ kind }) => NUMBERS.includes(kind);
 export const id = (key) => `f-${key.replaceAll(".", "-")}`;
-// Listeners by key: the same objects in every picture.
+// Listeners by key. The same objects are used in every drawing.
 const kept = new Map();
 
-// `of(key)` is the field of a key at present, `send(key, value, gesture)` a change, `draw` shows the form again.
+// `of(key)` returns the present field of a key, `send(key, value, gesture)` sends a change, and `draw` draws the form again.
 export function listeners(key, { of, send, draw, help: open }) {
   if (kept.has(key.key)) return kept.get(key.key);
   const name = key.key;
@@ -60,9 +60,9 @@ export function listeners(key, { of, send, draw, help: open }) {
 
 const unitOf = (field) => field?.slider?.unit.trim() || typed.unitOf(field?.text) || typed.unitOf(field?.placeholder);
 
-// What tells lit-html to leave a part as it is.
+// Value with which lit-html leaves a part unchanged.
 const noChange = Symbol.for("lit-noChange");
-// What the rows were drawn from, and the contents of fields as one text.
+// Inputs from which each row was drawn, and contents of fields as text.
 const drawn = new Map();
 const contents = new WeakMap();
 
@@ -72,10 +72,11 @@ function content(field) {
   return contents.get(field);
 }
 
-// Draws the row anew although nothing of it has changed: something else is typed in it.
+// Draws the row again at the next update, even if its inputs have not changed, because the typed text may differ.
 export const forget = (name) => drawn.delete(name);
 
-// `row`: {key, field, text (what stands in it), fault, isHidden, isMain, isAway, isOpen, isAimed, on}. Most rows are as they were.
+// `row`: {key, field, text (content of the field), fault, isHidden, isMain, isAway, isOpen, isAimed, on}. An unchanged row is not drawn
+// again.
 export function template(row) {
   const { key: { key: name }, field, text, fault, isHidden, isAway, isOpen, isAimed } = row;
   const range = field?.slider && field.slider.to - field.slider.from > 1e-9 ? slider.extent(name, field.slider) : null;
@@ -106,7 +107,7 @@ function whole(row, range, seen) {
 
 const described = (name) => `${id(name)}-help ${id(name)}-fault`;
 
-// What stands in a field that is left open: what the design has, else the default.
+// Placeholder of an empty field: the value in the design, otherwise the default.
 function left(key, field) {
   if (!field) return "";
   if (field.taken && key.default === "auto") return `auto → ${typeset(field.taken)}`;

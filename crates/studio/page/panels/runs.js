@@ -1,4 +1,4 @@
-// The finished cam in motion, what a log of it shows, and a map of designs over one or two values.
+// Simulation of the finished cam, identification from a log, and a map of designs over one or two values.
 
 import { html, nothing, notice } from "../core/dom.js";
 import { t, number, local } from "../core/words.js";
@@ -11,21 +11,21 @@ import { nearest, valuesAbout } from "./fields.js";
 import { ask, button, found, isRunning, isStale, place } from "./asked.js";
 import { label } from "./names.js";
 
-// Values of one key, and of each of two.
+// Number of values for a single key, and for each of two keys.
 const [ALONE, BOTH] = [13, 7];
 let across = null;
 let down = "";
 let column = null;
 const pictures = new WeakMap();
 
-// The picture of an answer is made once.
+// Picture of a response, made once.
 function picture(answer, title) {
   if (!pictures.has(answer)) pictures.set(answer, enlarging(answer.picture, title));
   return pictures.get(answer);
 }
 
 /**
- * The sections of the panel about the design on the screen; `take` opens a scene with its files.
+ * Sections of the panel about the displayed design. `take` opens a scene with its files.
  * @param {{answer: any, start: any, edit: (changes: object[]) => void, take: (scene: string) => void}} seen
  */
 export function sections(seen) {
@@ -42,7 +42,7 @@ export function sections(seen) {
 
 const run = () => ask("simulate", "motion");
 
-// What a scene says of its machine is shown without a button: a run takes less time than a design.
+// A scene with a machine is simulated without a button, because a simulation takes less time than a design.
 function runAtOnce({ fields }) {
   const hasMachine = Object.entries(fields).some(([key, { text }]) => key.startsWith("machine.") && text !== "");
   if (!hasMachine || !designs.isCurrent() || isRunning("motion") || (found("motion") && !isStale("motion"))) return;
@@ -74,7 +74,7 @@ function severity(answer) {
     ${picture(answer, "studio-resonance")}`;
 }
 
-// --- log ------------------------------------------------------------------------------------------------
+// --- log of a machine -----------------------------------------------------------------------------------
 
 async function identify({ target }) {
   const file = target.files[0];
@@ -86,7 +86,7 @@ async function identify({ target }) {
   }
 }
 
-// What the log shows, and the button that opens the scene of the next cam.
+// Results of the identification, and the button that opens the scene of the next cam.
 function machine(logged, take) {
   if (!logged) return nothing;
   if (logged.why) return html`<p>${logged.why}</p>`;
@@ -119,7 +119,7 @@ function sweep(fields, figures) {
   ask("sweep", "grid", { vary, column }, { axes, figure: figures.find(([name]) => name === column) });
 }
 
-// A map coloured by the figure: rows over the first key, columns over the second; a click takes the values.
+// Map coloured by a figure, with the first key over the rows and the second over the columns. A click sets the values.
 function map(grid, { answer: { fields }, edit }) {
   if (!grid) return nothing;
   if (!grid.values) return html`<p>${t("studio-sweep-none")}</p>`;

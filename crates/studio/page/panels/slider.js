@@ -1,17 +1,17 @@
-// A value under the hand: the slider with its ends, its keys, its fingers, and the border of what the scene takes.
+// Slider of a value: its ends, keyboard and touch input, and the search for the border of the permitted values.
 
 import { number } from "../core/words.js";
 import * as typed from "../core/typed.js";
 
 const HALVINGS = 7;
-// Movement after which a finger means the slider and not the page, px.
+// Distance after which a touch moves the slider instead of the page, px.
 const FINGER = 8;
 
-// Ends of the sliders, as they were found or typed: {from, to, step, unit}.
+// Ends of the sliders as given or typed: {from, to, step, unit}.
 const ends = new Map();
-// The value that is dragged or typed: {key, text, at, gesture}.
+// Value that is being dragged or typed: {key, text, at, gesture}.
 let hand = null;
-// The last value of a slider that was sent, until it is taken: {key, at, gesture, border, seen}.
+// Last value sent by a slider, until it is accepted: {key, at, gesture, border, seen}.
 let slid = null;
 let gesture = 0;
 let pressed = 0;
@@ -32,7 +32,7 @@ export function type(key, text) {
   hand = { key, text, typed: gestureOf(key) };
 }
 
-// A text belongs to the change that it made: another change takes its place.
+// Forgets a typed text when a change of another gesture follows.
 export function follow(version) {
   if (hand?.typed && version && version.gesture !== hand.typed) hand = null;
 }
@@ -41,7 +41,7 @@ export function release() {
   hand = null;
 }
 
-// Undo and another version: nothing is under the hand.
+// Forgets the value being changed, for undo and for another version.
 export function reset() {
   hand = null;
   slid = null;
@@ -49,7 +49,7 @@ export function reset() {
 
 export const forgetEnds = () => ends.clear();
 
-// The ends of a slider stay where they are until its value leaves them.
+// Ends of a slider. They stay unchanged while the value is between them.
 export function extent(key, slider) {
   const kept = ends.get(key);
   const isInside = kept?.unit === slider.unit && slider.at >= kept.from && slider.at <= kept.to;
@@ -58,7 +58,7 @@ export function extent(key, slider) {
   return ends.get(key);
 }
 
-// An end as typed; it stays beyond the value.
+// Sets an end as typed. The present value stays within the ends.
 export function setEnd(key, slider, end, text) {
   const range = extent(key, slider);
   const isCount = slider.step === 1 && slider.unit === "";
@@ -83,9 +83,9 @@ function set(key, x, range, isHeld) {
   send(key, text, slid.gesture);
 }
 
-// --- the border of what the scene takes -------------------------------------------------------------
+// --- border of the permitted values -----------------------------------------------------------------
 
-// Between the last value that was taken and one that was refused the border is sought by halving; it becomes the end of the slider.
+// Searches by bisection for the border between the last accepted value and a rejected one. The border becomes the end of the slider.
 export function seek(version, fields) {
   if (!slid || !version || slid.seen === version.id) return;
   const change = version.pending.find((p) => p.keys.includes(slid.key));
@@ -113,20 +113,20 @@ function halve(field) {
   if (hand?.key === key) hand = { ...hand, at: value, text: written(value, range) };
   const step = slid.gesture;
   slid = isDone ? null : { ...slid, at: value };
-  // Still the same step of the history, though the hand may have left the slider.
+  // The change belongs to the same gesture, even if the user has released the slider.
   setTimeout(() => send(key, written(value, range), step));
 }
 
 // --- events -----------------------------------------------------------------------------------------
 
-// Listeners of the slider of `key`; `of` is its field, `draw` shows the form again.
+// Listeners of the slider of `key`. `of` returns its field, and `draw` draws the form again.
 export const listeners = (key, of, draw) => ({
   pointerdown: (event) => {
     gesture += 1;
     const { pointerType, clientX: x, clientY: y, currentTarget } = event;
     finger = pointerType === "touch" ? { x, y, start: currentTarget.value, sets: false } : null;
   },
-  // A finger that moves up or down scrolls the page; only one that moves along the slider sets it.
+  // A vertical touch movement scrolls the page. Only a movement along the slider changes the value.
   pointermove: ({ clientX, clientY }) => {
     if (!finger) return;
     const [dx, dy] = [Math.abs(clientX - finger.x), Math.abs(clientY - finger.y)];
@@ -152,13 +152,13 @@ export const listeners = (key, of, draw) => ({
   },
 });
 
-// The events of the finger's own end come after this one.
+// The final events of the touch follow this one, so the touch is forgotten after a delay.
 function lift() {
   const lifted = finger;
   setTimeout(() => { if (finger === lifted) finger = null; }, 50);
 }
 
-// A key goes to the next round number; keys in quick succession are one step of the history.
+// An arrow key moves to the next round number. Keys pressed within one second belong to one gesture.
 function turn(key, at, range, way, event) {
   event.preventDefault();
   const step = Math.max(range.step, 10 ** Math.floor(Math.log10((range.to - range.from) / 20))) * (event.shiftKey ? 10 : 1);
@@ -168,7 +168,7 @@ function turn(key, at, range, way, event) {
   set(key, Math.max(range.from, Math.min(range.to, next)), range, false);
 }
 
-// Up and down in a text change its number by one step of the slider.
+// The up and down keys in a text field change the number by one step of the slider.
 export function nudge(key, slider, event) {
   event.preventDefault();
   const range = extent(key, slider);

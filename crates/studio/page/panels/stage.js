@@ -1,4 +1,4 @@
-// The cam with its follower: turning, dragged by hand, with circles, normal, osculating circle and coloured contour.
+// The cam with its follower: rotation, dragging, circles, normal, osculating circle and coloured contour.
 
 import { $, svg, hide, html, clear, nothing, picture as pictureOf, render as draw } from "../core/dom.js";
 import { t, quantity, onLanguage } from "../core/words.js";
@@ -14,11 +14,11 @@ let parts = {};
 let frame = null;
 let renewed = true;
 let pinned = [];
-// Lines of the drawing with their widths in pixels.
+// Lines of the drawing, with their widths in pixels.
 let strokes = [];
 let size = [0, 0];
 
-// `ask` asks for the design anew: the values of a colour come with it.
+// `ask` requests the design again, because the values of a colour are part of the response.
 export function load(ask) {
   new ResizeObserver(([{ contentRect }]) => {
     size = [contentRect.width, contentRect.height];
@@ -67,14 +67,14 @@ export function show(next) {
   decorate();
 }
 
-// A drawing that changes little keeps its frame, so that the cam is seen to grow and shrink.
+// A drawing that changes little keeps its frame, so that the change of the size of the cam is visible.
 function keepFrame(picture) {
   const next = picture.getAttribute("viewBox").split(" ").map(Number);
   const inside = frame && next[0] >= frame[0] && next[1] >= frame[1]
     && next[0] + next[2] <= frame[0] + frame[2] && next[1] + next[3] <= frame[1] + frame[3];
   const large = frame && next[2] * next[3] > 0.55 * frame[2] * frame[3];
   if (renewed || !inside || !large) {
-    // The engine leaves 4 % about the parts; a line needs less.
+    // The engine leaves a margin of 4 % around the parts. A line needs less.
     const room = renewed ? -0.03 : 0.02;
     renewed = false;
     frame = [next[0] - room * next[2], next[1] - room * next[3], next[2] * (1 + 2 * room), next[3] * (1 + 2 * room)];
@@ -83,7 +83,7 @@ function keepFrame(picture) {
   scale(picture);
 }
 
-// Lines keep their width in pixels at any scale. (With vector-effect each frame would measure every line again.)
+// Sets the line widths in pixels, independent of the scale. With `vector-effect`, the browser would measure every line again in each frame.
 function scale(picture) {
   if (!picture || !frame || size[0] * size[1] === 0) return;
   const pixel = Math.max(frame[2] / size[0], frame[3] / size[1]);
@@ -94,12 +94,12 @@ function scale(picture) {
   }
 }
 
-// By what the contour is to be coloured.
+// Quantity that colours the contour.
 export function chosen() {
   return $("colour").value;
 }
 
-// The cam as it stands, without marks and other designs.
+// The cam in its present position, without marks and other designs.
 export function picture() {
   const copy = $("stage").querySelector("svg").cloneNode(true);
   for (const e of copy.querySelectorAll("[class]")) e.remove();
@@ -107,7 +107,7 @@ export function picture() {
   return copy;
 }
 
-// The next drawing chooses its own frame.
+// Selects a new frame for the next drawing.
 export function anew() {
   renewed = true;
 }
@@ -152,10 +152,10 @@ function decorate() {
   colour();
 }
 
-// The legend of the picture as it stands.
+// Legend of the displayed picture.
 export const legend = () => named((id) => $(`show-${id}`).checked && id !== "places");
 
-// What the lines and dots on the cam are.
+// Names of the lines and dots on the cam.
 function named(shows) {
   const { places } = answer.curves;
   const drawn = (part) => parts["cam-turning"].querySelector(`[data-part=${part}]`);
@@ -174,7 +174,7 @@ function colour() {
   const name = $("colour").value;
   const { contour } = answer.curves;
   hide($("legend"), name === "none");
-  // The values of a colour chosen just now are on their way.
+  // The values of a newly selected colour have not arrived yet.
   if (name === "none" || contour.colour !== name) {
     draw(nothing, $("legend"));
     return;
@@ -215,7 +215,7 @@ function follow() {
   $("stage").setAttribute("aria-valuetext", `${text}, ${t("studio-chart-s")} ${quantity(value(motion, motion.s, u), motion.unit)}`);
 }
 
-// Contact normal and osculating circle, in the cam's frame.
+// Draws the contact normal and the osculating circle, in the frame of the cam.
 function bend(theta) {
   const { curves } = answer;
   const list = curves.theta;
@@ -237,7 +237,7 @@ function bend(theta) {
   parts.normal.setAttribute("d", `M${cx} ${cy}L${c.x[low]} ${c.y[low]}`);
 }
 
-// The cam is turned by hand, or pushed where it slides.
+// Dragging rotates the cam, or moves a translating cam.
 function hand() {
   const stage = $("stage");
   let last = null;

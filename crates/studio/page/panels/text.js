@@ -7,7 +7,7 @@ import * as versions from "../core/versions.js";
 
 /** @type {(...all: any[]) => any} */
 let openScene = () => {};
-// What is typed and not applied yet; null where the text is that of the scene.
+// Typed text that is not applied yet; null if the text is that of the scene.
 let typed = null;
 
 export function load(open) {

@@ -30,7 +30,7 @@ export function load({ start, move, openScene }) {
   const name = () => {
     const other = language() === "en" ? "ES" : "EN";
     $("language").textContent = other;
-    // The label begins with what is seen.
+    // The label starts with the visible text.
     $("language").setAttribute("aria-label", `${other} – ${t("studio-language")}`);
   };
   onLanguage(name);
@@ -55,7 +55,7 @@ export function load({ start, move, openScene }) {
   welcome();
 }
 
-// Large type, one diagram and the cam; the arrow keys step through the diagrams, Escape ends it.
+// Presentation mode: large text, one diagram and the cam. The arrow keys select the diagram, and Escape ends the mode.
 function presenting() {
   const set = (on) => {
     document.documentElement.toggleAttribute("data-presenting", on);
@@ -83,7 +83,7 @@ function pin() {
   notice(t("studio-pinned"));
 }
 
-// On a phone the header has one row; a button shows the rest.
+// On a phone, the header has one row. A button shows its other parts.
 function phone() {
   const show = (on) => {
     $("tools").toggleAttribute("data-open", on);
@@ -93,7 +93,7 @@ function phone() {
   for (const button of $("tools").querySelectorAll(".rest")) button.addEventListener("click", () => show(false));
 }
 
-// A frame links to the whole page with the scene as it is.
+// Link from a frame to the whole page with the present scene.
 function frame() {
   const whole = /** @type {HTMLAnchorElement} */ ($("whole"));
   const aim = () => {
@@ -107,12 +107,12 @@ function frame() {
 
 function welcome() {
   let seen = false;
-  try { seen = localStorage.getItem("gaitcam-seen") === "1"; } catch { /* private windows keep nothing */ }
+  try { seen = localStorage.getItem("gaitcam-seen") === "1"; } catch { /* A private window stores nothing. */ }
   $("welcome").hidden = seen;
   $("welcome-close").addEventListener("click", welcomed);
 }
 
-// Who has changed a value knows what the strip says.
+// Hides the welcome text after the first change of a value.
 export function welcomed() {
   if ($("welcome").hidden) return;
   $("welcome").hidden = true;

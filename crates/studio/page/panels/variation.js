@@ -1,4 +1,4 @@
-// What moves a figure of the design: sensitivity bars and the trade-off front.
+// Sensitivity of a figure of the design as bars, and the trade-off front.
 
 import { html, nothing, svgTemplate } from "../core/dom.js";
 import { t } from "../core/words.js";
@@ -8,7 +8,7 @@ import { label } from "./names.js";
 import { ask, button, found, place } from "./asked.js";
 
 const SHARE = 0.05;
-// Size and margins of the trade-off's picture.
+// Size and margins of the picture of the front, px.
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [380, 240, 52, 14, 26, 36];
 const ERROR = "force_rms_error_n";
 let observed = ERROR;
@@ -16,7 +16,7 @@ let against = null;
 
 const options = (names, chosen) => names.map((q) => html`<option value=${q} ?selected=${q === chosen}>${t(`figure-${q}`)}</option>`);
 
-/** Bars of the numbers of the scene. @param {{figures: [string, [string, number]][]}} start */
+/** Sensitivity to the numbers of the scene, as bars. @param {{figures: [string, [string, number]][]}} start */
 export function sensitivity(start) {
   const names = start.figures.map(([name]) => name);
   return html`<h2>${t("studio-sensitivity")}</h2><p class="lead">${t("studio-sensitivity-lead")}</p>
@@ -41,7 +41,7 @@ function bars({ bars: list, middle, quantity, shown }) {
 }
 
 /**
- * The trade-off of the force error and another quantity.
+ * Trade-off between the force error and another quantity.
  * @param {{trades: string[], figures: [string, [string, number]][]}} start
  * @param {{answer: any, edit: (changes: object[]) => void}} seen
  */
@@ -54,7 +54,7 @@ export function front(start, { answer, edit }) {
     ${place("front", found("front") ? points(found("front"), start, answer, edit) : nothing)}`;
 }
 
-// A linear scale that holds all values, with round ticks.
+// Linear scale that contains all values, with round ticks.
 function scaleOf(values, from, to) {
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const room = 0.04 * (high - low) || 0.5 * Math.abs(high) || 1;

@@ -1,4 +1,4 @@
-// Verdict with its reason, the changes that help, the figures, and the checks.
+// Verdict with its reasons, suggested changes, figures, and checks.
 
 import { $, hide, html, live, nothing, render as draw } from "../core/dom.js";
 import { t, local, number } from "../core/words.js";
@@ -15,16 +15,16 @@ let apply = () => {};
 /** @type {(fault: object) => [string, () => void][]} */
 let remedies = () => [];
 let redraw = () => {};
-// On a small screen reason and changes are folded below the name of the verdict.
+// Whether reasons and changes are visible. On a small screen they are folded below the verdict.
 let isOpen = false;
-// What the changes do to the whole design, by the answer that they were tried on.
+// Effect of the suggested changes on the whole design, by response.
 const tried = new WeakMap();
 let asking = 0;
 let relaxing = null;
 
 /**
  * @param {(changes: object[]) => void} onApply Changes values of the scene.
- * @param {(fault: object) => [string, () => void][]} more Buttons for what is said about a recording.
+ * @param {(fault: object) => [string, () => void][]} more Buttons for messages about a recording.
  * @param {() => void} again Draws the page again.
  */
 export function load(onApply, more, again) {
@@ -42,7 +42,7 @@ export function render(version, { answer }) {
   if (answer.needs_relaxing && !answer.quick && !pending && !tried.has(answer)) relax(answer);
 }
 
-// Why the verdict does not belong to the version shown; "" where it does.
+// Reason why the verdict does not belong to the displayed version; "" if it does.
 function pendingOf(version, answer) {
   if (designs.isForeign() && version?.fault) return "studio-force-foreign";
   if (versions.refused(version)) return "studio-pending";
@@ -72,12 +72,12 @@ function unfold() {
 function figure({ name, value, more }) {
   const shown = units.text(value);
   const small = units.text(more);
-  // A speed is given in both units; in one it is said once.
+  // Normally the speed is given in two units. If both are the same unit, it is shown once.
   const isTwice = shown.endsWith("rpm") && small.endsWith("rpm");
   return html`<div><dt>${name}</dt><dd><span>${shown}</span>${small && !isTwice ? html`<small>${small}</small>` : nothing}</dd></div>`;
 }
 
-// The whole design is tried with every change, which takes longer than the design itself.
+// Requests a check of every suggested change with the full design, which takes longer than the design itself.
 function relax(answer) {
   clearTimeout(asking);
   asking = setTimeout(async () => {
@@ -87,17 +87,17 @@ function relax(answer) {
     try {
       tried.set(answer, await engine.ask("relax", question, { signal: relaxing.signal }));
       redraw();
-    } catch { /* the changes of the conflict alone stay */ }
+    } catch { /* The changes from the conflict alone stay. */ }
   }, 120);
 }
 
-// A new design is asked: what is tried for the last one is of no use.
+// Stops this check, which is useless for a new design.
 export function stop() {
   clearTimeout(asking);
   relaxing?.abort();
 }
 
-// A change of the goal is not a change of a limit: it makes the result worse.
+// A changed goal differs from a changed limit: the result becomes worse.
 const isGoal = ({ kind, key }) => kind === "goal" || (!kind && key.startsWith("accuracy."));
 
 function changes(answer, pending) {
@@ -118,7 +118,7 @@ function changes(answer, pending) {
   draw(html`${useful.length + all.length > 0 ? html`<p>${t("studio-relax")}</p>` : nothing}<div class="buttons">${buttons}</div>`, $("conflict"));
 }
 
-// The changes in words, for paper.
+// Suggested changes as text, for paper.
 export function offered(answer) {
   const { relaxations, together = [] } = tried.get(answer) ?? answer;
   const one = ({ key, from, to }) => units.text(local(`${label(key)}: ${from} → ${to}`));
@@ -129,7 +129,7 @@ export function offered(answer) {
 
 const settings = (list) => list.map(({ key, value }) => ({ set: { key, value } }));
 
-// A button for one change, or for several that are made together.
+// Button for one change, or for several changes together.
 function change(list) {
   const one = ({ key, from, to, cost }, i) => html`${i > 0 ? " + " : ""}${label(key)}: ${units.text(local(from))} →
     <b>${units.text(local(to))}</b>${cost ? html` <small>${cost}</small>` : nothing}`;
@@ -160,7 +160,7 @@ function fold({ currentTarget }) {
   notesOpen = currentTarget.open;
 }
 
-// Name, value and limit, place; below it the gain from a limit that is 1 % wider.
+// Name, value, limit and position. Below them is the gain from relaxing the limit by 1 %.
 function check({ key, state, value, limit, unit, place }, eased) {
   const [to, factor] = units.unit(unit);
   const shown = (x) => number(Math.abs(x) < 1e-9 ? 0 : factor * x);
@@ -172,7 +172,7 @@ function check({ key, state, value, limit, unit, place }, eased) {
     ${eased ? html`<small>${t("studio-check-eased", { objective: eased.objective, before: units.text(eased.before), after: units.text(eased.after) })}</small>` : nothing}</li>`;
 }
 
-// The class of the law after CAM-DAS, which judges less than the verdict.
+// Class of the law according to CAM-DAS, which checks fewer quantities than the verdict.
 function camDas({ cam_das: found, fields }) {
   if (!found || !Object.keys(fields).some((key) => key.startsWith("law.segment."))) return nothing;
   return html`<p id="cam-das" class="quiet">CAM-DAS: ${t(`studio-verdict-${found}`)} ${t("studio-cam-das")}</p>`;

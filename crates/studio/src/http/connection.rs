@@ -59,7 +59,7 @@ impl Connection {
             return Ok(false);
         };
         let request = Request { head, body };
-        // A panic costs this answer and nothing else.
+        // A panic ends only this response.
         let gone = left(Arc::clone(&self.stream));
         let answer = catch_unwind(AssertUnwindSafe(|| service.answer(&request, gone)));
         let answer = answer.unwrap_or_else(|_| Response::refusal(Status::Internal));

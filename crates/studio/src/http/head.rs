@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Any bytes lead to a response or a rejection, and the head does not depend on the bytes after it.
+    /// Any sequence of bytes gives a head or a rejection without a panic. The head does not depend on the bytes after it.
     #[test]
     fn damaged_heads_end_where_they_end_and_nothing_panics() {
         const HEADS: [&str; 2] = [
@@ -173,7 +173,7 @@ mod tests {
             "POST /0123456789abcdef/design?language=es HTTP/1.1\r\nHost: 127.0.0.1:8080\r\nOrigin: http://127.0.0.1:8080\r\n\
              Content-Length: 12\r\nExpect: 100-continue\r\n\r\n",
         ];
-        // Xorshift: the same damage every time.
+        // Xorshift generator with a fixed seed, so that the damage is the same in every run.
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
         let mut roll = |below: usize| {
             state ^= state << 13;

@@ -1,5 +1,5 @@
-//! HTTP/1.1 for a single user on one machine. `httparse` parses the heads; one thread serves each connection. The server is a separate
-//! implementation, because limits and time-outs must apply before a body is read. It does not support chunked bodies, compression or ranges.
+//! HTTP/1.1 for a single user on one machine. `httparse` parses the heads; one thread serves each connection. The project has its own server, because
+//! limits and time-outs must apply before a body is read. The server does not support chunked bodies, compression or ranges.
 
 mod connection;
 mod head;

@@ -1,4 +1,4 @@
-//! Limits on the number of connections: waiting connections are closed in favour of newer ones, active connections are not.
+//! Limits on the number of connections: waiting connections are closed in favour of newer ones. Active connections are not closed.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -27,7 +27,7 @@ impl Places {
         if waiting.len() > WAITING
             && let Some(oldest) = waiting.pop_front()
         {
-            // Its thread reads the end.
+            // The thread of this connection then reads the end of the stream.
             let _ = oldest.shutdown(Shutdown::Both);
         }
         let (places, stream) = (self, Arc::clone(stream));

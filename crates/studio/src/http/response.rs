@@ -87,7 +87,7 @@ impl Response {
 
     /// A response with JSON data.
     pub fn json(value: &impl serde::Serialize) -> Response {
-        // Structs with string keys: this cannot fail.
+        // Serialising structs with string keys cannot fail.
         let body = serde_json::to_vec(value).unwrap_or_default();
         Response::new("application/json", body)
     }
@@ -128,7 +128,7 @@ impl Response {
             head.push_str("Connection: close\r\n");
         }
         head.push_str("\r\n");
-        // One write: a head on its own would wait for the acknowledgement of the one before.
+        // Head and body are sent in one write. A separate head would wait for the acknowledgement of the previous packet.
         let mut bytes = head.into_bytes();
         if with_body {
             bytes.extend_from_slice(&self.body);

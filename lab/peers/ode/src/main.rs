@@ -25,7 +25,7 @@ impl System<f64, Vector2<f64>> for Follower {
 fn exact() -> [f64; 2] {
     let (p, q) = (RATIO * RATIO - 1.0, 2.0 * ZETA * RATIO);
     let d = p * p + q * q;
-    // The settled motion at 0 and, the same, at 2π; what it lacks of rest at 0 fades.
+    // Steady motion at 0, which is the same at 2π. The difference from rest at 0 decays.
     let (x0, v0) = (q / d, -p / d);
     let wd = RATIO * (1.0 - ZETA * ZETA).sqrt();
     let sigma = ZETA * RATIO;

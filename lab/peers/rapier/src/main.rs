@@ -185,7 +185,7 @@ fn two_turns(steps: usize, land: f64) -> (f64, Vec<f64>) {
     let mut errors = Vec::with_capacity(steps);
     for i in 1..=2 * steps {
         let theta = TAU * i as f64 / steps as f64;
-        // The ball's own turning is without friction and of no account.
+        // The rotation of the ball has no influence, because there is no friction.
         bodies[cam]
             .set_next_kinematic_translation(ECCENTRICITY * vector![theta.cos(), theta.sin()]);
         pipeline.step(

@@ -52,7 +52,7 @@ fn fitting_through_accelerations_knows_all_but_the_constant() {
         values.sort_by(f64::total_cmp);
         let top = values[spans - 1];
         assert!(values[0].abs() < 1e-12 * top, "one null vector");
-        // Condition of the collocation, the root of the Gram's: about 0.04 N².
+        // Condition number of the collocation matrix, the square root of that of the Gram matrix: about 0.04 N².
         let condition = (top / values[1]).sqrt();
         let law = 0.04 * (spans * spans) as f64;
         assert!(
@@ -65,7 +65,7 @@ fn fitting_through_accelerations_knows_all_but_the_constant() {
 #[test]
 fn interpolation_at_equal_steps_grows_as_runge_found_and_splines_do_not() {
     let runge = |u: f64| 1.0 / (1.0 + 25.0 * (2.0 * u - 1.0).powi(2));
-    // Largest errors of the interpolant on [−1, 1]: 1.9156 at degree 10, 59.8 at degree 20.
+    // Maximum errors of the interpolant on [−1, 1]: 1.9156 at degree 10, 59.8 at degree 20.
     for (degree, stated) in [(10, 1.9156), (20, 59.82)] {
         let conditions: Vec<Condition> = (0..=degree)
             .map(|i| i as f64 / degree as f64)
@@ -132,7 +132,7 @@ fn differences_of_a_noisy_force_drown_and_the_fit_does_not() {
     let step = TAU / f64::from(n);
     let mut seed = 12345_u64;
     let mut noise = || {
-        // Sum of four uniforms: variance 1/3.
+        // Sum of four uniform random numbers, with a variance of 1/3.
         let mut uniform = || {
             seed = seed
                 .wrapping_mul(6364136223846793005)

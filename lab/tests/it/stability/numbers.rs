@@ -91,7 +91,7 @@ fn laws_join_across_the_turn() {
         let moved = law.svaj(1.0 + k * TAU);
         assert!((moved.s - law.svaj(1.0).s).abs() < 1e-12 * k.abs().max(1.0));
     }
-    // A force with a step at the wrap: followed, without ringing beyond the step's own size.
+    // A force with a step at the end of the turn is followed without overshoot above the size of the step.
     let step: Vec<f64> = (0..512)
         .map(|i| 600.0 + 200.0 * f64::from(i) / 512.0)
         .collect();

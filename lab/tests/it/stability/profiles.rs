@@ -38,7 +38,7 @@ fn a_nanometre_of_roller_decides_about_undercut() {
         let found = cam.curvature();
         assert_eq!(found.undercut, undercut, "{roller}");
         assert!((found.convex.value - (pitch - roller)).abs() < 1e-13);
-        // The absolute value says "1 nm radius, convex" on both sides.
+        // The absolute value is 1 nm in both cases, although only one of them is undercut.
         assert!((found.convex.value.abs() - 1e-9).abs() < 1e-13);
     }
 }
@@ -58,7 +58,7 @@ fn a_cusp_has_finite_points_and_a_plain_verdict() {
     }
     let sharpest = cam.curvature().convex;
     assert!(sharpest.value.abs() < 1e-15);
-    // The naive way: the circle through three points of the profile 1° apart.
+    // Naive method: circle through three points of the profile 1° apart.
     let [a, b, c] = [-1.0, 0.0, 1.0].map(|k| cam.point(sharpest.at + k * PI / 180.0));
     let side = |p: &ProfilePoint, q: &ProfilePoint| (p.x - q.x).hypot(p.y - q.y);
     let area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).abs();
@@ -73,7 +73,7 @@ fn pressure_angles_near_a_right_angle_keep_their_digits() {
     for short in [1e-2, 1e-4, 1e-6, 1e-8] {
         let angle = 0.5 * PI - short;
         let size = smallest_prime_circle(&law, angle, angle, Some(0.0));
-        // The naive way: the largest |v|/tan φ − s over whole degrees. Its worst angle lies between them.
+        // Naive method: maximum of |v|/tan φ − s over whole degrees. The true maximum is between them.
         let sampled = (0..360)
             .map(|i| law.svaj(f64::from(i) * PI / 180.0))
             .map(|at| at.v.abs() / angle.tan() - at.s)
@@ -104,12 +104,12 @@ fn pressure_angles_near_a_right_angle_keep_their_digits() {
     }
 }
 
-/// Two segments, one of which has a width of 1e-9 rad: joints and extremes are correct.
+/// A piece with a width down to 1e-12 rad between two others: joints and extremes are correct.
 #[test]
 fn breaks_that_all_but_merge_do_no_harm() {
     let wide = |tiny: f64| {
         let breaks = [0.0, 1.0, 1.0 + tiny, 2.0];
-        // sin-like cubic through all pieces: one polynomial cut in three.
+        // One cubic polynomial, cut into three pieces.
         let whole = PiecewisePoly::new(vec![0.0, 2.0], 3, vec![0.0, 1.0, 2.0, -1.0]);
         (whole.cut_at(&breaks[1..3]), whole)
     };
@@ -118,7 +118,7 @@ fn breaks_that_all_but_merge_do_no_harm() {
         let (a, b) = (cut.extremes(), whole.extremes());
         assert!((a.1.value - b.1.value).abs() < 1e-14 && (a.0.value - b.0.value).abs() < 1e-14);
         assert!((cut.derivative().eval(1.5) - whole.derivative().eval(1.5)).abs() < 1e-12);
-        // The naive way through the short piece: differences of its coefficients over its width.
+        // Naive method for the short piece: differences of its coefficients divided by its width.
         let middle = (0..cut.pieces()).find(|i| cut.breaks()[*i] == 1.0).unwrap();
         let slope = cut.derivative().piece(middle)[0];
         let lost = (slope - whole.derivative().eval(1.0)).abs();

@@ -97,11 +97,11 @@ fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
 /// A dwell of 1e-9 rad between two demands leads to a singular system, which is rejected as such.
 #[test]
 fn a_dwell_of_a_thousand_millionth_of_a_radian_is_refused() {
-    // At no break of the largest number of spans, 0.9° apart.
+    // This position is at no break of the maximum number of spans, which are 0.9° apart.
     let dwell = "law.dwell=[{ from = \"90.1 deg\", to = \"90.1000000573 deg\" }]";
     let refusal = design(&[dwell]).unwrap_err();
     assert_eq!(refusal.code(), "synth-no-law", "{refusal}");
-    // A dwell of a thousandth of a radian is kept.
+    // A dwell of a thousandth of a radian is accepted.
     let answer = design(&["law.dwell=[{ from = \"90 deg\", to = \"90.0573 deg\" }]"]).unwrap();
     finite(&answer);
     let v = answer.cam.law.svaj(0.5 * PI + 5e-4).v;

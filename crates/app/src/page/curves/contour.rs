@@ -114,7 +114,7 @@ fn normal(cam: &Cam, s: &Sample) -> f64 {
     y.atan2(x) + s.point.pressure_angle - turned
 }
 
-/// Hertz pressure of steel on steel, MPa; `None` without contact.
+/// Hertz pressure for the materials of cam and follower, MPa; NaN without contact force, or for a knife edge.
 fn hertz(design: &Design, s: &Sample) -> f64 {
     let follower = &design.cam.follower;
     let sharp = !follower.is_flat() && follower.roller_radius() == 0.0;

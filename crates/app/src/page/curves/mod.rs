@@ -44,9 +44,9 @@ fn short(x: f64) -> Shown {
 pub struct Curves {
     /// Angles or travel. A break appears twice, once per side.
     pub theta: Vec<Shown>,
-    /// First angle or travel.
+    /// First angle of the turn, or first position of the travel, in `unit`.
     pub start: f64,
-    /// Length of a turn, or of the travel.
+    /// Length of a turn, or of the travel, in `unit`.
     pub length: f64,
     /// Unit of the angle or travel.
     pub unit: &'static str,
@@ -58,12 +58,12 @@ pub struct Curves {
     pub places: Vec<Place>,
 }
 
-/// Diagram of the page.
+/// One diagram of the page: a quantity over the angle or travel, with its limits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Panel {
     /// Name of the quantity: `force`, `s`, `v` …
     pub id: &'static str,
-    /// Unit of the diagram.
+    /// Unit of the values in the diagram.
     pub unit: &'static str,
     /// Curves of the diagram by their role: `main`, `target`, `low`, `high`, `worst`.
     pub lines: Vec<Line>,
@@ -74,7 +74,7 @@ pub struct Panel {
 /// A line that shows a limit in a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Level {
-    /// Value of the line.
+    /// Value of the line, in the unit of the diagram.
     pub y: Shown,
     /// Key of the scene that sets the limit; empty if no key does.
     pub key: &'static str,
@@ -87,14 +87,14 @@ pub struct Level {
 pub struct Line {
     /// `main`, `target`, `low` and `high` for the edges of a band, or `worst` for the walker with the largest error.
     pub role: &'static str,
-    /// Values at the angles.
+    /// Values at the angles of [`Curves::theta`].
     pub y: Vec<Shown>,
 }
 
 /// Lift, velocity, acceleration or jerk.
 type Pick = fn(&Svaj) -> f64;
 
-/// Quantities at one angle.
+/// Motion, force and contact point at one cam angle.
 struct Sample {
     theta: f64,
     at: Svaj,
@@ -126,7 +126,7 @@ pub fn curves(design: &Design, colour: Colour) -> Curves {
 fn samples(design: &Design) -> Vec<Sample> {
     let mut drive = design.problem.drive;
     if design.is_idle() {
-        // Where nothing presses, the force of one unit of moved mass is shown.
+        // Without mass, spring, damping and preload, the force is zero. The force of a moved mass of 1 kg is shown instead.
         drive.mass = 1.0;
     }
     let force = |theta: f64, at: Svaj| match &design.end {
@@ -152,7 +152,7 @@ fn line_of(role: &'static str, samples: &[Sample], value: impl Fn(&Sample) -> f6
         .iter()
         .filter(|x| x.is_finite())
         .fold(0.0_f64, |m, x| m.max(x.abs()));
-    // What is left of a difference of large numbers is shown as nothing.
+    // Values that are only rounding errors of large differences are shown as zero.
     let shown = |x: f64| short(if x.abs() < ROUNDING * most { 0.0 } else { x });
     let y = y.into_iter().map(shown).collect();
     Line { role, y }

@@ -83,7 +83,7 @@ mod tests {
             "{percent} {}",
             report.worst_percent
         );
-        // Every line of a walker is within the band.
+        // The lines of all walkers are within the band.
         let line = |role: &str| {
             &curves.panels[0]
                 .lines

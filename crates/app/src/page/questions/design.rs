@@ -27,13 +27,13 @@ use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
 use gaitcam_output::report::parts::{self, Checked, Figure, Motion};
 
-/// A scene with changes.
+/// A scene to be designed, with changes.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ask {
     /// TOML text of the scene.
     pub scene: String,
-    /// Changes of the scene.
+    /// Changes of the scene, applied in order.
     #[serde(default)]
     pub changes: Vec<Edit>,
     /// Quantity that colours the contour.
@@ -71,7 +71,7 @@ pub struct Answer {
     checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
-    /// Class of the law after CAM-DAS.
+    /// Class of the law according to CAM-DAS.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
@@ -147,7 +147,7 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let scene = match files.scene(&table) {
         Ok((scene, _)) => scene,
         Err(fault) if !ask.changes.is_empty() => return Err(fault),
-        // What is written in a scene with a fault is shown all the same.
+        // The fields of a scene with a fault are also shown.
         Err(_) => Scene::default(),
     };
     let name = table.get("name").and_then(toml::Value::as_str);
@@ -171,7 +171,7 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     }
     let halt = files.host.halt();
     let made = Arc::new(input.design(files, &halt)?);
-    // What the halt cut short is not the design of its scene.
+    // An interrupted search does not give the design of the scene, so its result is not cached.
     if !halt.is_asked() {
         lock(&files.engine.designs).put(made.hash.clone(), Arc::clone(&made));
     }
@@ -278,7 +278,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     }))
 }
 
-/// Scene with its size fixed near a prime radius and offset, m.
+/// Scene with a fixed size: `factor` times the prime radius, m, and the offset, m, if the scene does not give one.
 fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     let mut sized = scene.clone();
     sized.cam.prime_radius = Some(factor * prime);
@@ -397,10 +397,10 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Request for a design.
+/// Request about the design of a scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {
-    /// Scene of the design.
+    /// TOML text of the scene.
     pub scene: String,
 }

@@ -21,7 +21,7 @@ use gaitcam::units::{Dimension, parse};
 pub struct Export {
     /// TOML text of the scene.
     pub scene: String,
-    /// Name of the file.
+    /// Name of the file, as in the list of exports.
     pub name: String,
     /// Radius of the cutter as typed.
     #[serde(default)]
@@ -58,7 +58,7 @@ fn kind(name: &str) -> &'static str {
     }
 }
 
-/// Bytes of a file.
+/// Bytes of a file of the design. `tool` is the radius of the cutter as typed.
 fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     match name {
         "scene.toml" => {
@@ -98,7 +98,7 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     })
 }
 
-/// Error, since the module without CAD makes no such files.
+/// Options of the files for the workshop. The module without CAD makes no such files, so only the radius of the cutter is checked.
 #[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;

@@ -24,7 +24,7 @@ const MOST: usize = 200;
 pub struct Span {
     /// TOML text of the scene.
     pub scene: String,
-    /// Changes of the scene.
+    /// Changes of the scene, applied in order.
     #[serde(default)]
     pub changes: Vec<Edit>,
     /// Dotted key of the value.

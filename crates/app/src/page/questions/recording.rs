@@ -26,7 +26,7 @@ use gaitcam_output::recording;
 pub struct Dropped {
     /// Name of the dropped file.
     pub file: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the file.
     pub hash: Hash,
     /// Reading options: keys of `gait` with their values.
     #[serde(default)]
@@ -67,7 +67,7 @@ fn plain(given: &str) -> String {
 pub struct Contacts {
     /// Name of the recording.
     pub file: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the file.
     pub hash: Hash,
     /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
@@ -226,7 +226,7 @@ pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
     said.extend(open_line(open));
     let steps = curve.recording.as_ref().map_or(curve.steps, |_| Some(2));
     said.extend(steps.map(|steps| format!("steps_per_turn = {steps}")));
-    // The weight of the walker is that of the recording.
+    // The body weight of the walker is taken from the recording.
     let weighed = match gait.period {
         Some(_) => None,
         None if curve.recording.is_some() => curve
@@ -388,7 +388,7 @@ mod tests {
 
     #[test]
     fn what_is_open_about_a_recording_stays_open_for_its_mean_cycle() {
-        // Without a unit the forces of a child: the mass is asked for.
+        // Without a unit the forces could be those of a child, so the mass is an open question.
         let rows = WALK.lines().filter(|l| !l.starts_with('#'));
         let light = rows.map(|row| {
             let fields = row.split(',').map(|x| {

@@ -48,7 +48,7 @@ fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Change> 
             value: r.to.and_then(|to| value(r.key, scene, to)),
         })
         .collect();
-    // What gives up a part of the goal comes last.
+    // Changes that allow a larger force error are listed last.
     changes.sort_by_key(|change| change.kind == "goal");
     changes
 }

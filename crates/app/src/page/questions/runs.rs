@@ -71,11 +71,11 @@ pub fn resonance(files: &Files, which: &Which) -> Result<Value> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Logged {
-    /// Scene of the logged cam.
+    /// TOML text of the scene of the logged cam.
     pub scene: String,
-    /// Name of the log.
+    /// Name of the log file.
     pub log: String,
-    /// Hash of its bytes.
+    /// Hash of the bytes of the log.
     pub hash: Hash,
 }
 

@@ -22,7 +22,7 @@ pub fn is_traded(figure: &&Figure) -> bool {
 
 /// Number of points of a front.
 const POINTS: usize = 16;
-/// Maximum number of bars.
+/// Maximum number of bars in a response.
 const BARS: usize = 12;
 
 /// Request for the sensitivity of a quantity to every number of the scene.

@@ -76,7 +76,7 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     let table = population_csv(&read.walkers);
     let folder = ResultFolder::open(&place, args.time.patience())?;
     folder.write(CYCLES, table.as_bytes())?;
-    // What is designed here is what the scenes that are written give.
+    // The walkers are read back from the written table, so that the written scenes lead to the same designs.
     let walkers = read_population(&place.join(CYCLES), table.as_bytes())?;
     let force = ForceCurve::of_walkers(walkers.clone())?;
     let limit = args.time.of_design();
@@ -130,7 +130,7 @@ pub fn run(args: &CoverArgs) -> Result<u8> {
     })
 }
 
-/// Smallest and largest number of cams from `--cams`: `1:6`, or `3` for both.
+/// Minimum and maximum number of cams from `--cams`: `1:6`, or `3` for both.
 ///
 /// # Errors
 ///
@@ -166,7 +166,7 @@ fn scene(args: &CoverArgs) -> Result<Input> {
 
 /// Rejects a results folder among the recordings, where the next run would read it.
 fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
-    // The folder for results need not be there yet.
+    // The folder for results need not exist yet.
     let whole = |path: &Path| {
         let path = std::path::absolute(path).ok()?;
         let known = |a: &Path| Some(a.canonicalize().ok()?.join(path.strip_prefix(a).ok()?));

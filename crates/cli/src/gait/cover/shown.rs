@@ -46,7 +46,7 @@ fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasur
     object
 }
 
-/// Names the largest component of an error.
+/// Name of the largest component of an error.
 pub fn reason(of: &Assigned) -> String {
     let largest =
         (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
@@ -131,7 +131,7 @@ pub(super) fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Pictur
         name: words::text(&format!("cover-{name}")),
         points,
     };
-    // The worst error has a curve of its own.
+    // The maximum error has a separate curve.
     let objective = match input.scene.law.robust {
         Robust::Worst => Vec::new(),
         Robust::Mean | Robust::Tail(_) => of(|c| Some(c.objective)),

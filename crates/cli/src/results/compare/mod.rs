@@ -50,7 +50,7 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         .iter()
         .map(|f| Design::read(f))
         .collect::<Result<Vec<Design>>>()?;
-    // Results of equal names are distinguished by their folders.
+    // Results with equal names are distinguished by their folders.
     let all: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
     for d in &mut designs {
         if all.iter().filter(|n| **n == d.name).count() > 1 {
@@ -182,7 +182,7 @@ fn outlines(designs: &[Design]) -> Vec<Vec<[f64; 2]>> {
         .iter()
         .map(|d| {
             let mut points: Vec<[f64; 2]> = d.profile.rows.iter().map(|r| [r[1], r[2]]).collect();
-            // A disc's curve closes on its first point; a straight cam stays open.
+            // The curve of a disc is closed by its first point; the curve of an unrolled cam stays open.
             let turning = d.summary["cam"]["follower"] != "translating-cam"
                 && d.summary["cam"]["follower"] != "barrel";
             if let (true, Some(&first)) = (turning, points.first()) {

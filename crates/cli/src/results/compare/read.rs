@@ -10,13 +10,13 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::result_folder;
 use gaitcam_app::scene::not_json;
 
-/// One result of `synth`.
+/// Files of one result of `synth`.
 pub struct Design {
     /// Name of the design, or of its folder if names repeat.
     pub name: String,
-    /// Folder of the result.
+    /// Path of the result folder.
     pub folder: PathBuf,
-    /// Content of summary.json.
+    /// Content of summary.json as JSON.
     pub summary: Value,
     /// Columns of law.csv.
     pub law: Columns,

@@ -76,7 +76,7 @@ pub(super) fn open_best(
     })
 }
 
-/// Makes the recording's path absolute, since the new scene is in another folder.
+/// Makes the path of the recording absolute, because the new scene is in another folder.
 fn absolute_file(table: &mut Table, folder: &Path) {
     let file = table.get_mut("gait").and_then(|g| g.get_mut("file"));
     if let Some(toml::Value::String(file)) = file {

@@ -43,7 +43,7 @@ impl Input {
         self.values.windows(2).any(|w| w[0] != w[1])
     }
 
-    /// Values for a picture.
+    /// Values of the key for a picture, with the label of the axis.
     pub fn quantity(&self) -> Quantity {
         Quantity {
             label: axis(&self.name),

@@ -118,7 +118,7 @@ fn parallel(
     front: &[&Point],
     best: &Point,
 ) -> Picture {
-    // The front goes last, so that every point of it has its line.
+    // The front is added last, so that every point of the front has a line.
     let start = all[0].values.len();
     for p in front {
         for (k, q) in varied.iter().zip(&mut all) {

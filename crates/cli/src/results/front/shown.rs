@@ -25,7 +25,7 @@ pub(super) fn csv(columns: &Columns, front: &[&Point]) -> String {
         .unwrap_or_default()
 }
 
-/// Front as JSON, SI.
+/// Front as JSON: objectives, designs and best design, in SI units.
 pub(super) fn object(
     args: &FrontArgs,
     evaluated: &Evaluation,

@@ -115,7 +115,7 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
             section = line.trim_matches(['[', ']']).to_string();
         }
         let row = row_of(&section, line);
-        // The second segment of a programme needs no explanation.
+        // A key is explained only once, for example not again in the second segment of a programme.
         if let Some(row) = row.filter(|r| !explained.contains(&r.path)) {
             explained.push(row.path);
             let text = format!(

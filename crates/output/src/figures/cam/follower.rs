@@ -29,7 +29,7 @@ impl Scene<'_> {
                 let (mut low, high) = self.face();
                 let thick = 0.035 * self.reach;
                 if let Some(pivot) = self.pivot() {
-                    // The face starts at the foot of its pivot.
+                    // The face starts at the foot of the perpendicular from its pivot.
                     low = low.min(0.0);
                     self.arm(plane, pivot, [MM * at[0], y])?;
                 } else {
@@ -80,7 +80,7 @@ impl Scene<'_> {
             .asin();
         let half = if half.is_finite() { half } else { 1.2 };
         let at = |angle: f64, rho: f64| {
-            // Turned from the direction towards the cam, which is against the motion.
+            // The angle is measured from the direction towards the cam, which is opposite to the motion.
             let (sin, cos) = angle.sin_cos();
             (
                 centre[0] - rho * (cos * nx - sin * ny),

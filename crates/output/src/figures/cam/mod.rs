@@ -87,7 +87,7 @@ impl<'a> Scene<'a> {
         let cam = &synthesis.cam;
         let (start, length) = cam.law.extent();
         let rows = if cam.follower.is_unrolled() {
-            // It has two ends, even where the law closes.
+            // The profile of an unrolled cam has two ends, even if its law is closed.
             let step = length / (POINTS - 1) as f64;
             (0..POINTS)
                 .map(|i| cam.point(start + step * i as f64))
@@ -220,7 +220,7 @@ impl<'a> Scene<'a> {
         };
         let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
         if self.is_straight() {
-            // The plate down to its foot.
+            // Area of the plate from the profile down to its foot.
             let mut body = outline.clone();
             if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
                 let foot = self.foot();
@@ -321,7 +321,7 @@ impl<'a> Scene<'a> {
             trace(plane, path, stroke(INK, 1.4))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
-        // Counter-clockwise as θ grows, on the side where the cam has most room for it.
+        // The arrow is counter-clockwise for a positive speed. It is on the side where the cam is largest.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
         let sense = if self.synthesis.problem.drive.speed < 0.0 {

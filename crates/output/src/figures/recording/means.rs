@@ -82,7 +82,7 @@ fn draw_foot(
     panel.curve(&on_phase(&mean.mean_n), ink, 2.8)?;
     for (k, point) in mean.landmarks.iter().enumerate() {
         if let Some(point) = point {
-            // The only peak, late in the stance, is the push-off.
+            // A single peak late in the stance is the push-off peak.
             let lone = mean.landmarks[1].is_none() && point.at > 0.6;
             let name = LANDMARKS[if lone { 2 } else { k }];
             landmark(f, frame, y, name, *point)?;

@@ -30,7 +30,7 @@ pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layou
 }
 
 /// Figure of the whole recording with its contacts, which are marked as used or rejected (with the reason). Below are the mean stances of the left
-/// and the right foot with loading peak, valley and push-off peak, and the mean cycle, if there is one.
+/// and the right foot with loading peak, valley and push-off peak. The mean cycle is at the bottom, if there is one.
 pub fn recording(
     understood: &Interpretation,
     cycle: Option<&ForceCurve>,
@@ -70,7 +70,7 @@ pub(crate) fn recording_in(
         let shares: &[f64] = match (cycle, &understood.overlay) {
             (Some(_), _) => &[1.0, 1.0, 0.85],
             (None, Some(_)) => &[1.0, 1.05],
-            // A line of words in place of the means.
+            // A line of text replaces the means.
             (None, None) => &[1.0, 0.05],
         };
         // Lanes of contacts and their key are between the recording and the means.

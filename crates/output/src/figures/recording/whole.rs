@@ -120,13 +120,13 @@ fn lane_name(column: &Column, words: &Words) -> String {
     name
 }
 
-/// A line through the minimum and maximum force of each piece.
+/// A line through the minimum and maximum force of each interval.
 fn trace(column: &Column, x: [f64; 2]) -> Curve {
     let n = column.envelope_n.len().max(1) as f64;
     let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
     for (i, [low, high]) in column.envelope_n.iter().enumerate() {
         let at = |part: f64| x[0] + (x[1] - x[0]) * (i as f64 + part) / n;
-        // Rising pieces are drawn from below, falling ones from above.
+        // In intervals with increasing force the line starts at the minimum, otherwise at the maximum.
         let rising = column.envelope_n.get(i + 1).is_none_or(|n| n[1] > *high);
         let ends = if rising { [*low, *high] } else { [*high, *low] };
         curve.extend([(at(0.25), ends[0]), (at(0.75), ends[1])]);

@@ -59,7 +59,7 @@ pub fn front(
             ("figure-non-dominated", 3.6, BLUE.filled()),
             ("figure-best", 6.5, stroke(RED, 2.4)),
         ];
-        // Points on the front alone need no legend.
+        // A figure with only the points of the front needs no legend.
         for (key, radius, style) in dots.into_iter().filter(|_| best.is_some()) {
             let (text, up) = (words.text(key), f.top - 0.9 * LETTERS);
             circle(canvas, [left + 6.5, up], radius, style)?;

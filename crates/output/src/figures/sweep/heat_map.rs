@@ -96,7 +96,7 @@ pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: La
         let inner = axes(canvas, title, f, across, up)?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
-            // A little wider than the cell, so that no ground shines through between two.
+            // Each rectangle is slightly larger than its cell, so that no gap is visible between two cells.
             let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
             let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
             let corners = [(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];

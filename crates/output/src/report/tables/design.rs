@@ -68,7 +68,7 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
             if factor < LEAST_FACTOR {
                 return words.fixed(factor, 4);
             }
-            // Half a turn has one name.
+            // −180° is shown as 180°.
             let phase = if phase.to_degrees() < -179.95 {
                 -phase
             } else {

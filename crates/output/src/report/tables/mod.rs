@@ -22,7 +22,7 @@ const ON_THE_LIMIT: f64 = 0.005;
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
-    // Rounding of what is nothing.
+    // Rounding errors are shown as zero.
     let value = if value.abs() < 1e-9 { 0.0 } else { value };
     unit.after(&words.number(value))
 }
@@ -49,7 +49,8 @@ pub fn state(check: &Check) -> &'static str {
     }
 }
 
-/// Limit and position of the worst value, SI; `None` where the limit is rounding and where the value is of the whole cycle.
+/// Limit and position of the worst value, SI. The limit is `None` if it is a rounding tolerance, the position if the value applies to the whole
+/// cycle.
 pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     let is_rounding = matches!(
         check.name,
