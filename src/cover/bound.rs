@@ -92,8 +92,8 @@ pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Lower bound of the mean square error of the worst walkers, with these shares. Every admissible weighting gives a bound, which is concave in the
-/// weights. Steps of the Frank–Wolfe method (1956) lead towards the weights of the maximum errors about the best plane.
+/// Lower bound of the mean square error of the worst walkers; `shares` are the shares of the walkers. Each admissible weighting gives a bound, and the
+/// bound is concave in the weights. Steps of the Frank–Wolfe method (1956) increase the weights of the walkers farthest from the best plane.
 pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f64]) -> f64 {
     let mut weights = start.to_vec();
     let mut best = mean(points, shares, cams);

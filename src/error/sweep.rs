@@ -48,7 +48,7 @@ pub enum SweepError {
     ScatterAlone,
     /// There is no cam for which manufacturing errors could be sampled.
     NoDesign,
-    /// The time limit ended the search of a row.
+    /// The time limit was reached before the cam of a row was found.
     OutOfTime,
     /// A key is not suitable for variation.
     Fixed { key: String, known: String },

@@ -209,7 +209,7 @@ impl Column {
         }))
     }
 
-    /// Number in a row, as written.
+    /// Value of this column in a row, without conversion of units. A missing cell and a cell without a number are errors.
     fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
         let cell = row.get(self.place);
         let fault = || {

@@ -107,7 +107,7 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// Preload of a spring and minimum force of a target below it. No lift reaches this force without the inertia of a mass.
+/// Preload of a spring and minimum target force, if the preload exceeds this minimum. A spring alone cannot produce a force below its preload.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();

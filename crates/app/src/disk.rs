@@ -20,7 +20,7 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// Files for a scene file, with its folder.
+    /// Access to the files in the folder of a scene file.
     pub fn beside(file: &Path) -> Disk {
         let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
         Disk {

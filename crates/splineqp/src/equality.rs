@@ -5,7 +5,7 @@ use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
-/// Optimum with only the equalities, and its factorisation.
+/// Optimum subject to the equalities only, and the factorised Hessian.
 pub struct Unlimited {
     /// H, made positive definite by multiples of the outer products of the equalities.
     pub hessian: ArrowMatrix,

@@ -231,7 +231,7 @@ impl MeanSquare {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 
-    /// Gradient at `x`.
+    /// Gradient of the objective with respect to all coefficients at `x`.
     pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
         for (row, factor, value) in &self.nodes {

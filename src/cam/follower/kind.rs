@@ -87,7 +87,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether the follower has a roller.
+    /// Whether the follower touches the cam with a roller. The followers of translating cams and barrel cams always do.
     pub fn has_roller(self) -> bool {
         matches!(
             self,

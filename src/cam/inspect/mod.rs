@@ -62,7 +62,7 @@ pub struct Deviation {
     pub is_outlier: bool,
 }
 
-/// Result of an inspection.
+/// Rigid motion that fits the measured points best, and the deviations of the points from the profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

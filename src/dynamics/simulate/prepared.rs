@@ -136,7 +136,7 @@ fn has_own_friction(input: &Run) -> bool {
     input.machine.friction > 0.0 && rubs(follower) && !is_flat
 }
 
-/// Maximum difference between the lift of the emitted points and the lift of the law, m.
+/// Maximum difference between the lift recovered from the points of the profile and the lift of the law, m.
 fn mismatch(input: &Run, nodes: &[Svaj]) -> f64 {
     let pairs = input.profile.iter().zip(nodes);
     let differences = pairs.map(|(p, at)| (input.cam.law.svaj(p.theta).s - at.s).abs());

@@ -61,7 +61,7 @@ impl Relaxable {
         }
     }
 
-    /// The problem with another value.
+    /// The problem in which the value of this key is `value`.
     pub fn with(self, problem: &Problem, value: f64) -> Problem {
         problem.with(self.criterion, value)
     }

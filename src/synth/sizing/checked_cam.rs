@@ -93,8 +93,8 @@ impl CheckedCam {
     }
 }
 
-/// Cam of a law that satisfies its limits near a given circle. The offset of this circle is tried too, because the best offset for the pressure angle
-/// may not be the best one for the curvature.
+/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is also tried, because the best offset for the
+/// pressure angle may not be the best offset for the curvature.
 fn cam_about(
     problem: &Problem,
     law: Law,

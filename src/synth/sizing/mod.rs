@@ -237,7 +237,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     fitting(problem, cam.law, follower.with_base_radius(base))
 }
 
-/// Cam of a law with a follower that fits the law.
+/// Creates the cam and checks that the follower suits the law. With `pivot_beside` the pivot is beside the cam.
 fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     let new = if problem.cam.pivot_beside {
         Cam::beside

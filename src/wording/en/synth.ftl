@@ -47,7 +47,7 @@ design-largest-stroke = The target force accelerates the mass by at most { $acce
         [true] ; the stroke limit cannot be active
        *[other] {""}
     }.
-design-first-walker = The machine is the first walker ({ $weight }) of { $key }.
+design-first-walker = The machine counts as the first walker, with the weight { $weight } (first entry of { $key }).
 design-phase = The turn of the cam starts at { $phase } of the force cycle, the phase of minimum force error.
 design-out-of-time = The search ended at its time limit. The result is the best one found, and not all relaxations were tried. Allow more time with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording. A larger number would fit its noise. Set accuracy.rms to change this.
@@ -69,7 +69,7 @@ synth-shaft-diverges = the iteration of law and shaft speed does not converge: t
     .help = use a larger inertia ("{ $inertia }" gives a ripple of about { $calm }), a steeper torque line, or law.shaft = "constant"
 synth-adjusts-given = { $key } is given, but gait.adjust sets it for each walker
     .help = omit { $key }, or remove it from gait.adjust
-synth-mass-not-adjustable = the mass of this drive does not carry the weight of a walker
+synth-mass-not-adjustable = with this drive, the mass does not balance the weight of a walker
     .help = remove "mass" from gait.adjust, or use a moving axis
 synth-speed-not-adjustable = the force of this drive does not scale with the speed, because spring, damping and inertia forces depend on it differently
     .help = remove "speed" from gait.adjust and give drive.speed

@@ -47,7 +47,7 @@ design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acc
         [true] ; el límite de carrera no puede estar activo
        *[other] {""}
     }.
-design-first-walker = La máquina es el primer caminante ({ $weight }) de { $key }.
+design-first-walker = La máquina cuenta como el primer caminante, con el peso { $weight } (primer valor de { $key }).
 design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de error de fuerza mínimo.
 design-out-of-time = La búsqueda terminó en su límite de tiempo. El resultado es el mejor hallado, y no se probaron todas las relajaciones. Permita más tiempo con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro. Un número mayor ajustaría su ruido. Fije accuracy.rms para cambiarlo.

@@ -39,7 +39,7 @@ pub struct Sentences {
     /// Areas of notes on a result and of reasons. Their quantities have four digits. Quantities of errors have six digits, because users enter them
     /// again.
     pub notes: &'static [&'static str],
-    /// Messages of these areas whose quantities users enter again; they have six digits.
+    /// Messages whose quantities have six digits, because users enter them again.
     pub typed_back: &'static [&'static str],
 }
 

@@ -34,9 +34,8 @@ struct Scattered {
     error: f64,
 }
 
-/// Tolerance of the scene; otherwise the largest available one whose manufacturing error, for 95 % of the cams, is at most half of the remaining
-/// error. The remaining error is √(a² − e²) with `allowed` a (fraction of the mean force) and the error e of the design. If no tolerance qualifies,
-/// the smallest one. `None` without a target force.
+/// Tolerance of the scene. Without one, the largest available tolerance whose manufacturing error is at most half of `allowed` (a fraction of the mean
+/// force) for 95 % of the cams; if no tolerance qualifies, the smallest one. `None` without a target force.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {

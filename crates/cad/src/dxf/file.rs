@@ -233,7 +233,7 @@ impl Groups {
         self.number(code, self.scale * x)
     }
 
-    /// Writes a real number with a decimal point, to a thousandth of a picometre.
+    /// Writes a real number with a decimal point and at most 12 decimals.
     fn number(&mut self, code: u16, x: f64) -> &mut Self {
         let mut text = String::with_capacity(24);
         append(&mut text, x, 12);

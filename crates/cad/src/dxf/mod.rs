@@ -113,8 +113,8 @@ pub fn profile(
     drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
 
-/// Drawing of all edges to be cut as chords, with pitch curve, base and prime circle, bore and centre mark. The edges are the profile of a disc, both
-/// cams of a pair, or both walls of an unrolled groove.
+/// Drawing of all edges to be cut, approximated by chords. It also contains pitch curve, base and prime circle, bore and centre mark. The edges are the
+/// profile of a disc, both cams of a pair, or both walls of an unrolled groove.
 pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {

@@ -127,7 +127,7 @@ impl File {
         }
     }
 
-    /// Surface above a piece; its normal points to the right of the piece.
+    /// Vertical wall over a segment of the outline, from `low` to `high`. Its normal points to the right of the direction of the segment.
     fn surface(&mut self, piece: &Piece, [low, high]: [f64; 2]) -> usize {
         match piece {
             Piece::Line([a, b]) => {

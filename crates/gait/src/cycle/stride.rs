@@ -15,8 +15,7 @@ pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Recorded time before `start_s` in which all standing feet are known, s. After the end, at least a quarter of a stance must be recorded; a
-    /// shorter last contact is ignored as a fragment.
+    /// Time from the previous heel strike to `start_s`, s. The total force is known in this time, which is the maximum width of the blend at the ends.
     before_s: f64,
     /// Contacts that overlap the stride.
     contacts: Vec<Footfall>,

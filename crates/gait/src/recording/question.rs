@@ -1,4 +1,4 @@
-//! Questions about a recording that its notes raise, and the keys that answer them.
+//! Open questions that follow from the notes on a recording, and the keys that settle them.
 
 use super::{Note, OpenQuestion};
 

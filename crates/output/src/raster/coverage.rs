@@ -7,7 +7,7 @@ use std::ops::Range;
 /// Coverage below which it is a rounding error.
 const NOTHING: f32 = 1e-3;
 
-/// Edges of a shape on a page.
+/// Coverage of the pixels by a shape, accumulated from the edges of its polygons.
 pub struct Coverage {
     width: usize,
     /// Per row: columns with the increments of coverage from the edges.

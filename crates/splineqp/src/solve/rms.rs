@@ -163,8 +163,8 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// The unlimited optimum if it satisfies the limit, or the law with the minimum peak within the other limits, with its certificate. If the search
-    /// finds neither, the law with the minimum root mean square.
+    /// The optimum without the limit, if it satisfies the limit. Otherwise the law with the minimum peak within the other limits, if it satisfies the
+    /// limit. Otherwise a law without a certificate: that of the exchange method or that with the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);

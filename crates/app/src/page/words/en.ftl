@@ -70,7 +70,7 @@ studio-pending = A value is refused: the picture is that of the last design.
 studio-not-designed = The version shown has no design yet.
 studio-quick = A first cam while the value moves; the best one follows when it rests.
 studio-broken = The engine failed at this scene ({ $fault }). Undo, or report it with the scene.
-studio-silent = The engine did not answer and was begun anew. Undo, or change a value to try again.
+studio-silent = The engine did not answer and was started again. Undo, or change a value to try again.
 studio-linked-part = Copied: the part of a link that holds the scene. Any copy of this page takes it under Open, or behind its address.
 studio-open-last = Continue with { $name }, as it was left
 studio-open-pick = Choose a scene of this machine
@@ -187,7 +187,7 @@ studio-units = lengths in
 studio-speeds = speeds in
 studio-show = Show
 studio-present = Presenting: large type, one diagram and the cam
-studio-enlarge = Show this diagram large; in a diagram + and − zoom at the cursor, 0 shows the whole turn
+studio-enlarge = Enlarge this diagram. In a diagram, the keys + and − zoom at the cursor and 0 shows the whole turn.
 studio-diagrams-choose = Choose diagrams
 studio-table = Table by degree
 studio-exercise = Exercise sheet
@@ -221,7 +221,7 @@ studio-chart-alt = { $name }: { $low } to { $high }
 # Scenes and files.
 studio-scenes-lead = A click opens a scene; undo brings the present one back.
 studio-scenes-find = Find a scene
-studio-scenes-none = No scene is called so.
+studio-scenes-none = No scene has this name.
 studio-scene-measured_walk = A recorded walk, with its recording
 studio-group-force = Walking force on a footbridge
 studio-group-heel = Heel testers
@@ -323,7 +323,7 @@ studio-point-remove = Delete the point
 
 # Programme.
 studio-programme = Programme
-studio-programme-lead = An angle that you enter changes its own segment and the one marked “Rest”, which takes what is left of the turn. A locked angle stays as it is. A lift takes its return along.
+studio-programme-lead = An angle that you enter changes its own segment and the segment marked “Rest”, which takes the remaining angle of the turn. A locked angle does not change. A changed lift also changes its return.
 studio-templates = Make a programme
 studio-template-double-dwell = Double dwell
 studio-template-rise-return = Rise and return
@@ -411,17 +411,17 @@ studio-front-against = Against
 studio-front-none = No point of the front could be designed.
 studio-simulate = The cam in motion
 studio-simulate-lead = The finished cam runs on the scene's machine: contact, force, torque, impacts.
-studio-log = The machine from a log
+studio-log = Machine parameters from a log
 studio-log-pick = Choose a log
 studio-log-lead = A csv of the running machine with force and time or cam angle, each with its unit: its parameters, what repeats, and the next cam.
 studio-log-next = Force error measured { $before } N RMS, predicted after the next cut { $after } N RMS.
-studio-log-take = Take the next cam
+studio-log-take = Use the next cam
 studio-sweep = Sweep
 studio-sweep-lead = Designs over one value or two, from 50 % to 150 % of each. Designs that are not acceptable are crossed out. A click takes the values.
 studio-sweep-across = First value
 studio-sweep-down = Second value
 studio-sweep-figure = What is shown
-studio-sweep-none = Time ran out before all designs were there.
+studio-sweep-none = The time limit was reached before all designs were finished.
 
 # Labels of the keys.
 studio-key-name = Name
@@ -613,7 +613,7 @@ studio-choice-peak-snap = peak snap
 studio-choice-size = size of the cam
 studio-choice-relative = relative, in %
 studio-choice-absolute = absolute, in N
-studio-choice-motor = as the motor turns
+studio-choice-motor = varying, determined by the motor
 studio-choice-constant = constant
 
 # Parts of a machine that have keys but no section of the form.

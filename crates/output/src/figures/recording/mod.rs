@@ -19,7 +19,7 @@ use gaitcam::force::{Foot, ForceCurve, Interpretation};
 use gaitcam::units::G;
 use gaitcam::wording::Language;
 
-/// A curve with its colour and width.
+/// Points (x, y) of a curve.
 type Curve = Vec<(f64, f64)>;
 
 /// Layout as a figure of the report. Its height depends on the number of lanes of contacts.
