@@ -109,14 +109,15 @@ class Speed(Pages):
 
     def test_hand_to_picture_over_the_scenes(self):
         """Drags a slider for a second in each scene, with an event in every frame. Other programs on the machine make the times longer, never
-        shorter, so a second pass is measured where the first one is too long."""
+        shorter, so up to two more passes are measured where the first one is too long."""
         page = self.page()
         page.page.click("#open-scenes")
         names = page.page.eval_on_selector_all("[data-scene]", "all => all.map((e) => e.dataset.scene)")
         page.page.keyboard.press("Escape")
-        parts = self.dragged(page, names)
-        if max(parts) >= 1:
+        for _ in range(3):
             parts = self.dragged(page, names)
+            if max(parts) < 1:
+                break
         self.assertLess(max(parts), 1, parts)
         self.assertEqual(page.said, [])
 
