@@ -7,7 +7,7 @@ from formats import cells, cut_rows, loadsol, opensim, plain, table, visual3d, w
 from recording import CLOCK, INSOLE, Recording, belts, case, options, walkway, with_sensor
 
 CROSS = (r"cross-talk|unloaded", options("mass|force|file"))
-FEET = (r"one foot|other foot|feet (may )?differ|between the feet|single stance", options("mass|force"))
+FEET = (r"one foot|other foot|feet (may |that )?differ|between the feet|single stance", options("mass|force"))
 
 
 @case("1 unloaded blank", 8)
