@@ -5,9 +5,8 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::Design;
-use crate::ForceCurve;
 use crate::dynamics::RepeatedForce;
-use crate::force::{StepStatistics, Walk};
+use crate::force::{ForceCurve, StepStatistics, Walk};
 
 /// Number of equal angles of the cam's force.
 const SAMPLES: usize = 1024;

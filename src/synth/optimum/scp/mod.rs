@@ -1,10 +1,10 @@
 //! Non-convex limits of a law, by a sequence of convex programs with feasible iterates. The limits are the curvature of a roller cam, and curvature
 //! and pressure angle of followers on an arm.
 //!
-//! Let X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f. The radius of curvature of the pitch curve is nowhere below ρ if h = w^{3/2}/ρ − (w
-//! + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero, and the convex
-//! program is solved again. The step is then shortened until h ≥ 0 over the whole turn; convex limits hold along the whole step. If a full step
-//! violates h, the limit is first linearised again at its end (second-order correction). The step is shortened only if this fails.
+//! Let X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f. The radius of curvature of the pitch curve is nowhere below ρ if
+//! h = w^{3/2}/ρ − (w + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero,
+//! and the convex program is solved again. The step is then shortened until h ≥ 0 over the whole turn; convex limits hold along the whole step. If a
+//! full step violates h, the limit is first linearised again at its end (second-order correction). The step is shortened only if this fails.
 //!
 //! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀². It is sufficient for X ≥ 4ρ/3 and e = 0 and needs no linearisation.
 //! Followers on an arm have a different h for their geometry. A concave profile needs no row: its radius is the radius of the pitch curve plus that
