@@ -11,6 +11,9 @@ use gaitcam_output::sweep_report::Table;
 /// Content of a cell without a value.
 const NONE: &str = "—";
 
+/// Fraction of the maximum force below which a force is a rounding error.
+const ROUNDING: f64 = 1e-9;
+
 /// Function for the text of a cell.
 type Cell = fn(&Design) -> String;
 
@@ -78,6 +81,12 @@ fn value(figure: &Figure, d: &Design) -> Option<f64> {
         return Some(ends.map(f64::abs).reduce(f64::max)? * speed.powi(*order));
     }
     let value = number(&d.summary[figure.section][figure.key])?;
+    // A minimum force of zero has a rounding error of the maximum.
+    let most = number(&d.summary["force"]["max_n"]).unwrap_or(0.0);
+    let value = match figure.section {
+        "force" if value.abs() < ROUNDING * most => 0.0,
+        _ => value,
+    };
     let exists = match figure.section {
         "force" => d.has_target(),
         _ => figure.column != "mass_kg" || value != 0.0,
