@@ -27,6 +27,8 @@ glibc=2.28
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n1)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH CARGO_INCREMENTAL=0
+# What `time` prints.
+TIMEFORMAT="%U s + %S s of the processor"
 unset CARGO_TARGET_DIR
 if [ ${#parts[@]} = 0 ]; then
   rm -rf "$out"
@@ -69,7 +71,7 @@ command_() {
   local platform folder=$build/files/gaitcam-$version
   for platform in "${platforms[@]}"; do
     echo "== command for $platform"
-    (
+    time (
       use "$platform"
       cargo_for "$platform" --release --locked --quiet -p gaitcam-cli --features parquet
     )
@@ -86,7 +88,7 @@ package() {
   local platform
   for platform in "${platforms[@]}"; do
     echo "== package for $platform"
-    (
+    time (
       use "$platform"
       cd python
       case $platform in
