@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the commands of a release from their archives and compares their results with those of Linux on x86_64.
+"""Runs the commands and wheels of a release and compares their results with those of Linux on x86_64.
 
     python3 release/try.py FILES TOOLS WORK [PLATFORM ...]
 
@@ -12,11 +12,15 @@ unpacked into a folder with spaces and umlauts, and its commands run there with 
 - `gait` of the recordings and curves in data/: same output;
 - a sweep that is killed and resumed: same table except times;
 - absolute paths, paths of the system's own form, a scene with CRLF line ends, a folder without write permission, a reader that
-  closes the pipe, two processes with the same output folder.
+  closes the pipe, two processes with the same output folder;
+- on Windows, the file that a double click starts;
+- the wheel: its list of files, and in Python law.csv of the built-in scenes, with the same bytes as those of the command. There is no
+  Python for Windows here: of that wheel, the exports and the needed libraries are checked.
 """
 
+import base64
+import hashlib
 import json
-import os
 import re
 import shlex
 import signal
@@ -35,6 +39,18 @@ SWEEP = ["sweep", "scenes/footbridge.toml", "--vary", "limits.stroke=45 mm:50 mm
 OPTIONS = {"measured_walk": ["--set", "gait.file=data/recordings/made_walk.csv"]}
 
 
+WHEELS = {"linux-x86_64": "manylinux*_x86_64", "linux-aarch64": "manylinux*_aarch64", "windows-x86_64": "win_amd64"}
+IN_PYTHON = """
+import sys, gaitcam
+for name in gaitcam.Scene.builtins():
+    if name not in sys.argv[2].split(","):
+        gaitcam.synth(gaitcam.Scene.builtin(name)).save(f"{sys.argv[1]}/{name}", png=False)
+        print(name)
+"""
+# Libraries that every Windows has, and python3.dll of the interpreter.
+WINDOWS_LIBRARIES = re.compile(r"(?i)(python3|kernel32|ntdll|advapi32|ws2_32|userenv|bcrypt|bcryptprimitives|msvcrt|ole32|shell32|user32|api-ms-win-.*)\.dll")
+
+
 class Fault(Exception):
     """A result that differs from the expected one."""
 
@@ -43,7 +59,7 @@ class Platform:
     """An unpacked archive, and how this machine runs its command."""
 
     def __init__(self, name, files, tools, work):
-        self.name, self.tools = name, tools
+        self.name, self.files, self.tools = name, files, tools
         self.work = work / name
         self.home = self.work / "home"
         self.home.mkdir(parents=True)
@@ -65,11 +81,14 @@ class Platform:
             self.set_up_wine()
 
     def set_up_wine(self):
-        """A new Windows folder. Wine 8 has no ProcessPrng; the library of release/try.sh adds it, for this test only."""
+        """A new Windows folder with two libraries that Debian's wine does not put there: zlib1.dll, which wine's own libraries need,
+        and a bcryptprimitives.dll with ProcessPrng, which Windows has and wine 8 does not (built by release/try.sh)."""
+        system = Path(self.environment["WINEPREFIX"]) / "drive_c/windows/system32"
+        system.mkdir(parents=True)
+        for library in (self.tools / "bcryptprimitives.dll", self.tools / "usr/x86_64-w64-mingw32/lib/zlib1.dll"):
+            (system / library.name).write_bytes(library.read_bytes())
         subprocess.run([*self.runner, "wineboot", "-i"], env=self.environment, stdin=subprocess.DEVNULL,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
-        system = Path(self.environment["WINEPREFIX"]) / "drive_c/windows/system32"
-        (system / "bcryptprimitives.dll").write_bytes((self.tools / "bcryptprimitives.dll").read_bytes())
 
     def unpack(self):
         parent = self.work / FOLDER
@@ -136,8 +155,23 @@ def printed_commands(platform, _):
 
 
 def serve(platform, arguments):
-    """The page is served at the printed address, and only with its token."""
-    process = platform.start(*arguments, "--no-open")
+    answer_once(platform.start(*arguments, "--no-open"))
+
+
+def double_click(platform, _):
+    """What a double click on the file for Windows starts."""
+    if not platform.windows:
+        return "–"
+    words = [str(word) for word in (*platform.runner, "cmd", "/c", "gaitcam studio.cmd")]
+    answer_once(subprocess.Popen(words, cwd=platform.folder, env=platform.environment, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL))
+    # The command is a child of the interpreter of the file.
+    subprocess.run([platform.tools / "usr/lib/wine/wineserver64", "-k"], env=platform.environment, timeout=60)
+    return "gaitcam studio.cmd serves the page"
+
+
+def answer_once(process):
+    """The process prints an address, and the page is there. The process is then stopped."""
     try:
         address = process.stdout.readline().decode().strip()
         with urllib.request.urlopen(address, timeout=60) as answer:
@@ -312,6 +346,57 @@ def two_processes(platform, _):
     return f"exit codes {codes[0]} and {codes[1]}"
 
 
+def wheel(platform, _):
+    found = sorted(platform.files.glob(f"gaitcam-*-{WHEELS[platform.name]}.whl"))
+    if len(found) != 1:
+        return "not built"
+    folder = platform.work / "wheel"
+    with zipfile.ZipFile(found[0]) as archive:
+        archive.extractall(folder)
+    check_record(folder)
+    if platform.windows:
+        return libraries(platform, next(folder.glob("gaitcam/_native*.pyd")))
+    python, numpy = ["/usr/bin/python3"], platform.tools / "python/numpy-x86_64"
+    if platform.runner:
+        root = platform.tools / "python"
+        python, numpy = [platform.runner[0], "-L", root, root / "usr/bin/python3"], root / "numpy-aarch64"
+    out = platform.work / "by wheel"
+    done = subprocess.run([*python, "-c", IN_PYTHON, out, ",".join(OPTIONS)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          env=platform.environment | {"PYTHONPATH": f"{folder}:{numpy}", "PYTHONDONTWRITEBYTECODE": "1"}, timeout=900)
+    if done.returncode:
+        raise Fault(f"the wheel: {done.stdout}{done.stderr}")
+    for name in done.stdout.split():
+        if (out / name / "law.csv").read_bytes() != (platform.folder / "all" / name / "law.csv").read_bytes():
+            raise Fault(f"the wheel: law.csv of {name} differs from that of the command")
+    return f"{len(done.stdout.split())} scenes, same law.csv"
+
+
+def check_record(folder):
+    """Whether the files of an unpacked wheel are those in its list, with the digests there."""
+    (record,) = folder.glob("*.dist-info/RECORD")
+    listed = set()
+    for line in record.read_text(encoding="utf-8").splitlines():
+        name, digest, _ = line.rsplit(",", 2)
+        listed.add(folder / name)
+        is_ = base64.urlsafe_b64encode(hashlib.sha256((folder / name).read_bytes()).digest()).decode().rstrip("=")
+        if digest and digest != f"sha256={is_}":
+            raise Fault(f"{name} of the wheel does not have the listed digest")
+    if listed != {path for path in folder.rglob("*") if path.is_file()}:
+        raise Fault("the wheel has other files than it lists")
+
+
+def libraries(platform, module):
+    """Whether a Python module for Windows exports its start and needs nothing but Python and Windows."""
+    objdump = platform.tools.parent / "release-tools/mingw/usr/bin/x86_64-w64-mingw32-objdump"
+    printed = subprocess.run([objdump, "-p", module], check=True, capture_output=True, text=True).stdout
+    needed = re.findall(r"DLL Name: (\S+)", printed)
+    if "pei-x86-64" not in printed or "PyInit__native" not in printed:
+        raise Fault("the module of the wheel is not a Python module for Windows")
+    if foreign := [name for name in needed if not WINDOWS_LIBRARIES.fullmatch(name)]:
+        raise Fault(f"the module of the wheel needs {', '.join(foreign)}")
+    return f"not run; list of files and {len(needed)} needed libraries checked"
+
+
 CHECKS = {
     "from the archive to the first cam": first_cam,
     "commands of README.md and LEEME.md": printed_commands,
@@ -323,6 +408,8 @@ CHECKS = {
     "no write permission": read_only,
     "closed pipe": closed_pipe,
     "two processes, one folder": two_processes,
+    "double click": double_click,
+    "wheel": wheel,
 }
 
 
