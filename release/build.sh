@@ -60,6 +60,8 @@ fill() {
   mkdir -p "$folder"
   cp "$program" LICENSE-* "$out/licences.txt" "$folder/"
   cp -r scenes data "$folder/"
+  # Parts of the runtime library of mingw-w64 are in the programs for Windows.
+  case $platform in windows-*) cp "$tools/mingw/usr/share/doc/mingw-w64-x86-64-dev/copyright" "$folder/licences-mingw-w64.txt" ;; esac
   python3 release/quick_start.py "$platform" "$folder"
 }
 
