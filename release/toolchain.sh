@@ -19,14 +19,9 @@ installed() {
   [ -d "$(rustc --print sysroot)/lib/rustlib/$(triple "$1")/lib" ]
 }
 
-# Folder of compiled files for a platform. The two compilers share none of them.
-target_dir() {
-  if installed "$1"; then echo "$build"; else echo "$build/debian"; fi
-}
-
 # Folder of the compiled program for a platform.
 built() {
-  echo "$(target_dir "$1")/$(triple "$1")/release"
+  echo "$build/$1/$(triple "$1")/release"
 }
 
 # Unpacks gcc and binutils for Windows, in the variant with the threads of Windows, which needs no further library.
@@ -47,8 +42,8 @@ unpack_mingw() {
 use() {
   local platform=$1 crates=${CARGO_HOME:-$HOME/.cargo}
   standard=()
-  CARGO_TARGET_DIR=$(target_dir "$platform")
-  export CARGO_TARGET_DIR RUSTFLAGS="--remap-path-prefix=$root=gaitcam --remap-path-prefix=$crates=crates"
+  export CARGO_TARGET_DIR=$build/$platform
+  export RUSTFLAGS="--remap-path-prefix=$root=gaitcam --remap-path-prefix=$crates=crates"
   if ! installed "$platform"; then
     # shellcheck source=web/toolchain.sh
     source web/toolchain.sh

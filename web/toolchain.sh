@@ -8,7 +8,8 @@ no_compiler() { echo "web/toolchain.sh: $*" >&2; exit 1; }
 needed() { apt-cache depends "$1" | grep -oE "$2[0-9.]+" | head -n1; }
 
 unpack() {
-  command -v apt-get > /dev/null || no_compiler "no library of Rust for WebAssembly (rustup target add wasm32-unknown-unknown) and no apt-get to fetch Debian's"
+  command -v apt-get > /dev/null ||
+    no_compiler "the installed Rust has no library for this platform (rustup target add), and there is no apt-get to fetch Debian's compiler"
   # Lists kept in an image of a machine may name an older compiler only.
   apt-get -qq update || true
   [ "$(apt-cache show rustc-web 2> /dev/null | grep -m1 -oP '^Version: 1\.\K[0-9]+')" -ge 91 ] 2> /dev/null ||
