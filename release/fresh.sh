@@ -32,7 +32,7 @@ command_() {
 
 wheel() {
   bare "$python" -m venv package
-  bare package/bin/pip install --quiet --disable-pip-version-check --only-binary :all: "$files"/gaitcam-*.whl
+  bare package/bin/pip install --quiet --disable-pip-version-check --only-binary :all: "$files"/gaitcam-*manylinux*x86_64.whl
   bare package/bin/python -c 'import gaitcam; assert gaitcam.synth(gaitcam.Scene.builtin("footbridge")).verdict == "acceptable"'
 }
 

@@ -11,12 +11,15 @@ from pathlib import Path
 
 # Delivered parts: the command, the Python package, the engine of the page.
 ROOTS = {"gaitcam-cli", "gaitcam-python", "gaitcam-app"}
+PLATFORMS = ("x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "x86_64-pc-windows-gnu")
 TEXTS = ("LICEN", "COPYING", "NOTICE")
 
 
 def crates():
     """Crates that are compiled into the delivered parts, by name and version."""
-    command = ["cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", "x86_64-unknown-linux-gnu"]
+    command = ["cargo", "metadata", "--locked", "--format-version", "1"]
+    for platform in PLATFORMS:
+        command += ["--filter-platform", platform]
     data = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     packages = {package["id"]: package for package in data["packages"]}
     nodes = {node["id"]: node for node in data["resolve"]["nodes"]}
