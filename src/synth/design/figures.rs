@@ -76,7 +76,8 @@ impl Figures {
             radii: cam.radii().map(|ends| ends.map(|end| end.value)),
             offset: follower.offset(),
             smallest_convex_radius: cam.curvature().convex.value,
-            largest_pressure_angle: high.value.max(-low.value),
+            // The sum makes −0 positive on every platform.
+            largest_pressure_angle: high.value.max(-low.value) + 0.0,
             face_width: cam.face_width(),
             machine: design.machine(),
             shaft_ripple: design.shaft.as_ref().map(|on| on.shaft.ripple),
