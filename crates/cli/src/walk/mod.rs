@@ -110,7 +110,11 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
     let found = Followed::new(&run, &walk, steps, -design.problem.phase, middle, bounds)?;
     let even = steady(&run, &walk, steps)?;
     write_whole(&args.out, table(&found).as_bytes())?;
-    picture(&design, &walk, &found, &even, &args.out)?;
+    let of_walk = match args.generate {
+        Some(_) => Responding::Generated,
+        None => Responding::Recorded,
+    };
+    picture(&design, (of_walk, &walk), &found, &even, &args.out)?;
     let facts = json(&walk, &found, &even);
     if args.json {
         print_json(&facts);
@@ -209,7 +213,7 @@ fn table(found: &Followed) -> String {
 
 fn picture(
     design: &Design,
-    walk: &Walk,
+    (of_walk, walk): (Responding, &Walk),
     found: &Followed,
     even: &(RepeatedForce, [Misfit; 3]),
     place: &Path,
@@ -218,7 +222,7 @@ fn picture(
     let force = &found.run.force_n[..count];
     let programme = RepeatedForce::new(force, walk.duration_s, walk.strides());
     let mut all = vec![
-        (Responding::Recorded, RepeatedForce::of(walk)),
+        (of_walk, RepeatedForce::of(walk)),
         (Responding::Cam, even.0.clone()),
         (Responding::Programme, programme),
     ];

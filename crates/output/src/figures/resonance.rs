@@ -31,6 +31,8 @@ pub struct Response {
 pub enum Responding {
     /// Recorded strides.
     Recorded,
+    /// Force of the generated strides.
+    Generated,
     /// Cam at constant speed.
     Cam,
     /// Given number of recorded strides, repeated.
@@ -69,7 +71,7 @@ pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
 
 fn look(of: Responding) -> (RGBAColor, f64) {
     match of {
-        Responding::Recorded => (ORANGE.mix(0.55), 8.0),
+        Responding::Recorded | Responding::Generated => (ORANGE.mix(0.55), 8.0),
         Responding::Cam => (BLUE, 2.2),
         Responding::Strides(_) => (QUIET, 2.2),
         Responding::Programme => (GREEN, 2.2),
@@ -103,6 +105,7 @@ fn drawn(name: &str, all: &[Response], layout: Layout, words: &Words) -> Picture
             .iter()
             .map(|r| match r.of {
                 Responding::Recorded => words.text("figure-resonance-recorded"),
+                Responding::Generated => words.text("figure-resonance-generated"),
                 Responding::Cam => words.text("figure-resonance-cam"),
                 Responding::Strides(count) => {
                     words.fill("figure-resonance-strides", &[("count", &count.to_string())])
