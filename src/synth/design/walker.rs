@@ -81,7 +81,8 @@ impl Design {
     /// # Ok::<(), gaitcam::error::Error>(())
     /// ```
     pub fn generated_walk(&self, statistics: &StepStatistics) -> Option<Walk> {
-        let target = self.force_of_one()?;
+        // With a motor the target over the cam angle contains the varying speed of the shaft; a walk is a force over time.
+        let target = self.force_of_one().and(self.target_in_time())?;
         let drive = &self.problem.drive;
         let steps = self.problem.steps_per_turn.unwrap_or(2) as f64;
         let step_s = TAU / drive.speed.abs() / steps;
