@@ -80,7 +80,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
     /// Write a line with rate and remaining time every 10 s where standard error is no terminal
-    #[arg(long)]
+    #[arg(long, conflicts_with = "tolerance")]
     pub progress: bool,
     /// Allow more than 100 million rows
     #[arg(long)]
