@@ -19,7 +19,7 @@ const EXPONENT: f64 = 0.8;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepStatistics {
-    /// Number of strides.
+    /// Number of strides; each consists of two steps.
     pub strides: usize,
     /// Coefficient of variation of the step time.
     pub step_time_cv: f64,

@@ -43,7 +43,9 @@ pub mod plots {
     pub use super::figures::floor::floor;
     pub use super::figures::force::force;
     pub use super::figures::law::svaj;
-    pub use super::figures::resonance::{Responding, Response, resonance, responses};
+    pub use super::figures::resonance::{
+        Responding, Response, repeated_strides, resonance, responses,
+    };
     pub use super::figures::run::run;
     pub use super::figures::speeds::{AtSpeed, speeds};
     pub use super::figures::walkers::walkers;

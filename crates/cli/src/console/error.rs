@@ -71,7 +71,7 @@ pub enum CliError {
     NegativeBall { typed: String },
     NoWalk,
     NothingToWalk,
-    VariesTooMuch { most: &'static str },
+    VariesTooMuch { most: String },
     StridesMissing { count: usize, recorded: usize },
     FewStrides { strides: usize, needed: usize },
     ClippedWalk,

@@ -31,7 +31,7 @@ use gaitcam_app::disk::metadata;
 use gaitcam_app::folder::write_whole;
 use gaitcam_app::{Disk, inputs};
 use gaitcam_output::csv;
-use gaitcam_output::plots::{Responding, Response, responses};
+use gaitcam_output::plots::{Responding, Response, repeated_strides, responses};
 
 const EXAMPLES: &str = "Examples:
   gaitcam walk out/walk walk.mot
@@ -43,8 +43,6 @@ const EXAMPLES: &str = "Examples:
 const MOST_GENERATED: i64 = 2048;
 /// Maximum coefficient of variation of generated steps, so that no step time is near zero.
 const MOST_VARIED: f64 = 0.15;
-/// Number of strides that an electronic cam repeats in the picture.
-const STRIDES: usize = 16;
 
 /// Which design, and which walk.
 #[derive(Args, Debug)]
@@ -155,15 +153,16 @@ fn recorded(path: &Path) -> Result<Walk> {
 /// A walk of random steps with the target of the design.
 fn generated(args: &WalkArgs, strides: usize, design: &Design) -> Result<Walk> {
     let usual = StepStatistics::default();
-    let share = |flag, text: &Option<String>| {
-        let number = input::quantity(flag, text.as_deref(), Dimension::Percent)?;
-        match number {
-            Some(x) if !(0.0..=MOST_VARIED).contains(&x) => {
-                let most = "15 %";
-                Err(CliError::VariesTooMuch { most }.at_argument(flag))
-            }
-            number => Ok(number),
+    let share = |flag, text: &Option<String>| match input::quantity(
+        flag,
+        text.as_deref(),
+        Dimension::Percent,
+    )? {
+        Some(x) if !(0.0..=MOST_VARIED).contains(&x) => {
+            let most = format!("{} %", number(100.0 * MOST_VARIED));
+            Err(CliError::VariesTooMuch { most }.at_argument(flag))
         }
+        given => Ok(given),
     };
     let statistics = StepStatistics {
         strides,
@@ -221,18 +220,13 @@ fn picture(
     let count = walk.samples();
     let force = &found.run.force_n[..count];
     let programme = RepeatedForce::new(force, walk.duration_s, walk.strides());
-    let mut all = vec![
+    let all = [
         (of_walk, RepeatedForce::of(walk)),
         (Responding::Cam, even.0.clone()),
         (Responding::Programme, programme),
     ];
-    if let Some(part) = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES) {
-        all.push((Responding::Strides(STRIDES), RepeatedForce::of(&part)));
-    }
-    let all: Vec<Response> = all
-        .into_iter()
-        .map(|(of, force)| Response { of, force })
-        .collect();
+    let all = all.map(|(of, force)| Response { of, force });
+    let all: Vec<Response> = all.into_iter().chain(repeated_strides(walk)).collect();
     let picture = responses(&design.problem.name, &all, language::current());
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())

@@ -9,6 +9,7 @@ use crate::plot::palette::{BLUE, GREEN, ORANGE, QUIET};
 use crate::plot::picture::Picture;
 use crate::words::{self, Words};
 use gaitcam::dynamics::RepeatedForce;
+use gaitcam::force::Walk;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
@@ -54,12 +55,7 @@ pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Pi
         let response = |of, force| Response { of, force };
         all.push(response(Responding::Recorded, recorded));
         all.push(response(Responding::Cam, cam));
-        if let Some(part) = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES) {
-            all.push(response(
-                Responding::Strides(STRIDES),
-                RepeatedForce::of(&part),
-            ));
-        }
+        all.extend(repeated_strides(&walk));
     }
     drawn(&design.problem.name, &all, layout, words)
 }
@@ -67,6 +63,15 @@ pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Pi
 /// Responses of a mode to several forces. The frequency range is around the step frequency of the first force.
 pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
     drawn(name, all, Layout::ALONE, &words::words(language))
+}
+
+/// Response to some strides of a walk, repeated; `None` for a walk without more strides.
+pub fn repeated_strides(walk: &Walk) -> Option<Response> {
+    let part = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES)?;
+    Some(Response {
+        of: Responding::Strides(STRIDES),
+        force: RepeatedForce::of(&part),
+    })
 }
 
 fn look(of: Responding) -> (RGBAColor, f64) {
