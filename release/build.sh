@@ -1,31 +1,20 @@
 #!/usr/bin/env bash
 # Builds all files of a release into a folder: release/build.sh [FOLDER [PART ...]]     (target/release-files by default)
 #
-<<<<<<< HEAD
 # Parts are licences, command, package, page and book, in any order; all by default. The command contains the licences.
-#
-#   gaitcam-VERSION-linux-x86_64.tar.gz   the command; requires only glibc 2.28 (2018)
-#   gaitcam-VERSION-*.whl                 the Python package for 3.10 and later
-=======
-# Parts are licences, command, package, page and book, in any order (the command holds the licences); all by default.
 # The parts command and package build for all platforms, or for those in GAITCAM_PLATFORMS.
 #
-#   gaitcam-VERSION-linux-x86_64.tar.gz   the command; needs glibc 2.28 (2018) and nothing else
+#   gaitcam-VERSION-linux-x86_64.tar.gz   the command; requires only glibc 2.28 (2018)
 #   gaitcam-VERSION-linux-aarch64.tar.gz  the same for 64-bit ARM
 #   gaitcam-VERSION-windows-x86_64.zip    the command for Windows 10 and later
 #   gaitcam-VERSION-*.whl                 the Python package for 3.10 and later, one file for each platform
->>>>>>> h-w62
 #   gaitcam.html, gaitcam-page.tar.gz     the page as one file and as a folder
 #   gaitcam-book.tar.gz                   the guide in both languages
 #   sbom.cdx.json, licences.txt           list of the crates, and their licences
 #   SHA256SUMS
 #
-<<<<<<< HEAD
 # The same commit gives the same bytes in any folder. Tools are downloaded from package registries into target/.
-=======
-# The same commit gives the same bytes in any folder. Tools come from the package registries into target/.
 # Where the installed Rust has no library for a platform, Debian's compiler builds it (release/toolchain.sh).
->>>>>>> h-w62
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -55,11 +44,7 @@ export PATH=$tools/bin:$PATH
 # shellcheck source=release/toolchain.sh
 source release/toolchain.sh
 
-<<<<<<< HEAD
-# Creates a tar file of FOLDER/NAME that depends only on its contents.
-=======
-# An archive of the folder FOLDER/NAME that depends on nothing but its contents: pack FOLDER NAME FILE
->>>>>>> h-w62
+# Creates an archive of FOLDER/NAME that depends only on its contents: pack FOLDER NAME FILE
 pack() {
   case $3 in
     *.zip) python3 release/zip.py "$1" "$2" "$out/$3" "$SOURCE_DATE_EPOCH" ;;
