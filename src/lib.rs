@@ -52,6 +52,7 @@
 //! the cam that produces the law, and checks it. [`dynamics`] simulates the cam. The crate `gaitcam-output` writes the files. Modules import only
 //! modules of lower layers.
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

@@ -170,13 +170,13 @@ impl BarrelGroove {
 
     /// Pressure angle at `radius` on the axis of the roller, rad, positive when rising: tan φ = v/R.
     pub fn pressure_angle(&self, theta: f64, radius: f64) -> f64 {
-        (self.law.svaj(theta).v / radius).atan()
+        libm::atan(self.law.svaj(theta).v / radius)
     }
 
     /// Minimum and maximum pressure angle at `radius` on the axis of the roller, rad. The angles are steepest at the floor of the groove.
     pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
         let (low, high) = self.law.extremes(1);
-        let angle = |e: Extreme| e.map(|v| (v / radius).atan());
+        let angle = |e: Extreme| e.map(|v| libm::atan(v / radius));
         (angle(low), angle(high))
     }
 
@@ -213,7 +213,7 @@ impl BarrelGroove {
         let at = self.law.svaj(theta);
         let [across, up] = self.wall_offset(at, radius, wall);
         // Coordinates before the rotation: axis along +x, length of the groove along −y.
-        let (sin, cos) = theta.sin_cos();
+        let (sin, cos) = libm::sincos(theta);
         let (x, y) = (radius, -across);
         [
             cos * x + sin * y,

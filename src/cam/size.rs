@@ -49,7 +49,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
         (turning, -1.0, at_rest),
     ];
     let circle = |(d, e): (f64, f64)| PrimeCircle {
-        radius: d.hypot(e),
+        radius: libm::hypot(d, e),
         offset: e,
     };
     if let Some(e) = offset {
@@ -75,7 +75,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
         .chain(corners);
     let nearest = candidates
         .filter(|at| allowed(*at))
-        .min_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1)));
+        .min_by(|a, b| libm::hypot(a.0, a.1).total_cmp(&libm::hypot(b.0, b.1)));
     circle(nearest.unwrap_or_else(|| corner(planes[0], planes[1])))
 }
 

@@ -193,7 +193,7 @@ impl Floor {
                 own * own - frequency * frequency,
                 2.0 * mode.damping * own * frequency,
             ];
-            if left[0].hypot(left[1]) <= RESONANT * own * own {
+            if libm::hypot(left[0], left[1]) <= RESONANT * own * own {
                 let frequency = Quantity::new(mode.frequency, Dimension::Frequency);
                 let fault = DynamicsError::FloorResonance {
                     harmonic,
@@ -211,7 +211,7 @@ impl Floor {
 
     /// Accelerance at each harmonic of a force; zero for harmonics without force.
     fn gains(&self, speed: f64, force: &[Term]) -> Result<Vec<[f64; 2]>> {
-        let size = |(a, b): &Term| a.hypot(*b);
+        let size = |(a, b): &Term| libm::hypot(*a, *b);
         let largest = force.iter().map(size).fold(0.0, f64::max);
         (1..)
             .zip(force)
@@ -238,7 +238,7 @@ impl Floor {
         let sum = |n: usize| {
             let each = self.walkers.iter().skip(from);
             each.fold([0.0; 2], |[re, im], (phase, weight)| {
-                let (sine, cosine) = (n as f64 * (phase - first)).sin_cos();
+                let (sine, cosine) = libm::sincos(n as f64 * (phase - first));
                 [re + weight * cosine, im + weight * sine]
             })
         };
@@ -259,7 +259,7 @@ impl Floor {
         others: &[Term],
     ) -> Result<Vec<Term>> {
         // All feet load the floor: where the shaker exerts no force at a harmonic, the other walkers may exert one.
-        let size = |(a, b): &Term| a.hypot(*b);
+        let size = |(a, b): &Term| libm::hypot(*a, *b);
         let both = still.iter().zip(others);
         let either: Vec<Term> = both.map(|(p, o)| (size(p), size(o))).collect();
         let gains = self.gains(speed, &either)?;

@@ -245,7 +245,7 @@ pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
 pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     let mut out = harmonics.to_vec();
     for n in 1..=harmonics.len() / 2 {
-        let (sin, cos) = (n as f64 * shift).sin_cos();
+        let (sin, cos) = libm::sincos(n as f64 * shift);
         let [a, b] = [harmonics[2 * n - 1], harmonics[2 * n]];
         (out[2 * n - 1], out[2 * n]) = (a * cos + b * sin, b * cos - a * sin);
     }
@@ -262,7 +262,7 @@ pub(super) fn value(harmonics: &[f64], phase: f64) -> f64 {
 fn basis(phase: f64, count: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(count);
     out.push(1.0);
-    let (s1, c1) = phase.sin_cos();
+    let (s1, c1) = libm::sincos(phase);
     let (mut s, mut c) = (s1, c1);
     while out.len() < count {
         out.extend([c, s]);

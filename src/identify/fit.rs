@@ -162,7 +162,7 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
         let doubt = t95(harmonics) * (component * size).sqrt();
         let is_seen = row.iter().all(|x| x.is_finite()) && size > 0.0;
         if is_seen {
-            noise.hypot(doubt)
+            libm::hypot(noise, doubt)
         } else {
             f64::INFINITY
         }

@@ -85,7 +85,7 @@ impl Clock {
             let weight = part * x;
             out[0] += weight;
             for n in 1..=count / 2 {
-                let (sin, cos) = (n as f64 * phase).sin_cos();
+                let (sin, cos) = libm::sincos(n as f64 * phase);
                 out[2 * n - 1] += 2.0 * weight * cos;
                 out[2 * n] += 2.0 * weight * sin;
             }

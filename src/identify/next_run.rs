@@ -139,7 +139,7 @@ fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) ->
     let all = terms.chain(delay.map(|d| ("log.delay", d)));
     let narrow = all.enumerate().filter_map(|(j, (key, found))| {
         let is_open = open.iter().any(|p| p.key == key);
-        let half = noise.hypot(doubt) * inverse[(j, j)].sqrt() * scale[j];
+        let half = libm::hypot(noise, doubt) * inverse[(j, j)].sqrt() * scale[j];
         let is_narrow = 2.0 * half <= SAFE * WIDEST * found.value.abs();
         (is_open && is_narrow && half.is_finite()).then_some(key)
     });

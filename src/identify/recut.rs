@@ -177,8 +177,8 @@ fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmon
     };
     let short = |x: f64| (1e6 * x).round() / 1e6;
     let harmonic = |(a, b): &(f64, f64)| Harmonic {
-        factor: short(a.hypot(*b)),
-        phase: short(a.atan2(*b)),
+        factor: short(libm::hypot(*a, *b)),
+        phase: short(libm::atan2(*a, *b)),
     };
     let all = terms[1..=band].iter().map(harmonic);
     std::iter::once(constant).chain(all).collect()
@@ -210,7 +210,7 @@ fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
 /// below 2. Near the resonance of a spring this ratio is uncertain (Bristow, Tharayil and Alleyne 2006).
 fn convergent(drive: &Drive, frequency: f64) -> f64 {
     let inertia = drive.mass * frequency * frequency;
-    let gain = (drive.spring_rate - inertia).hypot(drive.damping * frequency);
+    let gain = libm::hypot(drive.spring_rate - inertia, drive.damping * frequency);
     let critical = 2.0 * (drive.spring_rate * drive.mass).sqrt();
     let unsure = UNSURE * (drive.spring_rate + inertia + critical * frequency);
     let sum = gain + unsure;

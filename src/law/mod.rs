@@ -272,7 +272,7 @@ impl Law {
     /// it is used as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
         let poly = self.of_order(order);
-        let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * w.cos.hypot(w.sin);
+        let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * libm::hypot(w.cos, w.sin);
         (0..poly.pieces())
             .map(|i| {
                 let (low, high) = bernstein::hull(poly.piece(i));

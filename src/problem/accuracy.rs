@@ -29,7 +29,7 @@ impl Problem {
     pub fn largest_error(&self) -> Option<f64> {
         let force = self.force.filter(|_| !self.limits.unjudged.accuracy)?;
         let asked = self.asked_error();
-        let automatic = || asked.hypot(self.sensor_noise()).max(force.spread_n);
+        let automatic = || libm::hypot(asked, self.sensor_noise()).max(force.spread_n);
         Some(self.accuracy.map_or_else(automatic, |_| asked))
     }
 
@@ -49,7 +49,7 @@ impl Problem {
     /// The error, N, if the spread or noise of the recording, not an accuracy, determines the number of spans or harmonics.
     pub fn error_at_noise(&self) -> Option<f64> {
         let asked = self.asked_error();
-        let error = asked.max(self.noise()).hypot(self.sensor_noise());
+        let error = libm::hypot(asked.max(self.noise()), self.sensor_noise());
         (self.accuracy.is_none() && error > asked).then_some(error)
     }
 

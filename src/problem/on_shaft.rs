@@ -48,7 +48,7 @@ pub struct ThroughFloor {
 impl ThroughFloor {
     /// Value of h at a cam angle, in units of the objective per N.
     pub fn slope_at(&self, theta: f64) -> f64 {
-        let (sine, cosine) = theta.sin_cos();
+        let (sine, cosine) = libm::sincos(theta);
         let (mut sum, mut at) = (0.0, (1.0, 0.0));
         for (a, b) in &self.slope {
             at = (at.0 * cosine - at.1 * sine, at.1 * cosine + at.0 * sine);

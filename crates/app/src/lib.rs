@@ -5,6 +5,7 @@
 //! every user.
 
 #![deny(unsafe_code, missing_docs)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 #[cfg(target_family = "wasm")]

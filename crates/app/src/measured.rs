@@ -92,7 +92,7 @@ pub fn read(path: &Path) -> Result<Points> {
         let point = match coordinates {
             Coordinates::Cartesian([x, y]) => [number(x)?, number(y)?],
             Coordinates::Polar([angle, radius]) => {
-                let (sin, cos) = number(angle)?.sin_cos();
+                let (sin, cos) = libm::sincos(number(angle)?);
                 let r = number(radius)?;
                 [r * cos, r * sin]
             }

@@ -16,6 +16,7 @@
 //! assert_eq!(error.sentence(Language::Es).split(';').next(), Some("unidad desconocida «parsec»"));
 //! ```
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

@@ -36,20 +36,23 @@ impl Arcs {
         for (i, &[x, y, bulge]) in self.vertices.iter().enumerate() {
             out.push([x, y, 0.0]);
             let [u, v, _] = self.vertices[(i + 1) % count];
-            let half = 2.0 * bulge.atan();
+            let half = 2.0 * libm::atan(bulge);
             if half == 0.0 {
                 continue;
             }
             // The height of an arc with the angle 2h and the radius r is r(1 − cos h).
             let chord = [u - x, v - y];
-            let radius = 0.5 * chord[0].hypot(chord[1]) / half.sin().abs();
-            let widest = (1.0 - distance / radius).clamp(-1.0, 1.0).acos();
+            let radius = 0.5 * libm::hypot(chord[0], chord[1]) / libm::sin(half).abs();
+            let widest = libm::acos((1.0 - distance / radius).clamp(-1.0, 1.0));
             let parts = (half.abs() / widest).ceil().max(1.0);
             for k in 1..parts as usize {
                 // The point at the fraction f of the arc has the distance sin(f h)/sin(h) chords from the start. Its direction is that of the chord,
                 // rotated by (f − 1) h.
                 let along = k as f64 / parts * half;
-                let (long, (sin, cos)) = (along.sin() / half.sin(), (along - half).sin_cos());
+                let (long, (sin, cos)) = (
+                    libm::sin(along) / libm::sin(half),
+                    libm::sincos(along - half),
+                );
                 out.push([
                     x + long * (cos * chord[0] - sin * chord[1]),
                     y + long * (sin * chord[0] + cos * chord[1]),
@@ -159,7 +162,7 @@ impl Biarc {
         let first = [joint[0] - from.p[0], joint[1] - from.p[1]];
         let second = [to.p[0] - joint[0], to.p[1] - joint[1]];
         // The angle between chord and tangent is half the angle of the arc; the bulge is the tangent of a quarter of this angle.
-        let bulge = |a: [f64; 2], b: [f64; 2]| (0.5 * cross(a, b).atan2(dot(a, b))).tan();
+        let bulge = |a: [f64; 2], b: [f64; 2]| libm::tan(0.5 * libm::atan2(cross(a, b), dot(a, b)));
         let arms = [
             to.p[0] - d * to.t[0] - from.p[0] - d * from.t[0],
             to.p[1] - d * to.t[1] - from.p[1] - d * from.t[1],
@@ -181,7 +184,9 @@ impl Biarc {
         let joint = self.points[1];
         let k = usize::from(dot([q[0] - joint[0], q[1] - joint[1]], self.tangent) > 0.0);
         match circles[k] {
-            Some((centre, radius)) => ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).abs(),
+            Some((centre, radius)) => {
+                (libm::hypot(q[0] - centre[0], q[1] - centre[1]) - radius).abs()
+            }
             None => from_chord(q, self.points[k], self.points[k + 1]),
         }
     }
@@ -190,9 +195,9 @@ impl Biarc {
 /// Distance of `q` from the line through `a` and `b`.
 fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let c = [b[0] - a[0], b[1] - a[1]];
-    let length = c[0].hypot(c[1]);
+    let length = libm::hypot(c[0], c[1]);
     if length == 0.0 {
-        return (q[0] - a[0]).hypot(q[1] - a[1]);
+        return libm::hypot(q[0] - a[0], q[1] - a[1]);
     }
     (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs()
 }
@@ -203,7 +208,7 @@ pub(super) type Circle = ([f64; 2], f64);
 /// Centre and radius of the arc from `a` to `b`; `None` for a chord.
 pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     let c = [b[0] - a[0], b[1] - a[1]];
-    let length = c[0].hypot(c[1]);
+    let length = libm::hypot(c[0], c[1]);
     if length == 0.0 || bulge.abs() < FLAT {
         return None;
     }

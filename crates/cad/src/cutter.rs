@@ -126,7 +126,7 @@ fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usi
             if dx.abs() >= tool || dy.abs() >= tool {
                 continue;
             }
-            let depth = tool - dx.hypot(dy);
+            let depth = tool - libm::hypot(dx, dy);
             if depth > TOUCH && worst.is_none_or(|w| depth > w.2) {
                 worst = Some((i, k, depth));
             }

@@ -66,7 +66,7 @@ impl Arrow {
         let middle = -std::f64::consts::FRAC_PI_2;
         let at = |r: f64, part: f64| {
             let angle = middle + sense * part * Self::ANGLE;
-            [r * angle.cos(), r * angle.sin()]
+            [r * libm::cos(angle), r * libm::sin(angle)]
         };
         Arrow {
             clockwise,

@@ -3,6 +3,7 @@
 //! One module per verb, with its arguments. [`run`] parses the command line, calls the verb and
 //! returns the exit code.
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod console;

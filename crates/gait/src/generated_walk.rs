@@ -107,7 +107,7 @@ fn varied(random: Vec<f64>, cv: f64) -> Vec<f64> {
 /// Fractional Gaussian noise, by the recursion of Hosking (1984): each value is normal about its prediction from all values before it.
 fn correlated(dice: &mut Dice, count: usize) -> Vec<f64> {
     let covariance = |k: usize| {
-        let power = |x: f64| x.abs().powf(2.0 * EXPONENT);
+        let power = |x: f64| libm::pow(x.abs(), 2.0 * EXPONENT);
         let k = k as f64;
         0.5 * (power(k + 1.0) - 2.0 * power(k) + power(k - 1.0))
     };
@@ -152,8 +152,11 @@ impl Dice {
 
     /// Normal number of mean 0 and deviation 1, by Box and Muller.
     fn normal(&mut self) -> f64 {
-        let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
-        radius * angle.cos()
+        let (radius, angle) = (
+            (-2.0 * libm::log(self.uniform())).sqrt(),
+            TAU * self.uniform(),
+        );
+        radius * libm::cos(angle)
     }
 }
 

@@ -39,7 +39,7 @@ fn digits(value: f64, count: i32) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    let places = count - 1 - value.abs().log10().floor() as i32;
+    let places = count - 1 - libm::log10(value.abs()).floor() as i32;
     // Division by a power of ten gives a number with a short text; multiplication by 0.01 does not.
     if places >= 0 {
         let scale = 10f64.powi(places);

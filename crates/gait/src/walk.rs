@@ -306,12 +306,12 @@ impl Walk {
             let part = i as f64 / PHASES as f64;
             let force = self.at(stride[0] + part * (stride[1] - stride[0]));
             for (h, (a, b)) in (1..).zip(cosine.iter_mut().zip(&mut sine)) {
-                let (s, c) = (2.0 * f64::from(h) * TAU * part).sin_cos();
+                let (s, c) = libm::sincos(2.0 * f64::from(h) * TAU * part);
                 *a += force * c;
                 *b += force * s;
             }
         }
-        std::array::from_fn(|h| 2.0 * cosine[h].hypot(sine[h]) / PHASES as f64)
+        std::array::from_fn(|h| 2.0 * libm::hypot(cosine[h], sine[h]) / PHASES as f64)
     }
 
     /// Force, N, at a time of the walk, s, by linear interpolation between samples.

@@ -4,6 +4,7 @@
 //! are at true scale in millimetres. Tables are in SI units, with the unit in the name of the column. Figures are in millimetres and degrees.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 

@@ -9,7 +9,7 @@ const PER_LAW: f64 = 540.0;
 
 /// Rotates `p` by `theta` rad counter-clockwise, from the frame of the cam to the fixed frame.
 pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
-    let (sin, cos) = theta.sin_cos();
+    let (sin, cos) = libm::sincos(theta);
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }
 
@@ -85,9 +85,9 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
             at: [pivot_distance + face_offset * nx, face_offset * ny],
             // The arm points from the pivot to (−σ cos ξ, sin ξ), perpendicular to the normal.
             angle: if pivot_distance > 0.0 {
-                nx.atan2(-ny)
+                libm::atan2(nx, -ny)
             } else {
-                (-nx).atan2(ny)
+                libm::atan2(-nx, ny)
             },
         },
         _ => Pose::Roller {

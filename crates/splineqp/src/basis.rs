@@ -168,7 +168,7 @@ impl Basis {
                 let mut out = vec![(0, weights[0])];
                 for n in 1..=*count {
                     let r = n as f64;
-                    let (sin, cos) = (r * theta).sin_cos();
+                    let (sin, cos) = libm::sincos(r * theta);
                     // dᵏ/dθᵏ cos(rθ) = rᵏ cos(rθ + kπ/2).
                     let cosine = [cos, -sin, -cos, sin];
                     let sine = [sin, cos, -sin, -cos];

@@ -39,6 +39,7 @@
 //! | `certificate` | duality gap and stationarity |
 
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

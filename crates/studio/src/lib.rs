@@ -10,6 +10,7 @@
 //! files.rs   opening and saving of scenes        assets.rs   files of the page
 //! ```
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 

@@ -233,10 +233,11 @@ impl Follower {
         let radius = self.roller_radius();
         match (self.pivot(), self.arm()) {
             (Some([c, _]), Some(Arm { length, .. })) => {
-                (length * length + c * c - 2.0 * length * c.abs() * start.cos()).sqrt() - radius
+                (length * length + c * c - 2.0 * length * c.abs() * libm::cos(start)).sqrt()
+                    - radius
             }
-            (Some([c, _]), None) => self.face_offset() + c.abs() * start.sin(),
-            (None, _) => start.hypot(self.offset()) - radius,
+            (Some([c, _]), None) => self.face_offset() + c.abs() * libm::sin(start),
+            (None, _) => libm::hypot(start, self.offset()) - radius,
         }
     }
 
@@ -254,9 +255,9 @@ impl Follower {
         Some(match self.arm() {
             Some(Arm { length, .. }) => {
                 let cos = (length * length + c * c - prime * prime) / (2.0 * length * c);
-                cos.acos()
+                libm::acos(cos)
             }
-            None => ((prime - self.face_offset()) / c).asin(),
+            None => libm::asin((prime - self.face_offset()) / c),
         })
     }
 

@@ -144,7 +144,7 @@ impl Kind for FlatOnArm {
     #[inline(always)]
     fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
         let (pivot, side, offset) = (self.pivot, self.side, self.offset);
-        let (sin, cos) = (self.start + s).sin_cos();
+        let (sin, cos) = libm::sincos(self.start + s);
         let v = side * v;
         let speed = 1.0 / (1.0 + v);
         let p = offset + pivot * sin;
@@ -171,7 +171,7 @@ impl Kind for FlatOnArm {
 impl FlatOnArm {
     /// Position of the contact along the face, measured from the foot of the perpendicular from the pivot, m.
     pub fn travel(&self, at: Svaj) -> f64 {
-        self.pivot * (self.start + at.s).cos() / (1.0 + self.side * at.v)
+        self.pivot * libm::cos(self.start + at.s) / (1.0 + self.side * at.v)
     }
 }
 
@@ -193,7 +193,7 @@ impl Kind for CircleOnArm {
     #[inline(always)]
     fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
         let (side, arm) = (self.side, self.arm);
-        let (sin, cos) = (self.start + s).sin_cos();
+        let (sin, cos) = libm::sincos(self.start + s);
         let (x, y) = (side * (self.pivot - arm * cos), arm * sin);
         let (x1, y1) = (side * arm * sin * v, arm * cos * v);
         let square_v = v * v;

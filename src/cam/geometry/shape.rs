@@ -24,7 +24,7 @@ impl Cam {
                 .extremes_of([0.0, 1.0 / unrolled.scale, 0.0, 0.0], 0.0),
             _ => self.law.extremes_by(|at| geometry.contact(at).tan_pressure),
         };
-        let angle = |e: Extreme| e.map(f64::atan);
+        let angle = |e: Extreme| e.map(libm::atan);
         (angle(low), angle(high))
     }
 
@@ -45,7 +45,7 @@ impl Cam {
         let tangents = self
             .law
             .extremes_on_rise_and_fall(|at| geometry.contact(at).tan_pressure);
-        tangents.map(|side| side.map_or(none, |range| Extreme::largest(range).map(f64::atan)))
+        tangents.map(|side| side.map_or(none, |range| Extreme::largest(range).map(libm::atan)))
     }
 
     /// Minimum convex and concave radii of the finished profile.

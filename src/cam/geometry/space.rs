@@ -16,7 +16,7 @@ pub(crate) enum Frame {
 
 impl Frame {
     fn turned(angle: f64) -> Frame {
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         Frame::Turned { sin, cos }
     }
 
@@ -89,7 +89,7 @@ impl Geometry {
             pitch_x,
             pitch_y,
             rho: contact.rho,
-            pressure_angle: contact.tan_pressure.atan(),
+            pressure_angle: libm::atan(contact.tan_pressure),
         }
     }
 }
@@ -107,7 +107,7 @@ impl Cam {
             return [0.0, 1.0];
         };
         let side = self.follower.pivot().map_or(1.0, |p| p[0].signum());
-        let (sin, cos) = (start + self.law.svaj(theta).s).sin_cos();
+        let (sin, cos) = libm::sincos(start + self.law.svaj(theta).s);
         [side * sin, cos]
     }
 

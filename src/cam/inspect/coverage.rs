@@ -11,7 +11,7 @@ pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
     let n = outline.len();
     let length = |i: usize| {
         let (a, b) = (outline[i], outline[(i + 1) % n]);
-        (b[0] - a[0]).hypot(b[1] - a[1])
+        libm::hypot(b[0] - a[0], b[1] - a[1])
     };
     // Length of the outline up to each sample.
     let mut along = vec![0.0; n + 1];

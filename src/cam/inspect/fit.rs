@@ -89,7 +89,7 @@ impl Cam {
 
 /// Minimum and maximum distance of a profile from the cam's centre, m.
 pub fn radii(samples: &[Sample]) -> (f64, f64) {
-    let radii = samples.iter().map(|s| s.p[0].hypot(s.p[1]));
+    let radii = samples.iter().map(|s| libm::hypot(s.p[0], s.p[1]));
     radii.fold((f64::INFINITY, 0.0), |(l, h), r| (l.min(r), h.max(r)))
 }
 
@@ -124,7 +124,7 @@ impl Exact<'_> {
         fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
         if let Some(least) = fits.first().map(|f| f.rms) {
             let equal = fits.partition_point(|f| f.rms <= least + ALIKE.1);
-            let far = |pose: &Pose| pose.centre()[0].hypot(pose.centre()[1]);
+            let far = |pose: &Pose| libm::hypot(pose.centre()[0], pose.centre()[1]);
             fits[..equal].sort_by(|a, b| far(&a.pose).total_cmp(&far(&b.pose)));
         }
         fits
@@ -217,7 +217,7 @@ fn nearest(samples: &[Sample], longest: f64, q: [f64; 2]) -> usize {
 
 /// Maximum distance between neighbouring samples, m, plus a margin for rounding.
 pub fn longest(samples: &[Sample]) -> f64 {
-    let between = |s: &[Sample]| (s[1].p[0] - s[0].p[0]).hypot(s[1].p[1] - s[0].p[1]);
+    let between = |s: &[Sample]| libm::hypot(s[1].p[0] - s[0].p[0], s[1].p[1] - s[0].p[1]);
     1.000_001
         * samples
             .windows(2)

@@ -14,7 +14,7 @@ impl Pose {
     /// Converts a measured point to the cam's frame.
     pub fn seen(&self, m: [f64; 2]) -> [f64; 2] {
         let [x, y] = [m[0] - self.pivot[0], m[1] - self.pivot[1]];
-        let (sin, cos) = self.angle.sin_cos();
+        let (sin, cos) = libm::sincos(self.angle);
         [
             cos * x - sin * y + self.place[0],
             sin * x + cos * y + self.place[1],
@@ -32,7 +32,7 @@ impl Pose {
 
     /// Position of the cam's centre in the measuring frame.
     pub fn centre(&self) -> [f64; 2] {
-        let (sin, cos) = self.angle.sin_cos();
+        let (sin, cos) = libm::sincos(self.angle);
         let [x, y] = self.place;
         [
             self.pivot[0] - (cos * x + sin * y),

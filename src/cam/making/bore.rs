@@ -119,7 +119,7 @@ impl Bore {
     pub fn reach(&self) -> f64 {
         match self.keyway {
             None => self.radius(),
-            Some(key) => (self.radius() + key.depth).hypot(0.5 * key.width),
+            Some(key) => libm::hypot(self.radius() + key.depth, 0.5 * key.width),
         }
     }
 
@@ -140,11 +140,11 @@ impl Bore {
         let Some(key) = self.keyway else {
             return self.radius();
         };
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         let (half, top) = (0.5 * key.width, self.radius() + key.depth);
         let [top_corner, foot] = self.corner_angles(key);
         // Angle from +y, equal on both sides.
-        let aside = cos.abs().atan2(sin);
+        let aside = libm::atan2(cos.abs(), sin);
         if aside <= top_corner {
             top / sin
         } else if aside < foot {
@@ -170,8 +170,8 @@ impl Bore {
             [half, foot, 0.0],
             [half, top, 0.0],
             [-half, top, 0.0],
-            [-half, foot, quarter.tan()],
-            [0.0, -r, quarter.tan()],
+            [-half, foot, libm::tan(quarter)],
+            [0.0, -r, libm::tan(quarter)],
         ]
     }
 
@@ -186,8 +186,8 @@ impl Bore {
     /// Angles from the middle of the keyway to its outer corner and to its edge on the bore, rad.
     fn corner_angles(&self, key: Keyway) -> [f64; 2] {
         let half = 0.5 * key.width;
-        let outer = half.atan2(self.radius() + key.depth);
-        [outer, (half / self.radius()).clamp(-1.0, 1.0).asin()]
+        let outer = libm::atan2(half, self.radius() + key.depth);
+        [outer, libm::asin((half / self.radius()).clamp(-1.0, 1.0))]
     }
 }
 

@@ -45,7 +45,7 @@ impl Flight {
         }
         // y″ satisfies the same homogeneous equation, so (y″)² + (y‴)²/κ does not increase.
         let third = -self.gamma * self.curvature - self.kappa * self.rate;
-        self.curvature.hypot(third / self.kappa.sqrt())
+        libm::hypot(self.curvature, third / self.kappa.sqrt())
     }
 
     /// The functions S, S′ and ∫S at `t`.
@@ -60,20 +60,20 @@ impl Flight {
         let discriminant = half * half - self.kappa;
         let spread = discriminant.abs().sqrt();
         let (s, slope) = if spread * t < 1e-4 {
-            let decay = (-half * t).exp();
+            let decay = libm::exp(-half * t);
             let q = discriminant * t * t;
             (
                 decay * t * (1.0 + q / 6.0),
                 decay * (1.0 + q / 2.0 - half * t * (1.0 + q / 6.0)),
             )
         } else if discriminant < 0.0 {
-            let decay = (-half * t).exp();
-            let (sin, cos) = (spread * t).sin_cos();
+            let decay = libm::exp(-half * t);
+            let (sin, cos) = libm::sincos(spread * t);
             (decay * sin / spread, decay * (cos - half * sin / spread))
         } else {
             let fast = -half - spread;
             let slow = self.kappa / fast;
-            let (e1, e2) = ((slow * t).exp(), (fast * t).exp());
+            let (e1, e2) = (libm::exp(slow * t), libm::exp(fast * t));
             (
                 (e1 - e2) / (2.0 * spread),
                 (slow * e1 - fast * e2) / (2.0 * spread),

@@ -105,7 +105,9 @@ impl Linear {
 
     fn step(&self, width: f64, degree: usize) -> Step {
         let scaled = self.rates * width;
-        let halvings = (scaled.norm().min(STIFFEST) / REACH).log2().ceil().max(0.0) as i32;
+        let halvings = libm::log2(scaled.norm().min(STIFFEST) / REACH)
+            .ceil()
+            .max(0.0) as i32;
         let part = 0.5_f64.powi(halvings);
         let small = scaled * part;
         let mut carry = exponential(&small);

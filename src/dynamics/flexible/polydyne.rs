@@ -159,7 +159,8 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
                 .iter()
                 .map(|w| {
                     let phase = w.rate * x + turned;
-                    w.rate.powi(order as i32) * (w.cos * phase.cos() + w.sin * phase.sin())
+                    w.rate.powi(order as i32)
+                        * (w.cos * libm::cos(phase) + w.sin * libm::sin(phase))
                 })
                 .sum()
         };

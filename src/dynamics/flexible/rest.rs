@@ -37,11 +37,14 @@ pub fn in_rests(law: &Law, drive: &Drive, train: &Train, starts: &[f64]) -> Resu
         let piece = breaks.partition_point(|b| *b < start + SAME).max(1) - 1;
         let piece = piece % own.force.pieces();
         let swing = states[piece][0] + give * own.force.piece(piece)[0];
-        swing.hypot(if own.scale > 0.0 {
-            states[piece][1]
-        } else {
-            0.0
-        })
+        libm::hypot(
+            swing,
+            if own.scale > 0.0 {
+                states[piece][1]
+            } else {
+                0.0
+            },
+        )
     };
     Ok(starts.iter().map(amplitude).collect())
 }

@@ -62,15 +62,15 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let side = pivot.signum();
     let radius = follower.roller_radius();
     let away = [-side * (p[0] - pivot), p[1]];
-    let far = away[0].hypot(away[1]);
+    let far = libm::hypot(away[0], away[1]);
     let (gap, sum) = (arm - far, arm + far);
     // Triangle of pivot, contact and centre: tan(δ/2), without the cancellation of an arc cosine.
     let open = ((radius - gap) * (radius + gap)).max(0.0) / ((sum - radius) * (sum + radius));
     if (radius - gap.abs()) < -1e-12 * arm {
         return None;
     }
-    let angle = away[1].atan2(away[0]) + 2.0 * open.sqrt().atan();
-    let (sin, cos) = angle.sin_cos();
+    let angle = libm::atan2(away[1], away[0]) + 2.0 * libm::atan(open.sqrt());
+    let (sin, cos) = libm::sincos(angle);
     let centre = [pivot - side * arm * cos, arm * sin];
     let normal = [centre[0] - p[0], centre[1] - p[1]];
     let across = centre[0] * normal[1] - centre[1] * normal[0];
@@ -84,8 +84,8 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
 fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
     let (c, side) = (pivot.abs(), pivot.signum());
     let away = [side * p[0] - c, p[1]];
-    let angle = away[0].atan2(away[1]) + (offset / away[0].hypot(away[1])).acos();
-    let (sin, cos) = angle.sin_cos();
+    let angle = libm::atan2(away[0], away[1]) + libm::acos(offset / libm::hypot(away[0], away[1]));
+    let (sin, cos) = libm::sincos(angle);
     let along = side * sin * p[1] - cos * p[0];
     let part = -side * along / (c * cos);
     Some((angle - follower.start_angle()?, side * part / (1.0 - part)))

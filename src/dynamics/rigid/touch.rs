@@ -182,7 +182,7 @@ impl FollowerContact {
         let rubbing = if self.rubs { forces.rubbing } else { 0.0 };
         let across = match self.start {
             Some(start) => {
-                let (sin, cos) = (start + at.s).sin_cos();
+                let (sin, cos) = libm::sincos(start + at.s);
                 [-self.side * cos, sin]
             }
             None => [1.0, 0.0],
@@ -209,7 +209,7 @@ impl FollowerContact {
         }
         // The centre of the circle moves along the pitch curve.
         let [own, cam] = self.kind().velocities(contact.pitch);
-        let length = (at.v * own[0] - cam[0]).hypot(at.v * own[1] - cam[1]);
+        let length = libm::hypot(at.v * own[0] - cam[0], at.v * own[1] - cam[1]);
         let radius = self.geometry.radius();
         let inner = 1.0 - radius * self.geometry.pitch_curvature(at);
         // 1/(1/κ − R) + 1/R = 1/(R·(1 − κR)).

@@ -150,8 +150,8 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
     for (n, (a, b)) in amplitudes(forces).into_iter().enumerate().skip(1) {
         let r = n as f64 * p.drive.speed / natural;
         // H − 1 = r²/(1 − r² + 2iζr).
-        let extra = r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
-        sum += 0.5 * (a.hypot(b) * extra).powi(2);
+        let extra = r * r / libm::hypot(1.0 - r * r, 2.0 * zeta * r);
+        sum += 0.5 * (libm::hypot(a, b) * extra).powi(2);
     }
     // An undamped resonance gives an infinite sum; the flexible model reports it.
     let part = sum.sqrt() / mean.abs();

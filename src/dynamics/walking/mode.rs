@@ -111,7 +111,7 @@ impl RepeatedForce {
                 self.about(at, damping_ratio),
                 other.about(at, damping_ratio),
             );
-            let logs = own.iter().zip(&its).map(|(a, b)| (b / a).ln().abs());
+            let logs = own.iter().zip(&its).map(|(a, b)| libm::log(b / a).abs());
             let peak = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
             Misfit {
                 damping_ratio,

@@ -141,15 +141,15 @@ impl Followed {
             Ok(()) => 0.0,
             Err(_) => {
                 keeps(SMOOTHEST)?;
-                let (mut low, mut high) = (LEAST.ln(), SMOOTHEST.ln());
+                let (mut low, mut high) = (libm::log(LEAST), libm::log(SMOOTHEST));
                 for _ in 0..HALVINGS {
                     let middle = 0.5 * (low + high);
-                    match keeps(middle.exp()) {
+                    match keeps(libm::exp(middle)) {
                         Ok(()) => high = middle,
                         Err(_) => low = middle,
                     }
                 }
-                high.exp()
+                libm::exp(high)
             }
         };
         let (speed, start, spline) = of(lambda);

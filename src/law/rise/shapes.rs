@@ -91,7 +91,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
                 let constant = s + cos / square;
                 let slope = v + sin / rate;
                 pieces.push(end, vec![constant, constant + slope * width], vec![wave]);
-                let (sn, cs) = (rate * width).sin_cos();
+                let (sn, cs) = libm::sincos(rate * width);
                 s = constant + slope * width + wave.cos * cs + wave.sin * sn;
                 v = slope + rate * (wave.sin * cs - wave.cos * sn);
             }
@@ -117,10 +117,10 @@ pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     }
     let quarter: Vec<f64> = (0..=8).map(|i| f64::from(i) / 8.0).collect();
     let poly = stand_in(&quarter, 1e-15, |_, x| {
-        let sin = (PI * x).sin();
+        let sin = libm::sin(PI * x);
         // √(ratio² − sin²) − ratio without the difference of large numbers.
         let root = (ratio * ratio - sin * sin).sqrt();
-        0.5 * (1.0 - (PI * x).cos() - sin * sin / (root + ratio))
+        0.5 * (1.0 - libm::cos(PI * x) - sin * sin / (root + ratio))
     });
     Ok(Law::from_poly(poly, false))
 }

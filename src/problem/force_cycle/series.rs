@@ -39,7 +39,9 @@ impl Series {
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
         let (least, most) = curve.range_n();
         let rounding = ROUNDING * most.max(-least);
-        let last = waves.iter().rposition(|(a, b)| a.hypot(*b) > rounding);
+        let last = waves
+            .iter()
+            .rposition(|(a, b)| libm::hypot(*a, *b) > rounding);
         let used = last.map_or(0, |last| last + 1);
         if 2 * used <= waves.len() {
             return Series::finite(mean_n, waves[..used].to_vec());

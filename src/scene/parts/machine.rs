@@ -256,7 +256,7 @@ impl MachineSpec {
         let each = (0..).zip(&self.learned_force);
         each.map(|(n, h)| match n {
             0 => h.factor,
-            n => h.factor * (f64::from(n) * theta + h.phase).sin(),
+            n => h.factor * libm::sin(f64::from(n) * theta + h.phase),
         })
         .sum()
     }

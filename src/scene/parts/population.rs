@@ -181,7 +181,7 @@ impl StepFrequencies {
             }
             StepFrequencies::Normal(mean, deviation) => {
                 let z = |i| REACH * (2.0 * place(i, POINTS) - 1.0);
-                let of = |z: f64| (mean + z * deviation, (-0.5 * z * z).exp());
+                let of = |z: f64| (mean + z * deviation, libm::exp(-0.5 * z * z));
                 (0..POINTS).map(|i| of(z(i))).collect()
             }
         }

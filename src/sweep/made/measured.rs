@@ -145,7 +145,7 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
 fn lever(cam: &Cam, theta: f64) -> f64 {
     let point = cam.point(theta);
     let normal = cam.normal(&point);
-    let (sin, cos) = theta.sin_cos();
+    let (sin, cos) = libm::sincos(theta);
     match cam.follower.pivot() {
         None => normal[0] * sin + normal[1] * cos,
         Some([c, _]) => {
@@ -184,7 +184,7 @@ impl Series {
             square = (square - shares[k] * shares[k]).max(0.0);
             if k % 2 == 0 {
                 let mean = (square / n as f64).max(ROUNDING * ROUNDING);
-                let score = n as f64 * mean.ln() + (k + 1) as f64 * (n as f64).ln();
+                let score = n as f64 * libm::log(mean) + (k + 1) as f64 * libm::log(n as f64);
                 if score < best.0 {
                     best = (score, k + 1, square);
                 }
@@ -235,8 +235,8 @@ fn widest_gap(values: &[(f64, f64)]) -> f64 {
 fn column(k: usize, theta: f64) -> f64 {
     let wave = k.div_ceil(2) as f64;
     match k % 2 {
-        1 => (wave * theta).cos(),
+        1 => libm::cos(wave * theta),
         _ if k == 0 => 1.0,
-        _ => (wave * theta).sin(),
+        _ => libm::sin(wave * theta),
     }
 }

@@ -215,7 +215,7 @@ impl Scatter {
                 at.a,
             ]);
             for (k, n) in LOBES.enumerate() {
-                let (sin, cos) = (n as f64 * theta).sin_cos();
+                let (sin, cos) = libm::sincos(n as f64 * theta);
                 (row[FIXED + 2 * k], row[FIXED + 2 * k + 1]) = (cos, sin);
             }
             for (line, x) in products.iter_mut().zip(&row) {
@@ -261,7 +261,7 @@ impl Scatter {
             let x = n as f64;
             let size = profile / (all * x * x);
             let phase = TAU * unit(mixed(seed ^ mixed(index ^ mixed(n as u64))));
-            let (b, a) = (size * phase.sin(), size * phase.cos());
+            let (b, a) = (size * libm::sin(phase), size * libm::cos(phase));
             let (even, odd) = (drive.spring_rate - m * w * w * x * x, drive.damping * w * x);
             c[FIXED + 2 * k] = even * a + odd * b;
             c[FIXED + 2 * k + 1] = even * b - odd * a;

@@ -113,7 +113,7 @@ fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
 /// Amplitude and phase of a harmonic: A sin(kθ − φ).
 fn harmonic(amplitudes: &[(f64, f64)], k: usize) -> (f64, f64) {
     let (cosine, sine) = amplitudes[k];
-    (sine.hypot(cosine), (-cosine).atan2(sine))
+    (libm::hypot(sine, cosine), libm::atan2(-cosine, sine))
 }
 
 #[cfg(test)]

@@ -67,7 +67,7 @@ pub fn invert(
         (mean - drive.rest_force) / k
     });
     for (harmonic, (a, b)) in (1..).zip(target.harmonics(count)) {
-        let is_nothing = a.hypot(b) <= RESONANCE * mean.abs();
+        let is_nothing = libm::hypot(a, b) <= RESONANCE * mean.abs();
         let (cos, sin) = match drive.lift_of(harmonic, (a, b)) {
             Some(lift) => lift,
             None if is_nothing => (0.0, 0.0),

@@ -76,7 +76,7 @@ pub fn solved_law(
 fn circle(solution: &Solution) -> PrimeCircle {
     let offset = solution.extra[OFFSET];
     PrimeCircle {
-        radius: solution.extra[RISE].hypot(offset),
+        radius: libm::hypot(solution.extra[RISE], offset),
         offset,
     }
 }

@@ -58,7 +58,7 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
 
 /// Clearance W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′:
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
+    let (sin, cos) = libm::sincos(rest + at.s);
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
     let w = arm * arm * q * q - 2.0 * c * p * q + c * c;
     let k = arm * arm * q.powi(3) - c * p * q * (1.0 + q) - c * s * at.a + c * c;
@@ -78,7 +78,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
 
 /// Clearance (ρ_face − ρ) q³ of a face on an arm, with q = 1 + ξ′ and the radius of theory §6, including the face's offset.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
+    let (sin, cos) = libm::sincos(rest + at.s);
     let q = 1.0 + at.v;
     let twice = 2.0 * q - 1.0;
     let room = offset - rho;

@@ -176,7 +176,7 @@ impl Diameter {
         match *self {
             Diameter::Line { reach } => {
                 let (x, e) = (size.rise + at.s, size.offset);
-                let distance = x.hypot(e);
+                let distance = libm::hypot(x, e);
                 Slack {
                     h: reach - distance,
                     w: reach,

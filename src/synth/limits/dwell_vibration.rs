@@ -83,13 +83,13 @@ impl Free {
         let square = 1.0 - z * z;
         let root = square.abs().sqrt();
         if root * x < 1e-8 {
-            return [1.0, x].map(|w| w * (-z * x).exp());
+            return [1.0, x].map(|w| w * libm::exp(-z * x));
         }
         if square > 0.0 {
-            let (sin, cos) = (root * x).sin_cos();
-            return [cos, sin / root].map(|w| w * (-z * x).exp());
+            let (sin, cos) = libm::sincos(root * x);
+            return [cos, sin / root].map(|w| w * libm::exp(-z * x));
         }
-        let (slow, fast) = (((root - z) * x).exp(), ((-root - z) * x).exp());
+        let (slow, fast) = (libm::exp((root - z) * x), libm::exp((-root - z) * x));
         [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
     }
 
@@ -139,7 +139,7 @@ impl Vibrations {
         let mut out = Vec::new();
         for (k, [q, p]) in self.rows.iter().enumerate() {
             let state = [sum(q), sum(p)];
-            let length = state[0].hypot(state[1]);
+            let length = libm::hypot(state[0], state[1]);
             let size = |row: &[f64]| row.iter().zip(x).map(|(a, x)| (a * x).abs()).sum::<f64>();
             let scale = self.limit.max(CANCELLED * size(q).max(size(p)));
             if length <= self.limit + TOLERANCE * scale {

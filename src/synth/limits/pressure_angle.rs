@@ -94,7 +94,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
         Some(_) => {
             let angles = problem.limits.pressure_angles();
             let given = problem.cam.offset.unwrap_or(0.0);
-            (angles.map(|side| side.map(f64::tan)), Some(given))
+            (angles.map(|side| side.map(libm::tan)), Some(given))
         }
         None => {
             let angles = problem.sizing_pressure_angles();
@@ -114,7 +114,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
 
 /// Clearance of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ),
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
+    let (sin, cos) = libm::sincos(rest + at.s);
     let (tan, side) = (row.tan, row.side);
     let moves = if row.moves { 1.0 } else { 0.0 };
     Slack {

@@ -189,14 +189,14 @@ impl Profile {
 /// Arm angle ξ on the prime circle, rad, and its derivative with respect to the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
 pub(super) fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
-    let rest = cos.clamp(-1.0, 1.0).acos();
-    (rest, prime / (arm * pivot * rest.sin()))
+    let rest = libm::acos(cos.clamp(-1.0, 1.0));
+    (rest, prime / (arm * pivot * libm::sin(rest)))
 }
 
 /// Face angle ξ on the base circle, rad, and its derivative with respect to the circle's radius: Rb = c sin ξ + offset.
 pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
-    let rest = ((base - offset) / pivot).clamp(-1.0, 1.0).asin();
-    (rest, 1.0 / (pivot * rest.cos()))
+    let rest = libm::asin(((base - offset) / pivot).clamp(-1.0, 1.0));
+    (rest, 1.0 / (pivot * libm::cos(rest)))
 }
 
 /// Sets the derivatives with respect to the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.

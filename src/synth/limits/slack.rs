@@ -18,7 +18,7 @@ pub struct ProfileSize {
 impl ProfileSize {
     /// Radius of the prime circle.
     pub fn prime_radius(&self) -> f64 {
-        self.rise.hypot(self.offset) + self.radius
+        libm::hypot(self.rise, self.offset) + self.radius
     }
 }
 

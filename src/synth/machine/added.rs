@@ -146,7 +146,7 @@ impl Layout {
 
 /// Chebyshev nodes, because the added terms may jump at the ends of a part.
 fn node(k: usize) -> f64 {
-    0.5 * (1.0 - (PI * (k as f64 + 0.5) / NODES as f64).cos())
+    0.5 * (1.0 - libm::cos(PI * (k as f64 + 0.5) / NODES as f64))
 }
 
 #[cfg(test)]

@@ -487,6 +487,6 @@ fn rounds(
 
 /// A positive number rounded up to three digits.
 fn three_digits(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 2.0);
+    let unit = libm::pow(10f64, libm::log10(value).floor() - 2.0);
     (value / unit).ceil() * unit
 }

@@ -46,7 +46,7 @@ impl FloorResponse {
         let drive = &problem.drive;
         let at_once = floor.felt_at_once(drive.mass);
         let felt = floor.felt(drive.mass, drive.speed, COUNT);
-        let sizes = felt.iter().map(|[re, im]| re.hypot(*im));
+        let sizes = felt.iter().map(|[re, im]| libm::hypot(*re, *im));
         let least = sizes.fold(at_once, f64::min);
         let mean = problem.target_mean();
         let size = |c: &Certificate| c.size;
@@ -87,7 +87,7 @@ impl FloorResponse {
         terms.truncate(COUNT);
         for (n, term) in (1..).zip(&mut terms) {
             for (at, multiplier) in &price.of_limits {
-                let (sine, cosine) = (n as f64 * at).sin_cos();
+                let (sine, cosine) = libm::sincos(n as f64 * at);
                 term.0 += 2.0 * multiplier * cosine;
                 term.1 += 2.0 * multiplier * sine;
             }

@@ -73,7 +73,7 @@ fn measured(
             let radius = if !program.cones.is_empty() {
                 solution.extra[RADIUS]
             } else if program.cost[RISE] != 0.0 {
-                solution.extra[RISE].hypot(solution.extra[OFFSET])
+                libm::hypot(solution.extra[RISE], solution.extra[OFFSET])
             } else {
                 solution.extra[RADIUS]
             };
@@ -144,7 +144,7 @@ fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity>
     };
     if let Some(rise) = rise {
         let tan = -limit.weights[0];
-        let from = tan.atan();
+        let from = libm::atan(tan);
         let height = rise + Law::of(&program.basis, &solution.x).svaj(row.peak.at).s;
         out.push(Sensitivity {
             limit: limit.name,

@@ -44,7 +44,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
         .map(|(n, ((a, b), (c, d)))| [f64::from(n), a * c + b * d, a * d - b * c])
         .collect();
     let correlation = |phase: f64| -> f64 {
-        let term = |[n, c, s]: &[f64; 3]| c * (n * phase).cos() + s * (n * phase).sin();
+        let term = |[n, c, s]: &[f64; 3]| c * libm::cos(n * phase) + s * libm::sin(n * phase);
         terms.iter().map(term).sum()
     };
     let places = (0..TRIED).map(|i| TAU * i as f64 / TRIED as f64);
@@ -55,7 +55,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     for _ in 0..STEPS {
         let mut slope = [0.0; 2];
         for [n, c, s] in &terms {
-            let (sin, cos) = (n * phase.0).sin_cos();
+            let (sin, cos) = libm::sincos(n * phase.0);
             slope[0] += n * (s * cos - c * sin);
             slope[1] -= n * n * (c * cos + s * sin);
         }
@@ -76,7 +76,10 @@ pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
         let part = walker.unit * 2.0_f64.sqrt();
         Aim {
             scale: walker.factor / walker.unit,
-            towards: own.iter().map(|(a, b)| a.hypot(*b) / part).collect(),
+            towards: own
+                .iter()
+                .map(|(a, b)| libm::hypot(*a, *b) / part)
+                .collect(),
             left: 0.0,
         }
     };

@@ -47,7 +47,9 @@ impl Meaning {
             Meaning::Structure | Meaning::Sized => None,
             Meaning::Value { factor, offset } => Some(factor * bound + offset),
             Meaning::Square { factor } => Some(factor * bound * bound),
-            Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
+            Meaning::PrimeRadius { tan, offset } => {
+                Some(libm::hypot((bound - offset) / tan, offset))
+            }
         }
     }
 
@@ -59,7 +61,7 @@ impl Meaning {
             Meaning::Square { factor } => 2.0 * (factor * bound).abs(),
             Meaning::PrimeRadius { tan, offset } => {
                 let rise = (bound - offset) / tan;
-                (rise / rise.hypot(offset)).abs() / tan
+                (rise / libm::hypot(rise, offset)).abs() / tan
             }
         }
     }

@@ -128,7 +128,7 @@ impl Relaxable {
         } else {
             1e-9
         };
-        3 - value.abs().max(least).log10().floor() as i32
+        3 - libm::log10(value.abs().max(least)).floor() as i32
     }
 
     /// The value rounded to whole steps, towards the weaker limit. Values within the fraction `same` of a step are unchanged.

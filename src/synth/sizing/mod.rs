@@ -144,7 +144,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
         }
         .into()));
     }
-    let follower = follower(problem, place, place.hypot(offset), offset)?;
+    let follower = follower(problem, place, libm::hypot(place, offset), offset)?;
     Cam::new(law, follower).map_err(key)
 }
 
@@ -166,7 +166,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let press = limits::Press::of(problem, pressing);
     // A larger D at the same offset relaxes the limits on pressure angle, curvature and pressure.
     let holds = |d: f64| {
-        let prime = d.hypot(offset);
+        let prime = libm::hypot(d, offset);
         if prime < least || offset.abs() >= prime {
             return false;
         }
@@ -181,7 +181,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
             && bearable.is_none_or(|most| press.on(&cam).value <= most)
     };
     if holds(lift) {
-        return make(lift.hypot(offset), offset);
+        return make(libm::hypot(lift, offset), offset);
     }
     let first = lift.max(least);
     let high = (0..GROWTHS)
@@ -189,7 +189,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         .find(|&d| holds(d))
         .ok_or_else(|| NoDesignError::NoPrimeCircle.at_key("limits.curvature"))?;
     let distance = least_between(lift, high, BISECTION, holds);
-    make(distance.hypot(offset), offset)
+    make(libm::hypot(distance, offset), offset)
 }
 
 /// Default radius if nothing determines the size.

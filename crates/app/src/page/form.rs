@@ -198,7 +198,7 @@ fn slider(
         Some((low, high)) if (low..=high).contains(&value) => (low / factor, high / factor),
         _ => ends(key.range, dimension, at, factor)?,
     };
-    let step = 10_f64.powf(((to - from) / 300.0).log10().floor());
+    let step = libm::pow(10_f64, libm::log10((to - from) / 300.0).floor());
     Some(Slider {
         from,
         to,
@@ -257,7 +257,7 @@ fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64
 
 /// Smallest of the numbers 1, 2 and 5 times a power of ten that is at least `x`.
 fn round_above(x: f64) -> f64 {
-    let power = 10_f64.powf(x.log10().floor());
+    let power = libm::pow(10_f64, libm::log10(x).floor());
     let times = [1.0, 2.0, 5.0, 10.0].into_iter();
     let round = times.map(|t| t * power).find(|r| *r >= x * (1.0 - 1e-9));
     tidy(round.unwrap_or(10.0 * power))

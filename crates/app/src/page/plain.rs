@@ -254,7 +254,7 @@ fn rounded(number: &str) -> String {
     if value == 0.0 || digits.chars().filter(char::is_ascii_digit).count() <= 4 {
         return number.to_string();
     }
-    let whole = value.abs().log10().floor() as i32 + 1;
+    let whole = libm::log10(value.abs()).floor() as i32 + 1;
     let decimals = usize::try_from(4 - whole).unwrap_or(0);
     let text = format!("{value:.decimals$}");
     let text = match text.contains('.') {

@@ -104,7 +104,7 @@ fn to_digits(language: Language, value: f64, digits: usize) -> String {
         let lead = if size == 0.0 {
             0.0
         } else {
-            size.log10().floor()
+            libm::log10(size).floor()
         };
         let decimals = (digits as f64 - 1.0 - lead).max(0.0) as usize;
         short(&format!("{value:.decimals$}")).to_string()

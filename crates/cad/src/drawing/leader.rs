@@ -24,7 +24,7 @@ impl Pen {
     pub fn label(&mut self, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
         let shelf = [end[0] + side * SHELF, end[1]];
         self.line(&[from, end, shelf], Stroke::Thin);
-        let far = (from[0] - end[0]).hypot(from[1] - end[1]);
+        let far = libm::hypot(from[0] - end[0], from[1] - end[1]);
         self.arrowhead(from, [(from[0] - end[0]) / far, (from[1] - end[1]) / far]);
         let anchor = if side > 0.0 {
             Anchor::Start
@@ -79,10 +79,10 @@ impl Pen {
     ) {
         let sense = if clockwise { -1.0 } else { 1.0 };
         let angle = |part: f64| 0.25 * TAU + sense * (from + (to - from) * part);
-        let at = |a: f64| [x + radius * a.cos(), y + radius * a.sin()];
+        let at = |a: f64| [x + radius * libm::cos(a), y + radius * libm::sin(a)];
         let arc: Vec<[f64; 2]> = (0..=24).map(|i| at(angle(f64::from(i) / 24.0))).collect();
         self.line(&arc, Stroke::Thin);
-        let (sin, cos) = angle(1.0).sin_cos();
+        let (sin, cos) = libm::sincos(angle(1.0));
         self.arrowhead(arc[24], [-sense * sin, sense * cos]);
     }
 }

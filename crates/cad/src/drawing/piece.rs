@@ -52,7 +52,7 @@ impl<'a> Piece<'a> {
     /// Radius of the circle about the centre that contains the whole cam, m.
     pub fn radius(&self) -> f64 {
         let [x, y] = farthest(&self.edge, 1440).p;
-        x.hypot(y).max(self.prime())
+        libm::hypot(x, y).max(self.prime())
     }
 }
 
@@ -61,6 +61,6 @@ pub fn bore_edge(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
     let mut angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
     angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));
     angles.sort_by(f64::total_cmp);
-    let at = |a: f64| [bore.edge(a) * a.cos(), bore.edge(a) * a.sin()];
+    let at = |a: f64| [bore.edge(a) * libm::cos(a), bore.edge(a) * libm::sin(a)];
     angles.into_iter().map(at).collect()
 }

@@ -49,7 +49,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
 
 /// The farthest of `count` profile points from the centre.
 pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
-    let distance = |e: &EdgePoint| e.p[0].hypot(e.p[1]);
+    let distance = |e: &EdgePoint| libm::hypot(e.p[0], e.p[1]);
     edge.points(count)
         .into_iter()
         .max_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -78,7 +78,7 @@ fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
 
 /// Farthest crossing of the ray at a polar angle with the parallel curve of the profile at the distance `off`; 0 without a crossing.
 fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     let turned = |e: &EdgePoint| {
         let [x, y] = moved(e, off);
         [cos * x - sin * y, sin * x + cos * y]

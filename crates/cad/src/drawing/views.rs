@@ -145,7 +145,7 @@ impl<'a> Views<'a> {
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);
-            (x - p[0]).hypot(y - p[1])
+            libm::hypot(x - p[0], y - p[1])
         };
         (0..free.len())
             .filter(|&k| free[k][1] >= from)
@@ -158,10 +158,10 @@ impl<'a> Views<'a> {
         let mut out = Vec::new();
         let mut add = |text: [String; 2], of: Target| out.push(Label { text, of });
         let named = |key: &str, size: String| [words.text(key), size];
-        let angle = |[x, y]: [f64; 2]| x.atan2(y).rem_euclid(TAU).to_degrees();
+        let angle = |[x, y]: [f64; 2]| libm::atan2(x, y).rem_euclid(TAU).to_degrees();
         let circle = |radius: f64| Target::Circle(self.scale * radius);
         let far = farthest(&piece.edge, 20 * POINTS).p;
-        let long = words.length(far[0].hypot(far[1]), 3);
+        let long = words.length(libm::hypot(far[0], far[1]), 3);
         let at = words.fixed(angle(far), 1);
         let size = format!("R {long}  φ {at}°");
         add(
@@ -199,7 +199,7 @@ impl<'a> Views<'a> {
             Target::Point(p) | Target::Below(p) => p,
             Target::Circle(r) => {
                 let [dx, dy] = [end[0] - self.centre[0], end[1] - self.centre[1]];
-                let far = dx.hypot(dy);
+                let far = libm::hypot(dx, dy);
                 [self.centre[0] + r * dx / far, self.centre[1] + r * dy / far]
             }
         };

@@ -301,7 +301,7 @@ impl Sheet {
     fn rotation(&mut self, arrow: &Arrow) {
         let [[x, y], [u, v]] = arrow.ends;
         let sense = if arrow.clockwise { -1.0 } else { 1.0 };
-        let bulge = sense * (0.25 * Arrow::ANGLE).tan();
+        let bulge = sense * libm::tan(0.25 * Arrow::ANGLE);
         self.polyline(ROTATION, &[[x, y, bulge], [u, v, 0.0]], false);
         for side in arrow.head {
             self.line(ROTATION, [arrow.ends[1], side]);

@@ -75,7 +75,7 @@ pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<Strin
         }
         for pair in stations.windows(2) {
             let rise = MM * (place(pair[1], 0.0) - place(pair[0], 0.0));
-            let way = (MM * surface * (pair[1] - pair[0])).hypot(rise);
+            let way = libm::hypot(MM * surface * (pair[1] - pair[0]), rise);
             let _ = writeln!(
                 out,
                 "G1 X{} A{:.5} F{:.3}",

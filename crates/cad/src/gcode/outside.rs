@@ -32,7 +32,7 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let mut ends = arcs.vertices;
     if arcs.closed {
         // The path starts at the farthest point: the whole cam is on one side of the tangent there, so the leads are free of interference.
-        let far = |v: &[f64; 3]| v[0].hypot(v[1]);
+        let far = |v: &[f64; 3]| libm::hypot(v[0], v[1]);
         let start = (0..ends.len()).max_by(|&a, &b| far(&ends[a]).total_cmp(&far(&ends[b])))?;
         ends.rotate_left(start);
         ends.push(ends[0]);
@@ -99,7 +99,7 @@ fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])
     let (from, to) = ([a[0], a[1]], [b[0], b[1]]);
     let Some((centre, radius)) = circle(from, to, a[2]) else {
         let c = [to[0] - from[0], to[1] - from[1]];
-        let long = c[0].hypot(c[1]);
+        let long = libm::hypot(c[0], c[1]);
         let n = [-c[1] / long, c[0] / long];
         let step = Move::line([to[0] + tool * n[0], to[1] + tool * n[1]]);
         return Some((step, [n, n]));

@@ -83,7 +83,7 @@ fn clearance(outline: &[[f64; 2]]) -> f64 {
             let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
             let u = -(p[0] * dx + p[1] * dy) / (dx * dx + dy * dy);
             let u = u.clamp(0.0, 1.0);
-            (p[0] + u * dx).hypot(p[1] + u * dy)
+            libm::hypot(p[0] + u * dx, p[1] + u * dy)
         })
         .fold(f64::INFINITY, f64::min)
 }
@@ -136,7 +136,7 @@ fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
 
 /// Intersection of a ray with the chord from p to q, as a fraction of the chord.
 fn crossing(p: [f64; 2], q: [f64; 2], angle: f64) -> Option<f64> {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     let side = |v: [f64; 2]| cos * v[1] - sin * v[0];
     let (a, b) = (side(p), side(q));
     let ahead = cos * (p[0] + q[0]) + sin * (p[1] + q[1]) > 0.0;
@@ -148,7 +148,7 @@ fn bored(outline: &[[f64; 2]], bore: &Bore, thickness: f64) -> Mesh {
     let bore: Vec<[f64; 2]> = outline
         .iter()
         .map(|p| {
-            let scale = MM * bore.edge(p[1].atan2(p[0])) / p[0].hypot(p[1]);
+            let scale = MM * bore.edge(libm::atan2(p[1], p[0])) / libm::hypot(p[0], p[1]);
             [scale * p[0], scale * p[1]]
         })
         .collect();

@@ -132,7 +132,7 @@ impl File {
         match piece {
             Piece::Line([a, b]) => {
                 let d = [b[0] - a[0], b[1] - a[1]];
-                let length = d[0].hypot(d[1]);
+                let length = libm::hypot(d[0], d[1]);
                 let d = d.map(|x| x / length);
                 let axes = self.axes([a[0], a[1], low], [d[1], -d[0], 0.0], [d[0], d[1], 0.0]);
                 self.add(&format!("PLANE('',#{axes})"))

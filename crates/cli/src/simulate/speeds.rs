@@ -181,14 +181,14 @@ fn target_factors(design: &Design) -> Option<[f64; 4]> {
 fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
-        let (s, c) = (frequency * row.time).sin_cos();
+        let (s, c) = libm::sincos(frequency * row.time);
         // The rows are spaced equally in angle, so each row is weighted by its time step.
         let time = 1.0 / row.speed.abs();
         cosine += time * row.contact_force * c;
         sine += time * row.contact_force * s;
         sum += time;
     }
-    2.0 * cosine.hypot(sine) / sum
+    2.0 * libm::hypot(cosine, sine) / sum
 }
 
 impl Row {

@@ -105,7 +105,7 @@ pub(crate) fn periodic(
     force: impl Fn(f64) -> f64,
 ) {
     let step = length_s / row.len() as f64;
-    let weight = |inside: f64| 0.5 * (1.0 + (FRAC_PI_2 * inside / half_s).sin());
+    let weight = |inside: f64| 0.5 * (1.0 + libm::sin(FRAC_PI_2 * inside / half_s));
     for (i, x) in row.iter_mut().enumerate() {
         let since = i as f64 * step;
         let t = start_s + since;

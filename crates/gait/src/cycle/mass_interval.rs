@@ -59,11 +59,11 @@ fn of_steps(
         CycleSource::RightAndLeft { .. } | CycleSource::TwoFeet { .. } => {
             let (left, right) = by_side(&used().collect::<Vec<_>>(), recording);
             let [left, right] = [left, right].map(|side| of_mean(&impulses(&side), OF_STANCES));
-            0.5 * left.hypot(right)
+            0.5 * libm::hypot(left, right)
         }
         CycleSource::AnyFoot { .. } | CycleSource::OneFoot { .. } => {
             let own = of_mean(&impulses(&used().collect::<Vec<_>>()), OF_STANCES);
-            own.hypot(NORMAL_95 * OF_FEET)
+            libm::hypot(own, NORMAL_95 * OF_FEET)
         }
     }
 }

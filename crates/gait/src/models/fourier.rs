@@ -70,7 +70,7 @@ impl FourierForce {
     /// (Cosine, sine) amplitudes of the harmonics 1, 2, … of the cycle, N.
     pub fn waves(&self) -> Vec<(f64, f64)> {
         let wave = |&(a, p): &(f64, f64)| {
-            let (sin, cos) = p.sin_cos();
+            let (sin, cos) = libm::sincos(p);
             let amplitude = a * self.body_weight_n;
             (amplitude * sin, amplitude * cos)
         };
@@ -82,7 +82,7 @@ impl FourierForce {
         let at = |x: f64| {
             let waves = self.harmonics.iter().zip(1..);
             let sum: f64 = waves
-                .map(|(&(a, p), i)| a * (TAU * f64::from(i) * x + p).sin())
+                .map(|(&(a, p), i)| a * libm::sin(TAU * f64::from(i) * x + p))
                 .sum();
             (1.0 + sum) * self.body_weight_n
         };

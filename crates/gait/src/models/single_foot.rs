@@ -35,7 +35,7 @@ pub(super) fn li_2010(f: f64, t: f64) -> f64 {
     ];
     let waves = a.iter().zip(1..);
     waves
-        .map(|(a, n)| a * (f64::from(n) * PI * t / stance).sin())
+        .map(|(a, n)| a * libm::sin(f64::from(n) * PI * t / stance))
         .sum()
 }
 

@@ -210,7 +210,7 @@ const EVERY: [Column; 9] = [
     }),
     (b'F', "sheet-curvature", |_, r| MM * r.point.rho),
     (b'I', "sheet-contour-radius", |_, r| {
-        MM * r.point.x.hypot(r.point.y)
+        MM * libm::hypot(r.point.x, r.point.y)
     }),
     (b'J', "sheet-contour-angle", |_, r| {
         polar(r.point.x, r.point.y)
@@ -235,7 +235,7 @@ const ROLLER: [Column; 5] = [
         r.point.pressure_angle.to_degrees()
     }),
     (b'O', "sheet-pitch-radius", |_, r| {
-        MM * r.point.pitch_x.hypot(r.point.pitch_y)
+        MM * libm::hypot(r.point.pitch_x, r.point.pitch_y)
     }),
     (b'P', "sheet-pitch-angle", |_, r| {
         polar(r.point.pitch_x, r.point.pitch_y)
@@ -261,7 +261,7 @@ fn at(letter: u8) -> u16 {
 
 /// Angle from +x, degrees in [0, 360).
 fn polar(x: f64, y: f64) -> f64 {
-    let angle = y.atan2(x).to_degrees();
+    let angle = libm::atan2(y, x).to_degrees();
     if angle < 0.0 { angle + 360.0 } else { angle }
 }
 

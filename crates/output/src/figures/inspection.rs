@@ -109,7 +109,7 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
 
 /// Maximum of 1, 2, 5, 10, 20 … that is not above `x`, and at least 1.
 fn round_down(x: f64) -> f64 {
-    let ten = 10f64.powf(x.max(1.0).log10().floor());
+    let ten = libm::pow(10f64, libm::log10(x.max(1.0)).floor());
     let part = x.max(1.0) / ten;
     let step = [5.0, 2.0].into_iter().find(|s| *s <= part);
     ten * step.unwrap_or(1.0)

@@ -38,8 +38,8 @@ pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
     if !(raw > 0.0 && raw.is_finite()) {
         return Vec::new();
     }
-    let power = 10f64.powf(raw.log10().floor());
-    let far = |step: &f64| (step / raw).ln().abs();
+    let power = libm::pow(10f64, libm::log10(raw).floor());
+    let far = |step: &f64| libm::log(step / raw).abs();
     let step = [1.0, 2.0, 2.5, 5.0, 10.0]
         .map(|m| m * power)
         .into_iter()
@@ -87,7 +87,7 @@ fn power(values: &[f64], step: f64) -> i32 {
     if widest <= WIDEST_TICK || largest == 0.0 {
         return 0;
     }
-    3 * (largest.log10() / 3.0).floor() as i32
+    3 * (libm::log10(largest) / 3.0).floor() as i32
 }
 
 /// A power of ten in superscript digits.

@@ -203,7 +203,7 @@ impl<'a, 'c> Figure<'a, 'c> {
     /// Draws a scale bar with a round length in mm, at most `room` points long.
     pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
         let most = room / per_mm;
-        let power = 10f64.powf(most.log10().floor());
+        let power = libm::pow(10f64, libm::log10(most).floor());
         let length = [5.0, 2.0, 1.0]
             .into_iter()
             .map(|m| m * power)

@@ -157,7 +157,7 @@ fn contours(
 fn curve(from: [f64; 2], control: [f64; 2], to: [f64; 2], polygon: &mut Vec<[f64; 2]>) {
     // The distance of n chords is a quarter of the second difference over n².
     let bend = |k: usize| from[k] - 2.0 * control[k] + to[k];
-    let chords = (0.25 * bend(0).hypot(bend(1)) / UNSEEN)
+    let chords = (0.25 * libm::hypot(bend(0), bend(1)) / UNSEEN)
         .sqrt()
         .ceil()
         .max(1.0) as usize;

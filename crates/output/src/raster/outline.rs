@@ -12,10 +12,10 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     // Corners outside the radius compensate the area that the sides cut off.
     let corners = CORNERS.max((4.0 * radius) as usize);
     let half = std::f64::consts::PI / corners as f64;
-    let r = radius * (half / half.sin()).sqrt();
+    let r = radius * (half / libm::sin(half)).sqrt();
     (0..corners)
         .map(|i| {
-            let (sin, cos) = (2.0 * half * i as f64).sin_cos();
+            let (sin, cos) = libm::sincos(2.0 * half * i as f64);
             [x + r * cos, y + r * sin]
         })
         .collect()
@@ -73,7 +73,7 @@ pub fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
     for pair in points.windows(2) {
         let (p, q) = (pair[0], pair[1]);
         let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        let length = dx.hypot(dy);
+        let length = libm::hypot(dx, dy);
         if length <= 0.0 {
             continue;
         }

@@ -160,7 +160,7 @@ fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
         if slide(cam) > 0.0 {
             (p.pitch_y + cam.follower.roller_radius()).abs()
         } else {
-            p.x.hypot(p.y).max(p.pitch_x.hypot(p.pitch_y))
+            libm::hypot(p.x, p.y).max(libm::hypot(p.pitch_x, p.pitch_y))
         }
     };
     MM * rows.iter().map(up).fold(0.0, f64::max)

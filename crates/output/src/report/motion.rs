@@ -79,7 +79,7 @@ pub fn slide(cam: &Cam) -> f64 {
 /// Number of decimals with which values up to `most` have four digits.
 fn decimals(most: f64) -> usize {
     if most > 0.0 && most.is_finite() {
-        (3 - most.log10().floor() as i32).clamp(0, 6) as usize
+        (3 - libm::log10(most).floor() as i32).clamp(0, 6) as usize
     } else {
         1
     }
@@ -127,7 +127,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
         Pose::Face { at, angle } => (at, angle.to_degrees()),
         Pose::Roller { centre, .. } => {
             let angle = cam.follower.pivot().map_or(0.0, |p| {
-                (p[1] - centre[1]).atan2(p[0] - centre[0]).to_degrees()
+                libm::atan2(p[1] - centre[1], p[0] - centre[0]).to_degrees()
             });
             (centre, angle)
         }
@@ -246,7 +246,7 @@ impl Motion {
         }
         self.cx.push(touching(MM * cx));
         self.cy.push(touching(MM * cy));
-        let lean = motion[1].atan2(motion[0]) + p.pressure_angle;
+        let lean = libm::atan2(motion[1], motion[0]) + p.pressure_angle;
         self.push.push(rounded(lean.to_degrees()));
         self.px.push(rounded(MM * px));
         self.py.push(rounded(MM * py));

@@ -58,6 +58,6 @@ fn least_wall(design: &Design, bore: &Bore) -> f64 {
     let profile = design.cam.profile(7200);
     let walls = profile
         .iter()
-        .map(|p| p.x.hypot(p.y) - bore.edge(p.y.atan2(p.x)));
+        .map(|p| libm::hypot(p.x, p.y) - bore.edge(libm::atan2(p.y, p.x)));
     walls.fold(f64::INFINITY, f64::min)
 }

@@ -15,7 +15,7 @@ const FLAT: f64 = 1e-5;
 
 /// Values and two derivatives at `x` of sums with equal numbers of terms.
 pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
-    let (sin, cos) = x.sin_cos();
+    let (sin, cos) = libm::sincos(x);
     let (mut c, mut s) = (1.0, 0.0);
     let mut out = [[0.0; 3]; K];
     for i in 0..sums[0].len() {

@@ -33,7 +33,7 @@ impl Wave {
     /// Adds the value and three derivatives at `x` to `out`.
     #[inline]
     pub fn add_to(&self, x: f64, out: &mut [f64; 4]) {
-        let (sin, cos) = (self.rate * x).sin_cos();
+        let (sin, cos) = libm::sincos(self.rate * x);
         let value = self.cos * cos + self.sin * sin;
         let slope = self.rate * (self.sin * cos - self.cos * sin);
         let square = self.rate * self.rate;
@@ -45,7 +45,7 @@ impl Wave {
 
     /// The sinusoid with a later start: g(x) = f(x + later).
     pub fn from(&self, later: f64) -> Wave {
-        let (sin, cos) = (self.rate * later).sin_cos();
+        let (sin, cos) = libm::sincos(self.rate * later);
         Wave {
             rate: self.rate,
             cos: self.cos * cos + self.sin * sin,
@@ -55,7 +55,7 @@ impl Wave {
 
     /// The sinusoid reversed on a piece of given width: g(x) = f(width − x).
     pub fn mirrored(&self, width: f64) -> Wave {
-        let (sin, cos) = (self.rate * width).sin_cos();
+        let (sin, cos) = libm::sincos(self.rate * width);
         Wave {
             rate: self.rate,
             cos: self.cos * cos + self.sin * sin,
@@ -125,7 +125,7 @@ pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4])
         let mut taylor = [0.0; TAYLOR_DEGREE + 1];
         for Shifted { wave, start } in list {
             let (c, s) = wave.combination(weights);
-            let (sin, cos) = (wave.rate * (start + 0.5 * width)).sin_cos();
+            let (sin, cos) = libm::sincos(wave.rate * (start + 0.5 * width));
             let (even, odd) = (c * cos + s * sin, s * cos - c * sin);
             let half = 0.5 * width * wave.rate;
             let mut power = 1.0;

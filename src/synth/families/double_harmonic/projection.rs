@@ -65,7 +65,7 @@ impl Projection {
         let square = samples.iter().map(|f| f * f).sum::<f64>() / SAMPLES as f64;
         let series = &amplitudes(&samples)[..=HARMONICS];
         let most = square.sqrt();
-        let counts = |(a, b): &(f64, f64)| a.hypot(*b) > ROUNDING * most;
+        let counts = |(a, b): &(f64, f64)| libm::hypot(*a, *b) > ROUNDING * most;
         let count = series.iter().rposition(counts).unwrap_or(0);
         let [s, v, a, _] = drive.weights();
         Projection {
@@ -291,6 +291,6 @@ fn mean_of_wave(h: f64, wave: Complex<f64>) -> Complex<f64> {
 }
 
 fn turned(angle: f64) -> Complex<f64> {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     Complex::new(cos, sin)
 }

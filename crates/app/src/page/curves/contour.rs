@@ -75,8 +75,8 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     Contour {
         x: all(&|s| MM * s.point.x),
         y: all(&|s| MM * s.point.y),
-        centre_x: all(&|s| MM * (s.point.x - bent(s) * normal(s).cos())),
-        centre_y: all(&|s| MM * (s.point.y - bent(s) * normal(s).sin())),
+        centre_x: all(&|s| MM * (s.point.x - bent(s) * libm::cos(normal(s)))),
+        centre_y: all(&|s| MM * (s.point.y - bent(s) * libm::sin(normal(s)))),
         radius: all(&|s| MM * bent(s)),
         colour,
         values: match colour {
@@ -111,7 +111,7 @@ fn normal(cam: &Cam, s: &Sample) -> f64 {
     let [x, y] = cam.motion(s.theta);
     let unrolled = cam.follower.is_unrolled();
     let turned = if unrolled { 0.0 } else { s.theta };
-    y.atan2(x) + s.point.pressure_angle - turned
+    libm::atan2(y, x) + s.point.pressure_angle - turned
 }
 
 /// Hertz pressure for the materials of cam and follower, MPa; NaN without contact force, or for a knife edge.

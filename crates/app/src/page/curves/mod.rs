@@ -34,7 +34,7 @@ fn short(x: f64) -> Shown {
     if x == 0.0 || !x.is_finite() {
         return x.is_finite().then_some(0.0);
     }
-    let scale = 10_f64.powf(5.0 - x.abs().log10().floor());
+    let scale = libm::pow(10_f64, 5.0 - libm::log10(x.abs()).floor());
     let short = (x * scale).round() / scale;
     Some(if short.is_finite() { short } else { x })
 }

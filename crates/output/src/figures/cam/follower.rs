@@ -35,7 +35,7 @@ impl Scene<'_> {
                 } else {
                     rod(MM * at[0], y + thick, y + self.stem())?;
                 }
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = libm::sincos(angle);
                 let corner =
                     |u: f64, w: f64| (MM * at[0] + u * cos - w * sin, y + u * sin + w * cos);
                 let plate = vec![
@@ -75,13 +75,11 @@ impl Scene<'_> {
         let reach = cam.contact_travel().map_or(0.0, |(low, high)| {
             MM * high.value.abs().max(low.value.abs())
         });
-        let half = ((reach + 0.15 * self.reach) / radius)
-            .clamp(0.05, 1.2)
-            .asin();
+        let half = libm::asin(((reach + 0.15 * self.reach) / radius).clamp(0.05, 1.2));
         let half = if half.is_finite() { half } else { 1.2 };
         let at = |angle: f64, rho: f64| {
             // The angle is measured from the direction towards the cam, which is opposite to the motion.
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = libm::sincos(angle);
             (
                 centre[0] - rho * (cos * nx - sin * ny),
                 centre[1] - rho * (sin * nx + cos * ny),
@@ -99,7 +97,7 @@ impl Scene<'_> {
         if self.pivot().is_some() {
             return Ok(());
         }
-        let chord = radius * half.cos();
+        let chord = radius * libm::cos(half);
         let (x, from) = at(0.0, chord);
         let (side, to) = (0.045 * self.reach, from + self.stem());
         for x in [x - side, x + side] {
@@ -111,7 +109,7 @@ impl Scene<'_> {
     /// Draws a bar from the pivot, with the bearing of the pivot.
     fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) -> Drawn {
         let (dx, dy) = (end[0] - pivot[0], end[1] - pivot[1]);
-        let length = dx.hypot(dy);
+        let length = libm::hypot(dx, dy);
         let half = 0.025 * self.reach;
         if length > half {
             let (nx, ny) = (-dy / length * half, dx / length * half);

@@ -99,7 +99,11 @@ impl<'a> Scene<'a> {
             .iter()
             .map(|edge| edge.points(POINTS).iter().map(|e| e.p).collect())
             .collect();
-        let reach = rows.iter().map(|p| p.x.hypot(p.y)).fold(0.0, f64::max) * MM;
+        let reach = rows
+            .iter()
+            .map(|p| libm::hypot(p.x, p.y))
+            .fold(0.0, f64::max)
+            * MM;
         Scene {
             synthesis,
             rows,
@@ -164,7 +168,10 @@ impl<'a> Scene<'a> {
         match self.pose {
             Pose::Face { at, angle } if self.pivot().is_some() => {
                 let ([x, y], high) = (at.map(|c| MM * c), self.face().1);
-                out.hold([x + high * angle.cos(), y + high * angle.sin()], 0.0);
+                out.hold(
+                    [x + high * libm::cos(angle), y + high * libm::sin(angle)],
+                    0.0,
+                );
             }
             Pose::Face { at, .. } => {
                 let (low, high) = self.face();
@@ -244,7 +251,7 @@ impl<'a> Scene<'a> {
             angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));
             angles.sort_by(f64::total_cmp);
             let rim: Vec<(f64, f64)> = (angles.iter())
-                .map(|&a| here(bore.edge(a) * a.cos(), bore.edge(a) * a.sin()))
+                .map(|&a| here(bore.edge(a) * libm::cos(a), bore.edge(a) * libm::sin(a)))
                 .collect();
             fill(plane, &rim, PAPER)?;
             trace(plane, rim, stroke(BLUE, 1.6))?;
@@ -333,13 +340,13 @@ impl<'a> Scene<'a> {
         let arc: Vec<(f64, f64)> = (0..=60)
             .map(|i| {
                 let a = from + (to - from) * f64::from(i) / 60.0;
-                (r * a.cos(), r * a.sin())
+                (r * libm::cos(a), r * libm::sin(a))
             })
             .collect();
         trace(plane, arc, stroke(INK, 2.0))?;
         let head = 0.16 * r;
         let tip = to + sense * head / r;
-        let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
+        let corner = |rho: f64, a: f64| (rho * libm::cos(a), rho * libm::sin(a));
         let arrow = [
             corner(r, tip),
             corner(r + 0.5 * head, to - 0.3 * sense * head / r),
@@ -356,14 +363,14 @@ impl<'a> Scene<'a> {
             .iter()
             .fold((0.0, 0.0), |(x, y), p| (x + MM * p.x / n, y + MM * p.y / n));
         let [x, y] = turned([x, y], self.start);
-        (x.hypot(y) > 0.1 * self.reach).then(|| y.atan2(x))
+        (libm::hypot(x, y) > 0.1 * self.reach).then(|| libm::atan2(y, x))
     }
 }
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {
     (0..=240)
         .map(|i| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 240.0).sin_cos();
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / 240.0);
             (radius * cos, radius * sin)
         })
         .collect()

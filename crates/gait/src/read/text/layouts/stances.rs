@@ -200,7 +200,7 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     lengths.sort_unstable();
     let samples = lengths[lengths.len() / 2];
     let middle = samples as f64;
-    let off = |rate: &f64| (middle / rate / USUAL_STANCE_S).ln().abs();
+    let off = |rate: &f64| libm::log(middle / rate / USUAL_STANCE_S).abs();
     let rate = RATES
         .into_iter()
         .min_by(|a, b| off(a).total_cmp(&off(b)))
