@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::{Language, Messages, catalogue, degrees, number, range};
+use super::{Language, Messages, catalogue, degrees, number, quantity, range};
 
 /// Texts of a catalogue, and formatting of numbers and names in its language.
 ///
@@ -67,10 +67,10 @@ impl Words {
         range(self.language(), low, high)
     }
 
-    /// A length in m, displayed in mm; values below a picometre are 0.
-    pub fn millimetres(&self, length: f64) -> String {
+    /// A length in m, displayed in the unit of lengths; values below a picometre are 0.
+    pub fn length(&self, length: f64) -> String {
         let length = if length.abs() < 1e-12 { 0.0 } else { length };
-        format!("{} mm", self.number(1e3 * length))
+        quantity(self.language(), length, "m")
     }
 
     /// An angle in rad, displayed in degrees with one decimal.

@@ -301,7 +301,7 @@ impl List<'_> {
             if !follower.is_unrolled() {
                 self.figure("prime_radius_m", Brief::Whole);
             }
-            let radius = self.words.millimetres(follower.roller_radius());
+            let radius = self.words.length(follower.roller_radius());
             self.put("report-roller-radius", radius, Brief::Not);
             if follower.measures() == Measures::Translating && !follower.is_unrolled() {
                 let brief = match follower.offset() {
@@ -312,12 +312,10 @@ impl List<'_> {
             }
         }
         if let Some([least, most]) = self.figures.radii {
-            let (least, most) = (self.words.number(1e3 * least), self.words.millimetres(most));
-            self.put(
-                "report-profile-radii",
-                format!("{least} … {most}"),
-                Brief::Whole,
-            );
+            let unit = Unit::length();
+            let least = self.words.number(unit.factor * least);
+            let radii = format!("{least} … {}", self.words.length(most));
+            self.put("report-profile-radii", radii, Brief::Whole);
         }
         self.figure("rho_min_m", Brief::Whole);
         let at = follower
@@ -325,7 +323,7 @@ impl List<'_> {
             .place(curvature.convex.at, self.words.language());
         self.put("report-found-at", at, Brief::Not);
         if let Some(concave) = curvature.concave {
-            let radius = self.words.millimetres(-concave.value);
+            let radius = self.words.length(-concave.value);
             self.put("report-concave-radius", radius, Brief::Not);
         }
         if cam.face_width().is_some() {

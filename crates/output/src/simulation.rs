@@ -223,8 +223,8 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
         let pressure = [
             ("pressure", &*(words.number(1e-6 * c.pressure) + " MPa")),
             ("at", &*measures.place(p.theta, words.language())),
-            ("width", &*(words.number(1e3 * c.half_width) + " mm")),
-            ("depth", &*(words.number(1e3 * c.shear_depth) + " mm")),
+            ("width", &*words.length(c.half_width)),
+            ("depth", &*words.length(c.shear_depth)),
         ];
         let text = words.fill("simulation-pressure-values", &pressure);
         lines.push(("simulation-pressure", text));

@@ -26,13 +26,21 @@ const fn unit(factor: f64, name: &'static str) -> Unit {
     Unit { factor, name }
 }
 
-const MM: Unit = unit(1e3, "mm");
 const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
 
 impl Unit {
     /// Output unit of a dimension.
     pub fn of(dimension: Dimension) -> Unit {
-        let (name, factor) = people(dimension.si());
+        Unit::of_si(dimension.si())
+    }
+
+    /// Output unit of lengths: millimetres, or the unit set by [`display_lengths_in`](crate::wording::display_lengths_in).
+    pub fn length() -> Unit {
+        Unit::of_si("m")
+    }
+
+    fn of_si(si: &'static str) -> Unit {
+        let (name, factor) = people(si);
         Unit { factor, name }
     }
 
@@ -91,34 +99,34 @@ impl Measures {
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
         match self {
-            Measures::Translating => unit(
-                MM.factor,
-                ["mm", "mm/rad", "mm/rad²", "mm/rad³", "mm/rad⁴"][order],
-            ),
+            Measures::Translating => {
+                Unit::of_si(["m", "m/rad", "m/rad^2", "m/rad^3", "m/rad^4"][order])
+            }
             Measures::Oscillating => unit(
                 DEGREES.factor,
                 ["°", "°/rad", "°/rad²", "°/rad³", "°/rad⁴"][order],
             ),
-            Measures::Straight => unit(
-                [1e3, 1.0, 1e-3, 1e-6, 1e-9][order],
-                ["mm", "mm/mm", "mm/mm²", "mm/mm³", "mm/mm⁴"][order],
-            ),
+            Measures::Straight => Unit::of_si(["m", "m/m", "m/m^2", "m/m^3", "m/m^4"][order]),
         }
     }
 
     /// Unit of a time derivative of the lift, order 1 to 3.
     pub fn by_time(self, order: usize) -> Unit {
-        let names = if self.swings() {
-            ["rad", "rad/s", "rad/s²", "rad/s³"]
+        let order = order.clamp(1, 3) - 1;
+        if self.swings() {
+            unit(1.0, ["rad/s", "rad/s²", "rad/s³"][order])
         } else {
-            ["m", "m/s", "m/s²", "m/s³"]
-        };
-        unit(1.0, names[order.min(3)])
+            Unit::of_si(["m/s", "m/s^2", "m/s^3"][order])
+        }
     }
 
     /// Unit of the cam angle or travel.
     pub fn angle(self) -> Unit {
-        if self.is_straight() { MM } else { DEGREES }
+        if self.is_straight() {
+            Unit::length()
+        } else {
+            DEGREES
+        }
     }
 
     /// Name of the cam angle or travel, for an axis.
@@ -133,14 +141,21 @@ impl Measures {
     /// Formats a position on the cam with one decimal: "12.3°", "34.2 mm".
     pub fn place(self, at: f64, language: Language) -> String {
         match self {
-            Measures::Straight => MM.after(&fixed(language, MM.factor * at, 1)),
+            Measures::Straight => {
+                let unit = Unit::length();
+                unit.after(&fixed(language, unit.factor * at, 1))
+            }
             Measures::Translating | Measures::Oscillating => degrees(language, at),
         }
     }
 
     /// Unit of the cam speed.
     pub fn speed(self) -> Unit {
-        unit(1.0, if self.is_straight() { "m/s" } else { "rad/s" })
+        if self.is_straight() {
+            Unit::of_si("m/s")
+        } else {
+            unit(1.0, "rad/s")
+        }
     }
 
     /// Formats the cam speed as text, for a rotating cam also in revolutions per minute.

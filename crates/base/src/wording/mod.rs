@@ -20,7 +20,10 @@ mod number;
 pub use catalogue::{Catalogue, File, Sentences};
 pub use language::{InLanguages, Language};
 pub use messages::{Messages, code};
-pub use number::{DIGITS, degrees, exact, fixed, number, people, quantity, range, rounded, walker};
+pub use number::{
+    DIGITS, LengthUnit, degrees, display_lengths_in, exact, fixed, number, people, quantity, range,
+    rounded, walker,
+};
 
 /// Messages of this crate: names of quantities, errors of quantities.
 pub const SENTENCES: Sentences = Sentences {

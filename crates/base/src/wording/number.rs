@@ -1,6 +1,28 @@
 //! Numbers and quantities as text for users.
 
+use std::sync::OnceLock;
+
 use super::Language;
+
+/// Unit in which lengths are displayed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Millimetres, the default.
+    Millimetre,
+    /// Inches; speeds and accelerations of lengths also contain inches.
+    Inch,
+}
+
+static LENGTH_UNIT: OnceLock<LengthUnit> = OnceLock::new();
+
+/// Sets the unit of displayed lengths for the whole process. It cannot be changed afterwards: a second call has no effect.
+pub fn display_lengths_in(unit: LengthUnit) {
+    let _ = LENGTH_UNIT.set(unit);
+}
+
+fn in_inches() -> bool {
+    LENGTH_UNIT.get() == Some(&LengthUnit::Inch)
+}
 
 /// SI unit, the displayed unit, and the factor between them.
 const SHOWN: &[(&str, &str, f64)] = &[
@@ -20,8 +42,32 @@ const SHOWN: &[(&str, &str, f64)] = &[
     ("m/rad", "mm/rad", 1e3),
     ("m/rad^2", "mm/rad²", 1e3),
     ("m/rad^3", "mm/rad³", 1e3),
+    ("m/rad^4", "mm/rad⁴", 1e3),
+    ("m/m", "mm/mm", 1.0),
+    ("m/m^2", "mm/mm²", 1e-3),
+    ("m/m^3", "mm/mm³", 1e-6),
+    ("m/m^4", "mm/mm⁴", 1e-9),
     ("rad/rad^2", "rad/rad²", 1.0),
     ("rad/rad^3", "rad/rad³", 1.0),
+];
+
+/// Number of inches in a metre.
+const INCHES: f64 = 1.0 / 0.0254;
+
+/// The rows of [`SHOWN`] for lengths, in inches, and further units that contain lengths.
+const SHOWN_IN_INCHES: &[(&str, &str, f64)] = &[
+    ("m", "in", INCHES),
+    ("m/s", "in/s", INCHES),
+    ("m/s^2", "in/s²", INCHES),
+    ("m/s^3", "in/s³", INCHES),
+    ("m/rad", "in/rad", INCHES),
+    ("m/rad^2", "in/rad²", INCHES),
+    ("m/rad^3", "in/rad³", INCHES),
+    ("m/rad^4", "in/rad⁴", INCHES),
+    ("m/m", "in/in", 1.0),
+    ("m/m^2", "in/in²", 1.0 / INCHES),
+    ("m/m^3", "in/in³", 1.0 / (INCHES * INCHES)),
+    ("m/m^4", "in/in⁴", 1.0 / (INCHES * INCHES * INCHES)),
 ];
 
 /// Maximum number of significant digits for display.
@@ -155,8 +201,10 @@ fn short(text: &str) -> &str {
 
 /// Displayed unit for an SI unit, and the factor to it.
 pub fn people(si: &str) -> (&str, f64) {
-    SHOWN
+    let inches = if in_inches() { SHOWN_IN_INCHES } else { &[] };
+    inches
         .iter()
+        .chain(SHOWN)
         .find(|row| row.0 == si)
         .map_or((si, 1.0), |row| (row.1, row.2))
 }

@@ -5,6 +5,7 @@ pub mod exit_code;
 pub mod help;
 pub mod internal;
 pub mod language;
+pub mod lengths;
 pub mod progress;
 pub mod table;
 pub mod terminal;

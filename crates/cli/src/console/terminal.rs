@@ -46,12 +46,18 @@ fn shortened(text: &str, most: usize) -> String {
 /// Records a failure to write to standard output, for the exit code.
 pub fn record_write_error(written: Result<()>) {
     if let Err(e) = written
-        && e.kind() != ErrorKind::BrokenPipe
+        && !closed_by_reader(&e)
         && !STDOUT_FAILED.swap(true, Ordering::Relaxed)
     {
         let fault = serde_json::json!({"fault": e.to_string()});
         report(words::fill("run-stdout", &fault));
     }
+}
+
+/// Whether a write failed because the reader closed the pipe.
+fn closed_by_reader(error: &std::io::Error) -> bool {
+    // Windows has a second error for it, which Rust does not map: ERROR_PIPE_NOT_CONNECTED.
+    error.kind() == ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233)
 }
 
 /// Exit code of the run: `code`, or that of a failed write to standard output.

@@ -35,6 +35,11 @@ pub fn fill(key: &str, arguments: &Value) -> String {
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
 }
 
+/// A length in m, in the displayed unit.
+pub fn length(metres: f64) -> String {
+    gaitcam::wording::quantity(language::current(), metres, "m")
+}
+
 /// Name of a follower, law, limit or solver in the language of the run; other texts are returned unchanged.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
+use crate::console::lengths::LengthArgs;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::made::Made;
@@ -50,6 +51,8 @@ pub struct InspectArgs {
     /// Folder for the files (default: the design's folder, or out/NAME_inspected)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    lengths: LengthArgs,
     /// Print inspection.json instead of the text summary; without --out no file is written
     #[arg(long)]
     pub json: bool,
@@ -57,6 +60,7 @@ pub struct InspectArgs {
 
 /// Fits the points and writes table, pictures and summary. The exit code is 3 if the design has no cam.
 pub fn run(args: &InspectArgs) -> Result<u8> {
+    args.lengths.units.display();
     let ball = input::quantity("--ball", args.ball.as_deref(), Dimension::Length)?.unwrap_or(0.0);
     if ball < 0.0 {
         let typed = args.ball.clone().unwrap_or_default();

@@ -40,7 +40,7 @@ pub(super) fn text(
     let place = |x: f64| measures.place(x, language::current());
     let mut lines = vec![format!("{}:", design.problem.name)];
     let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
-    let centre = inspected.centre.map(|x| number(1e3 * x));
+    let centre = inspected.centre.map(words::length);
     line(
         "inspect-fit",
         json!({"points": inspected.deviations.len().to_string(), "turn": degrees(inspected.turn), "x": centre[0], "y": centre[1]}),

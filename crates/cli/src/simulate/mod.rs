@@ -12,6 +12,7 @@ use serde_json::json;
 use crate::console::error::CliError;
 use crate::console::exit_code::{self, NO_SUCH_CAM};
 use crate::console::language;
+use crate::console::lengths::LengthArgs;
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words;
 use crate::input::made::{Flag, Made};
@@ -58,6 +59,8 @@ pub struct SimulateArgs {
     /// Folder for dynamics.csv, dynamics.xlsx, simulation.json and report.html (default out/NAME)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    lengths: LengthArgs,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -112,6 +115,7 @@ impl SimulateArgs {
 /// Designs the cam of the scene or result folder, emits its profile and simulates it. The exit code is 3 if there is no cam, a limit is violated or
 /// contact is lost.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
+    args.lengths.units.display();
     let model = Model::parse(&args.model).ok_or_else(|| {
         let typed = args.model.clone();
         CliError::NoModel { typed }.at_argument("--model")

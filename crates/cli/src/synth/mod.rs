@@ -96,6 +96,7 @@ struct Answer {
 
 /// Designs the cam and writes its files. The exit code is 3 if there is no feasible cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
+    args.workshop.units.display();
     if let Some(pair) = &args.front {
         return front::run(args, pair);
     }

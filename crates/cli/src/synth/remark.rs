@@ -29,11 +29,11 @@ fn gouge(gouge: &Gouge, measures: Measures) -> String {
     match gouge {
         Gouge::Hollow { at, radius } => words::fill(
             "synth-gouge-hollow",
-            &json!({"at": place(*at), "radius": words::number(1e3 * radius)}),
+            &json!({"at": place(*at), "radius": words::length(*radius)}),
         ),
         Gouge::Elsewhere { at, damaged, depth } => words::fill(
             "synth-gouge-elsewhere",
-            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::number(1e3 * depth)}),
+            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::length(*depth)}),
         ),
         Gouge::Undercut { at } => words::fill("synth-gouge-undercut", &json!({"at": place(*at)})),
     }

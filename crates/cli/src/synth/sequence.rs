@@ -1,5 +1,6 @@
 //! `synth --verbose`: steps of the sequence of convex programs.
 
+use gaitcam::cam::Unit;
 use gaitcam::synth::Design;
 use serde_json::json;
 
@@ -12,6 +13,7 @@ pub fn text(design: &Design) -> String {
     if solver.steps.is_empty() {
         return row("sequence", &words::text("synth-no-sequence"));
     }
+    let length = Unit::length();
     let count = json!({"count": solver.steps.len()});
     let mut out = vec![
         filled("sequence", "synth-sequence", count),
@@ -19,9 +21,10 @@ pub fn text(design: &Design) -> String {
     ];
     for (i, step) in solver.steps.iter().enumerate() {
         out.push(words::decimal(format!(
-            "  {:>4} {:>11.6} mm {:>18.10e} {:>20.3e} {:>13.4}",
+            "  {:>4} {:>11.6} {} {:>18.10e} {:>20.3e} {:>13.4}",
             i + 1,
-            1e3 * step.prime_radius,
+            length.factor * step.prime_radius,
+            length.name,
             step.merit,
             step.clearance,
             step.taken

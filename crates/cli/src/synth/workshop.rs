@@ -1,5 +1,6 @@
 //! Options of `synth` for CAD and the workshop.
 
+use crate::console::lengths::Lengths;
 use clap::{Args, ValueEnum};
 
 pub use super::remark::sentence;
@@ -37,7 +38,7 @@ pub struct WorkshopArgs {
     /// Also write the path of a cutting wire with this radius, spark gap included: --wire '0.14 mm'
     #[arg(long, value_name = "RADIUS")]
     pub wire: Option<String>,
-    /// Unit of DXF, drawing and programs
+    /// Unit of lengths in DXF, drawing and programs, and in messages, reports and pictures
     #[arg(long, value_name = "UNIT", value_enum, default_value_t = Lengths::Mm)]
     pub units: Lengths,
 }
@@ -49,15 +50,6 @@ pub enum Dxf {
     Arcs,
     Splines,
     Lines,
-}
-
-/// Units of files for the workshop.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-pub enum Lengths {
-    #[default]
-    Mm,
-    #[value(alias = "in")]
-    Inch,
 }
 
 impl WorkshopArgs {

@@ -199,8 +199,8 @@ synth-ended = stopped: { $why }
 synth-no-solid = the solid was not written: { $fault }
 synth-no-step = the STEP file was not written: { $fault }
 synth-no-program = the machine program was not written: { $fault }
-synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }; the maximum is { $radius } mm
-synth-gouge-elsewhere = while the cutter cuts the profile at { $at }, it gouges the profile at { $damaged } by { $depth } mm
+synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }; the maximum is { $radius }
+synth-gouge-elsewhere = while the cutter cuts the profile at { $at }, it gouges the profile at { $damaged } by { $depth }
 synth-gouge-undercut = the profile is undercut at { $at } and cannot be cut
 
 # synth --front.
@@ -347,8 +347,8 @@ compare-follower = follower
 compare-built = built
 compare-infeasible = infeasible
 compare-over-angle = cam angle θ, degrees
-compare-over-travel = travel of the cam x, mm
-compare-over-both = cam angle θ, degrees; for a translating cam its travel, mm
+compare-over-travel = travel of the cam x, { $unit }
+compare-over-both = cam angle θ, degrees; for a translating cam its travel, { $unit }
 compare-laws = Laws
 compare-lifts = lift and its derivatives
 compare-profiles = Profiles
@@ -404,7 +404,7 @@ doctor-recording-options = Missing information can be given with gait.time, gait
 
 # inspect.
 inspect-no-cam = there is no cam to compare with: { $why }
-inspect-fit = { $points } points; the cam is turned by { $turn }°, with its centre at x { $x } mm, y { $y } mm
+inspect-fit = { $points } points; the cam is turned by { $turn }°, with its centre at x { $x }, y { $y }
 inspect-alike = the cam is symmetric: it fits equally well if it is turned by { $others }
 inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
 inspect-outliers = { $count } { $count ->

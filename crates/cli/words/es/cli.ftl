@@ -199,8 +199,8 @@ synth-ended = detenida: { $why }
 synth-no-solid = no se escribió el sólido: { $fault }
 synth-no-step = no se escribió el archivo STEP: { $fault }
 synth-no-program = no se escribió el programa para la máquina: { $fault }
-synth-gouge-hollow = el radio de la fresa es demasiado grande para el perfil cóncavo en { $at }; el máximo es { $radius } mm
-synth-gouge-elsewhere = mientras la fresa corta el perfil en { $at }, penetra { $depth } mm en el perfil en { $damaged }
+synth-gouge-hollow = el radio de la fresa es demasiado grande para el perfil cóncavo en { $at }; el máximo es { $radius }
+synth-gouge-elsewhere = mientras la fresa corta el perfil en { $at }, penetra { $depth } en el perfil en { $damaged }
 synth-gouge-undercut = el perfil tiene rebaje en { $at } y no se puede mecanizar
 
 # synth --front.
@@ -347,8 +347,8 @@ compare-follower = seguidor
 compare-built = construida
 compare-infeasible = no factible
 compare-over-angle = ángulo de leva θ, grados
-compare-over-travel = recorrido de la leva x, mm
-compare-over-both = ángulo de leva θ, grados; para una leva de traslación su recorrido, mm
+compare-over-travel = recorrido de la leva x, { $unit }
+compare-over-both = ángulo de leva θ, grados; para una leva de traslación su recorrido, { $unit }
 compare-laws = Leyes
 compare-lifts = elevación y sus derivadas
 compare-profiles = Perfiles
@@ -404,7 +404,7 @@ doctor-recording-options = Los datos que faltan se pueden indicar con gait.time,
 
 # inspect.
 inspect-no-cam = no hay leva con que comparar: { $why }
-inspect-fit = { $points } puntos; la leva está girada { $turn }°, con su centro en x { $x } mm, y { $y } mm
+inspect-fit = { $points } puntos; la leva está girada { $turn }°, con su centro en x { $x }, y { $y }
 inspect-alike = la leva es simétrica: ajusta igual de bien si se gira { $others }
 inspect-deviation = desviación según la normal: { $rms } µm RMS, de { $least } µm en { $below } a { $most } µm en { $above }
 inspect-outliers = { $count } { $count ->

@@ -95,7 +95,7 @@ synth-dxf = Traza los bordes de profile.dxf como arcos (R12), como splines (R200
 synth-ecam = Escribe además una leva electrónica: programa o tabla de puntos para un control de movimiento
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
 synth-pass = Profundidad de pasada de la fresa; cutter.nc contiene entonces Z, husillo y avances
-synth-units = Unidad del DXF, del plano y de los programas
+synth-units = Unidad de las longitudes en el DXF, el plano y los programas, y en mensajes, informes y figuras
 synth-wire = Escribe además la trayectoria de un hilo de corte de este radio, separación incluida: --wire '0.14 mm'
 
 gait-files = Registros, o carpetas con registros: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas. Varios registros dan una tabla y su media conjunta
@@ -123,6 +123,7 @@ simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por de
 simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el valor de la escena, o 0)
 simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el valor de la escena, o 0)
 simulate-second_cam = Ángulo de una segunda leva igual detrás de la primera en el mismo eje: "180 deg"
+simulate-units = Unidad de las longitudes en mensajes, informes y figuras
 
 sweep-scenes = Archivos de escena (por defecto, la escena incorporada footbridge)
 sweep-set = Cambia un valor en todas las escenas: --set 'limits.stroke=40 mm' (se puede repetir)
@@ -157,6 +158,7 @@ cover-out = Carpeta de tablas, figuras y escenas de las levas (por defecto out/N
 
 compare-folders = Carpetas de resultados de gaitcam synth
 compare-out = Carpeta de la tabla y los diagramas
+compare-units = Unidad de las longitudes en mensajes, informes y figuras
 compare-json = Escribe los resúmenes en JSON
 
 studio-open = Archivo de escena, carpeta con escenas y registros, o nombre de una escena incorporada
@@ -204,6 +206,7 @@ inspect-measured = Puntos medidos del perfil en las coordenadas de la máquina d
 inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
 inspect-set = Cambia un valor de la escena, o accionamiento y máquina de un resultado: --set 'drive.speed=60 rpm' (se puede repetir)
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
+inspect-units = Unidad de las longitudes en mensajes, informes y figuras
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo
 
 points-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incorporada

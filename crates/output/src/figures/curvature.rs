@@ -9,7 +9,7 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Drawn, Frame};
 use crate::pose::{largest_radius, motion};
 use crate::words::{self, Words};
-use gaitcam::cam::{Cam, Check};
+use gaitcam::cam::{Cam, Check, Unit};
 use gaitcam::criterion::Diagram;
 use gaitcam::criterion::LimitKind;
 use gaitcam::law::Svaj;
@@ -23,13 +23,14 @@ const CAP: f64 = 2.2;
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
+        let lengths = Unit::length().factor;
         f.title(&synthesis.problem.name, &words.text("figure-curvature"))?;
         let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * f.e);
         radius(&f, synthesis, frames[0], words)?;
         let place = |e: Extreme, value: f64| (measures.angle().factor * e.at, value);
         let (panel, name, [low, high]) = match synthesis.cam.contact_travel() {
             Some((low, high)) => {
-                let ends = [low, high].map(|e| place(e, 1000.0 * e.value));
+                let ends = [low, high].map(|e| place(e, lengths * e.value));
                 let panel = contact(&f, synthesis, frames[1], ends)?;
                 (panel, "figure-contact-travel", ends)
             }
@@ -42,7 +43,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         };
         panel.mark(high, true, GREEN, true)?;
         panel.mark(low, false, GREEN, true)?;
-        panel.quantity(&words.text(name))?;
+        panel.quantity(&words::with_length_unit(words, name))?;
         panel.across(&words::across(words, measures))
     })
 }
@@ -56,13 +57,13 @@ fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)
 }
 
 fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn {
-    let cam = &synthesis.cam;
-    let rho = over_the_angle(cam, |t, _| 1000.0 * cam.point(t).rho);
+    let (cam, lengths) = (&synthesis.cam, Unit::length().factor);
+    let rho = over_the_angle(cam, |t, _| lengths * cam.point(t).rho);
     let radii = rho.iter().map(|p| p.1.abs());
-    let cap = largest_radius(cam, 1000.0 * CAP, radii);
+    let cap = largest_radius(cam, lengths * CAP, radii);
     let sharpest = cam.curvature().convex;
     let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
-    let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
+    let y = padded(shown.chain([0.0, lengths * sharpest.value]), 0.18);
     let panel = f.over_the_law(synthesis, frame, y)?;
     // The radius passes through infinity between convex and concave parts of the profile.
     for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
@@ -71,20 +72,20 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     // A limit of 0 only excludes undercut; its line would coincide with the axis.
     let limits = synthesis.checks.iter();
     for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
-        let value = words.millimetres(check.limit);
+        let value = words.length(check.limit);
         let name = words.fill("figure-limit", &[("value", &value)]);
-        let level = 1000.0 * check.limit;
+        let level = lengths * check.limit;
         panel.level(level, Some((&name, VPos::Bottom)), RED, &rho)?;
     }
     if sharpest.value.is_finite() {
         let across = cam.follower.measures().angle().factor;
-        let at = (across * sharpest.at, 1000.0 * sharpest.value);
+        let at = (across * sharpest.at, lengths * sharpest.value);
         panel.mark(at, true, BLUE, true)?;
     }
-    panel.quantity(&words.text("figure-rho"))
+    panel.quantity(&words::with_length_unit(words, "figure-rho"))
 }
 
-/// Diagram of the position of the contact on a flat face, mm.
+/// Diagram of the position of the contact on a flat face.
 fn contact<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,
@@ -93,8 +94,8 @@ fn contact<'a, 'c>(
 ) -> Drawn<Panel<'a, 'c>> {
     let y = padded(ends.into_iter().map(|e| e.1), 0.26);
     let panel = f.over_the_law(synthesis, frame, y)?;
-    let cam = &synthesis.cam;
-    let contact = over_the_angle(cam, |_, m| 1000.0 * cam.contact_along(m));
+    let (cam, lengths) = (&synthesis.cam, Unit::length().factor);
+    let contact = over_the_angle(cam, |_, m| lengths * cam.contact_along(m));
     panel.curve(&contact, GREEN, 2.2)?;
     Ok(panel)
 }

@@ -7,7 +7,7 @@ use super::palette::{INK, QUIET};
 use super::picture::Picture;
 use super::sheet::{Canvas, Drawn, Frame, Lettering, line, stroke, write};
 use super::text::text_width;
-use gaitcam::cam::Measures;
+use gaitcam::cam::{Measures, Unit};
 use gaitcam::synth::Design;
 use gaitcam::wording::{Language, number};
 
@@ -202,14 +202,16 @@ impl<'a, 'c> Figure<'a, 'c> {
 
     /// Draws a scale bar with a round length in mm, at most `room` points long.
     pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
-        let most = room / per_mm;
+        let unit = Unit::length();
+        let per_unit = per_mm * 1e3 / unit.factor;
+        let most = room / per_unit;
         let power = libm::pow(10f64, libm::log10(most).floor());
         let length = [5.0, 2.0, 1.0]
             .into_iter()
             .map(|m| m * power)
             .find(|l| *l <= most)
             .unwrap_or(power);
-        let end = x + length * per_mm;
+        let end = x + length * per_unit;
         let tick = 0.35 * self.e;
         line(self.canvas, &[[x, y], [end, y]], stroke(INK, 2.0))?;
         for at in [x, end] {
@@ -217,7 +219,7 @@ impl<'a, 'c> Figure<'a, 'c> {
             line(self.canvas, &ends, stroke(INK, 2.0))?;
         }
         let at = [end + 0.6 * self.e, y];
-        let text = format!("{} mm", number(self.language, length));
+        let text = unit.after(&number(self.language, length));
         self.write(&text, at, Lettering::new(self.e, INK))
     }
 }

@@ -41,7 +41,7 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
         .follower
         .measures()
         .place(sharpest.at, words.language());
-    let radius = words.millimetres(sharpest.value);
+    let radius = words.length(sharpest.value);
     let arguments = [("radius", &*radius), ("place", &place)];
     let alt = words.fill("report-alt-curvature", &arguments);
     let picture = geometry_in(synthesis, low, words);
@@ -172,8 +172,8 @@ fn law_words(synthesis: &Design, words: &Words) -> String {
 fn cam_words(synthesis: &Design, words: &Words) -> String {
     let cam = &synthesis.cam;
     let name = label(synthesis, "base_radius_m", words);
-    let base = format!("{name} {}", words.millimetres(cam.follower.base_radius()));
-    let radius = words.millimetres(cam.curvature().convex.value);
+    let base = format!("{name} {}", words.length(cam.follower.base_radius()));
+    let radius = words.length(cam.curvature().convex.value);
     words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
 }
 

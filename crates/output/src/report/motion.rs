@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::Running;
 use crate::pose::{Pose, pose, turned};
-use gaitcam::cam::{Cam, Follower};
+use gaitcam::cam::{Cam, Follower, Unit};
 use gaitcam::dynamics::Row;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
@@ -29,7 +29,8 @@ pub struct Motion {
     slide: f64,
     /// Whether the machine moves towards smaller angles.
     back: bool,
-    angle_unit: &'static str,
+    angle_unit: String,
+    length_unit: &'static str,
     unit: &'static str,
     force_unit: &'static str,
     /// Number of decimals of force and torque.
@@ -59,12 +60,10 @@ struct Readings {
     phi: Vec<Option<f64>>,
 }
 
-/// Unit of θ on the page as (factor from SI, name); for a translating cam the unit of the travel.
-pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
-    match cam.follower {
-        Follower::TranslatingCam { .. } => (MM, " mm"),
-        _ => (180.0 / std::f64::consts::PI, "°"),
-    }
+/// Unit of θ on the page as (factor from SI, name with a space before it, if any); for a translating cam the unit of the travel.
+pub fn angle_unit(cam: &Cam) -> (f64, String) {
+    let unit = cam.follower.measures().angle();
+    (unit.factor, unit.after(""))
 }
 
 /// Travel of a translating cam, mm per rad (or m) of θ; 0 for a rotating cam.
@@ -140,6 +139,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let (start, length) = cam.law.extent();
     let lift = cam.follower.measures().lift(0);
     let (per, angle_unit) = angle_unit(cam);
+    let lengths = Unit::length();
     let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, MOST_TURNS));
     let later = running.and_then(|r| r.second_cam).map(|angle| Cam {
         law: cam.law.ahead(-angle),
@@ -153,6 +153,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
         slide: slide(cam) / per,
         back: synthesis.problem.drive.speed < 0.0,
         angle_unit,
+        length_unit: lengths.name,
         unit: lift.name,
         force_unit: cam.follower.measures().force().name,
         readings: Some(Readings::default()),
@@ -240,7 +241,11 @@ impl Motion {
         if let Some(read) = &mut self.readings {
             read.torque.push(to(row.torque, 1e9));
             read.gap.push(rounded(factor * row.gap));
-            let rho = if straight { None } else { touching(MM * p.rho) };
+            let rho = if straight {
+                None
+            } else {
+                touching(Unit::length().factor * p.rho)
+            };
             read.rho.push(rho);
             read.phi.push(touching(p.pressure_angle.to_degrees()));
         }

@@ -40,7 +40,7 @@
     text("now-torque", now(data.readings.torque), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
     text("now-gap", now(data.readings.gap), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
     text("now-phi", now(data.readings.phi), 2, "\u00b0");
-    text("now-rho", now(data.readings.rho), 2, " mm");
+    text("now-rho", now(data.readings.rho), 2, " " + data.length_unit);
     angle.value = shown;
     cursors.forEach(function (c) {
       var part = (c.turns === 1 ? here : u / turns);

@@ -23,10 +23,7 @@ fn cutting(design: &Design, words: &Words) -> Rows {
     let cam = &design.cam;
     let hollow = cam.curvature().concave.map(|c| -c.value);
     let cutter = match hollow {
-        Some(radius) => words.fill(
-            "report-cutter-fits",
-            &[("radius", &words.millimetres(radius))],
-        ),
+        Some(radius) => words.fill("report-cutter-fits", &[("radius", &words.length(radius))]),
         None => words.text("report-any-cutter"),
     };
     let mut rows = vec![(words.text("report-largest-cutter"), cutter)];
@@ -40,8 +37,8 @@ fn cutting(design: &Design, words: &Words) -> Rows {
     }
     if let Some(bore) = design.problem.cam.hole() {
         let wall = least_wall(design, &bore);
-        let thick = words.millimetres(wall);
-        let least = words.millimetres(LEAST_WALL);
+        let thick = words.length(wall);
+        let least = words.length(LEAST_WALL);
         let arguments = [("wall", thick.as_str()), ("least", &least)];
         let key = if wall < LEAST_WALL {
             "report-wall-thin"

@@ -182,7 +182,7 @@ report-next-model = Next more detailed model: { $difference }.
 
 # Axes and keys of the pictures.
 figure-angle = cam angle θ, °
-figure-travel = travel, mm
+figure-travel = travel, { $unit }
 figure-law = law of motion
 figure-force = force, N
 figure-moment = moment, N·m
@@ -244,8 +244,8 @@ figure-torque = torque, N·m
 figure-push = force, N
 figure-gap = gap, { $unit }
 figure-curvature = curvature and contact
-figure-rho = radius ρ, mm
-figure-contact-travel = contact, mm
+figure-rho = radius ρ, { $unit }
+figure-contact-travel = contact, { $unit }
 figure-pressure-angle = pressure angle, °
 figure-limit = limit { $value }
 figure-cam = the cam at θ = 0

@@ -187,7 +187,7 @@ report-next-model = Modelo siguiente, más detallado: { $difference }.
 
 # Ejes y leyendas de las imágenes.
 figure-angle = ángulo de leva θ, °
-figure-travel = recorrido, mm
+figure-travel = recorrido, { $unit }
 figure-law = ley de movimiento
 figure-force = fuerza, N
 figure-moment = momento, N·m
@@ -249,8 +249,8 @@ figure-torque = par, N·m
 figure-push = fuerza, N
 figure-gap = separación, { $unit }
 figure-curvature = curvatura y contacto
-figure-rho = radio ρ, mm
-figure-contact-travel = contacto, mm
+figure-rho = radio ρ, { $unit }
+figure-contact-travel = contacto, { $unit }
 figure-pressure-angle = ángulo de presión, °
 figure-limit = límite { $value }
 figure-cam = la leva en θ = 0

@@ -1,6 +1,6 @@
 //! Headings, labels and captions of reports and figures, with one Fluent file per language.
 
-use gaitcam::cam::Measures;
+use gaitcam::cam::{Measures, Unit};
 pub use gaitcam::wording::Words;
 use gaitcam::wording::{Catalogue, Language, Sentences};
 
@@ -17,8 +17,13 @@ pub fn words(language: Language) -> Words {
 
 /// Label of the horizontal axis in the diagrams of a design: cam angle or travel.
 pub fn across(words: &Words, measures: Measures) -> String {
-    words.text(match measures {
-        Measures::Straight => "figure-travel",
-        _ => "figure-angle",
-    })
+    match measures {
+        Measures::Straight => with_length_unit(words, "figure-travel"),
+        _ => words.text("figure-angle"),
+    }
+}
+
+/// A label with the unit of lengths in it.
+pub fn with_length_unit(words: &Words, label: &str) -> String {
+    words.fill(label, &[("unit", Unit::length().name)])
 }

@@ -10,9 +10,10 @@ use serde_json::{Value, json};
 
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::language;
+use crate::console::lengths::LengthArgs;
 use crate::console::terminal::{print, print_json};
 use crate::console::words;
-use gaitcam::cam::Verdict;
+use gaitcam::cam::{Unit, Verdict};
 use gaitcam::error::Result;
 use gaitcam_app::folder::Folder;
 use gaitcam_output::Picture;
@@ -38,6 +39,8 @@ pub struct CompareArgs {
     /// Folder for the table and the diagrams
     #[arg(long, value_name = "DIR", default_value = "out/compare")]
     out: PathBuf,
+    #[command(flatten)]
+    lengths: LengthArgs,
     /// Print the summaries as JSON
     #[arg(long)]
     pub json: bool,
@@ -45,6 +48,7 @@ pub struct CompareArgs {
 
 /// Prints the table and writes it with overlaid diagrams. The exit code is 3 if a design is unacceptable.
 pub fn run(args: &CompareArgs) -> Result<u8> {
+    args.lengths.units.display();
     let mut designs = args
         .folders
         .iter()
@@ -103,7 +107,7 @@ fn pictures(designs: &[Design]) -> [Drawn; 3] {
         n if n == designs.len() => "compare-over-travel",
         _ => "compare-over-both",
     };
-    let across = words::text(across);
+    let across = words::fill(across, &json!({"unit": Unit::length().name}));
     let [heads, lifts, profile, scale, force] = [
         "compare-laws",
         "compare-lifts",
@@ -156,10 +160,11 @@ fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
 
 /// Diagrams of lift, velocity, acceleration and jerk. Arms are plotted in degrees in the same diagrams.
 fn laws(designs: &[Design]) -> Vec<Strip> {
+    let length = Unit::length();
     let mixed = if designs.iter().any(Design::swings) {
-        "mm (°)"
+        format!("{} (°)", length.name)
     } else {
-        "mm"
+        length.name.to_string()
     };
     ["s_", "v_", "a_", "j_"]
         .into_iter()
@@ -169,7 +174,11 @@ fn laws(designs: &[Design]) -> Vec<Strip> {
             curves: designs
                 .iter()
                 .map(|d| {
-                    let lift = if d.swings() { 1f64.to_degrees() } else { 1e3 };
+                    let lift = if d.swings() {
+                        1f64.to_degrees()
+                    } else {
+                        length.factor
+                    };
                     d.law.curve(column, d.across(), lift)
                 })
                 .collect(),

@@ -70,13 +70,9 @@ impl Design {
             .is_some_and(|mean| mean != 0.0)
     }
 
-    /// Factor from θ to the abscissa in degrees or mm.
+    /// Factor from θ to the abscissa, in degrees or the unit of lengths.
     pub fn across(&self) -> f64 {
-        if self.slides() {
-            1e3
-        } else {
-            1f64.to_degrees()
-        }
+        self.measures().angle().factor
     }
 }
 

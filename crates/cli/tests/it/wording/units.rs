@@ -22,10 +22,15 @@ impl Shown {
 }
 
 fn run(command: &str, scene: &str, set: &[&str]) -> Shown {
+    run_with(command, scene, set, &[])
+}
+
+fn run_with(command: &str, scene: &str, set: &[&str], options: &[&str]) -> Shown {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("scenes/{scene}.toml");
     let to = folder.path().to_str().unwrap();
-    let output = gaitcam(&changed(&[command, &scene, "--out", to], set));
+    let words = [&[command, scene.as_str(), "--out", to], options].concat();
+    let output = gaitcam(&changed(&words, set));
     Shown {
         code: output.status.code().unwrap(),
         out: stdout(&output),
@@ -298,6 +303,38 @@ fn a_share_needs_its_percent_and_zero_needs_nothing() {
                 "{}",
                 shown.err
             );
+        }
+    }
+}
+
+#[test]
+fn with_inches_no_report_picture_or_message_has_millimetres() {
+    for scene in [
+        "footbridge",
+        "mushroom",
+        "translating_cam",
+        "thesis_barrel",
+        "camdas_05_constant_diameter",
+    ] {
+        let shown = run_with("synth", scene, &[], &["--units", "inch"]);
+        let summary = shown.summary();
+        let stroke = summary["law"]["stroke_m"].as_f64().unwrap() / 0.0254;
+        let written = gaitcam::wording::number(gaitcam::wording::Language::En, stroke);
+        assert!(
+            shown.out.contains(&format!("stroke {written} in")),
+            "{scene}: {}",
+            shown.out
+        );
+        let mut shown_texts = vec![("summary".to_string(), shown.out.clone())];
+        for name in ["report.html", "svaj.svg", "cam.svg", "force.svg"] {
+            shown_texts.push((name.to_string(), text(&shown.file(name))));
+        }
+        for (name, text) in shown_texts {
+            let metric = text.lines().find(|line| {
+                let words = |c: char| !c.is_alphabetic();
+                !line.contains('{') && line.split(words).any(|word| word == "mm")
+            });
+            assert_eq!(metric, None, "{scene}: {name}");
         }
     }
 }

@@ -41,13 +41,13 @@ impl Scene<'_> {
             lines[0].3 = words.text("figure-walls");
         }
         if !self.is_straight() {
-            let radius = words.millimetres(1e-3 * self.base);
+            let radius = words.length(1e-3 * self.base);
             let base = words.fill("figure-base-circle", &[("radius", &radius)]);
             lines.push((GREEN, 1.6, Some(BASE), base));
         }
         if self.has_roller() || self.is_straight() {
             if !self.is_straight() {
-                let radius = words.millimetres(1e-3 * self.prime);
+                let radius = words.length(1e-3 * self.prime);
                 let prime = words.fill("figure-prime-circle", &[("radius", &radius)]);
                 lines.push((PURPLE, 1.6, Some(PRIME), prime));
             }

@@ -12,6 +12,7 @@ pub use histogram::histogram;
 pub use parallel::parallel;
 
 use crate::plot::sheet::Frame;
+use gaitcam::wording::people;
 
 /// Size of the figures, points.
 const SIZE: (u32, u32) = (1100, 720);
@@ -29,25 +30,16 @@ pub struct Quantity {
     pub words: Vec<String>,
 }
 
-/// SI units of labels, with the common units and the factors between them.
-const SHOWN: [(&str, &str, f64); 7] = [
-    ("m", "mm", 1e3),
-    ("m/rad", "mm/rad", 1e3),
-    ("m/rad²", "mm/rad²", 1e3),
-    ("m/rad³", "mm/rad³", 1e3),
-    ("rad", "°", 180.0 / std::f64::consts::PI),
-    ("Pa", "MPa", 1e-6),
-    ("N m", "N·m", 1.0),
-];
-
 /// Label with the common unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
 pub fn unit_for_people(label: &str) -> (String, f64) {
-    let known = label.rsplit_once(", ").and_then(|(name, unit)| {
-        let row = SHOWN.iter().find(|row| row.0 == unit)?;
-        Some((name, row))
-    });
-    match known {
-        Some((name, (_, unit, factor))) => (format!("{name}, {unit}"), *factor),
+    match label.rsplit_once(", ") {
+        Some((name, unit)) => {
+            let si = unit.replace('²', "^2").replace('³', "^3");
+            match people(&si) {
+                (same, _) if same == si => (label.to_string(), 1.0),
+                (shown, factor) => (format!("{name}, {shown}"), factor),
+            }
+        }
         None => (label.to_string(), 1.0),
     }
 }
