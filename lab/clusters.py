@@ -27,6 +27,13 @@ def closed(frequencies, rows):
     return gaitcam.Sweep(scene, vary={"gait.step_frequency": frequencies, "gait.body_weight": weights})
 
 
+def roller(rows):
+    """Sweep of splines for a roller with limits of pressure angle, radius of curvature and stroke."""
+    scene = gaitcam.Scene.builtin("footbridge").set({
+        "cam.follower": "roller-translating", "cam.roller_radius": "10 mm", "limits.pressure_angle": "30 deg", "limits.curvature": "12 mm"})
+    return gaitcam.Sweep(scene, vary={"limits.stroke": f"40 mm:60 mm:{rows}"})
+
+
 def mixed():
     """The sweep of the engine tests with more rows."""
     names = {}
@@ -65,6 +72,7 @@ def main():
     page += model("closed form, every row with a step frequency of its own", rate(closed(own, many), many))
     page += model("closed form, eight step frequencies", rate(closed(own[:: many // 8], many), many))
     page += model("the sweep of the engine tests, half splines under a stroke limit", rate(mixed(), ROWS_HERE))
+    page += model("splines for a roller with limits of pressure angle, radius of curvature and stroke", rate(roller(8192), 8192))
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         begun = time.perf_counter()

@@ -119,11 +119,26 @@ impl Progress {
     }
 }
 
+/// A duration in s as text with two digits at least: `95 s`, `12 min`, `30 h`, `12 d`.
+pub fn duration(seconds: f64) -> String {
+    let (unit, size) = [("d", 86_400.0), ("h", 3600.0), ("min", 60.0)]
+        .into_iter()
+        .find(|(_, size)| seconds >= 2.0 * size)
+        .unwrap_or(("s", 1.0));
+    let value = seconds / size;
+    let decimals = if value < 9.95 && seconds != value.round() * size {
+        1
+    } else {
+        0
+    };
+    format!("{} {unit}", words::fixed(value, decimals))
+}
+
 /// Progress text after `elapsed` seconds. `before` and `done` are the numbers of items finished at the start and now.
 fn line(what: &str, total: u64, [before, done]: [u64; 2], elapsed: f64) -> String {
     let rate = (done - before) as f64 / elapsed;
     let left = match rate > 0.0 {
-        true => words::fixed((total.saturating_sub(done) as f64 / rate).ceil(), 0),
+        true => duration((total.saturating_sub(done) as f64 / rate).ceil()),
         false => "?".to_string(),
     };
     let state = json!({"what": what, "done": done.to_string(), "total": total.to_string(),
@@ -136,10 +151,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn durations_have_the_largest_unit_that_fits_twice() {
+        let shown = [0.25, 7.0, 100.0, 390.0, 7260.0, 43_000.0, 1e6].map(duration);
+        assert_eq!(
+            shown,
+            ["0.2 s", "7 s", "100 s", "6.5 min", "2.0 h", "12 h", "12 d"]
+        );
+    }
+
+    #[test]
     fn the_line_says_rate_and_time_left_of_what_this_run_has_done() {
         let after_two_seconds = line("designs", 1000, [100, 300], 2.0);
         assert_eq!(after_two_seconds, "300/1000 designs, 100/s, 7 s left");
         let nothing_yet = line("designs", 10, [0, 0], 0.5);
-        assert_eq!(nothing_yet, "0/10 designs, 0/s, ? s left");
+        assert_eq!(nothing_yet, "0/10 designs, 0/s, ? left");
     }
 }

@@ -110,7 +110,7 @@ pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
 /// Rejects an impractical number of rows, and a large one without confirmation.
 fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     let rows = subject.rows().map_err(input::at_flag("--vary"))?;
-    if rows > MANY && !args.yes {
+    if rows > MANY && !args.yes && !args.estimate {
         let rows = rows.to_string();
         return Err(CliError::ManyRows { rows }.at_argument("--vary"));
     }

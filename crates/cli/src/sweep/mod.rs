@@ -2,6 +2,7 @@
 
 mod arguments;
 mod counts;
+mod estimate;
 mod format;
 mod partial;
 mod shard;
@@ -29,6 +30,7 @@ use work::Work;
 const EXAMPLES: &str = "Examples:
   gaitcam sweep --vary 'limits.stroke=20 mm:60 mm:9' --out strokes.csv
   gaitcam sweep my.toml --vary law.family=spline,harmonic --vary 'drive.mass=5 kg:9 kg:5' --out grid.csv
+  gaitcam sweep --sample 10000 --vary 'gait.step_frequency=1.5 Hz:2.4 Hz' --out sample.csv --estimate
   gaitcam sweep --sample 10000 --vary 'gait.step_frequency=1.5 Hz:2.4 Hz' --out sample.csv --resume
   gaitcam sweep scenes/measured_walk.toml --recordings data/gait_curves --out walks.csv
   gaitcam sweep --tolerance 'profile=0.02 mm' --band '2 %' --out made.csv
@@ -82,6 +84,9 @@ pub struct SweepArgs {
     /// Write a line with rate and remaining time every 10 s where standard error is no terminal
     #[arg(long, conflicts_with = "tolerance")]
     pub progress: bool,
+    /// Only estimate the time of the sweep from the times of some rows; nothing is written
+    #[arg(long, conflicts_with_all = ["resume", "shard", "tolerance", "progress"])]
+    pub estimate: bool,
     /// Allow more than 100 million rows
     #[arg(long)]
     pub yes: bool,
@@ -110,6 +115,9 @@ impl SweepArgs {
 pub fn run(args: &SweepArgs) -> Result<u8> {
     if !args.tolerance.is_empty() {
         return tolerance::run(args);
+    }
+    if args.estimate {
+        return estimate::run(args);
     }
     if let Some(share) = args.shard {
         return shard::run(args, share);

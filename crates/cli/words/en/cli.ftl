@@ -74,8 +74,8 @@ cli-no-recordings = the folder contains no file
     .help = recordings end in { $endings }
 cli-not-recordings = none of { $files } files has the name ending of a recording
     .help = recordings end in { $endings }
-cli-many-rows = { $rows } combinations are many
-    .help = use fewer values, --sample N, or --yes
+cli-many-rows = the table would have { $rows } rows
+    .help = use fewer values or a smaller --sample, or allow it with --yes; --estimate estimates the time
     .help = fix the scene with --set
 cli-scatter-csv = the samples of --tolerance can only be written as .csv
 cli-too-many-samples = invalid value { $count }
@@ -233,6 +233,7 @@ sweep-skipped = { $count } file(s) in the folder are not recordings and are skip
 sweep-complete = { $file } is already complete.
 sweep-stopped = stopped after { $done } of { $rows } rows; completed rows are saved; continue with --resume
 sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable, { $slow } not for high speed), { $infeasible } infeasible, { $errors } errors
+sweep-estimate = { $rows } designs take about { $time } with { $threads } threads ({ $core } core hours): { $rate } per second and core, measured with { $computed } of them
 sweep-rate = { $designs } designs in { $seconds } s, { $rate } per second
 sweep-first-error = First error, row { $row }: { $fault }
 sweep-damaged = { $file } is damaged, so its rows are computed again
@@ -248,7 +249,7 @@ sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
        *[other] { $left } blocks are missing
     }
 sweep-designs = designs
-sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, { $left } s left
+sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, { $left } left
 
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter

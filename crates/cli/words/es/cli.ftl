@@ -74,8 +74,8 @@ cli-no-recordings = la carpeta no contiene ningún archivo
     .help = los registros terminan en { $endings }
 cli-not-recordings = ninguno de { $files } archivos tiene la extensión de un registro
     .help = los registros terminan en { $endings }
-cli-many-rows = { $rows } combinaciones son muchas
-    .help = tome menos valores, o --sample N, o confirme con --yes
+cli-many-rows = la tabla tendría { $rows } filas
+    .help = use menos valores o un --sample menor, o permítalo con --yes; --estimate estima la duración
     .help = fije la escena con --set
 cli-scatter-csv = las muestras de --tolerance solo se pueden escribir como .csv
 cli-too-many-samples = valor no válido { $count }
@@ -233,6 +233,7 @@ sweep-skipped = se omiten { $count } archivos de la carpeta que no son registros
 sweep-complete = { $file } ya está completa.
 sweep-stopped = detenido tras { $done } de { $rows } filas; las filas calculadas están guardadas; continúe con --resume
 sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables, { $slow } no para alta velocidad), { $infeasible } no factibles, { $errors } errores
+sweep-estimate = { $rows } diseños tardan unos { $time } con { $threads } hilos ({ $core } horas de núcleo): { $rate } por segundo y núcleo, medidos con { $computed } de ellos
 sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
 sweep-first-error = Primer error, fila { $row }: { $fault }
 sweep-damaged = { $file } está dañado, así que sus filas se calculan de nuevo
@@ -248,7 +249,7 @@ sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
        *[other] faltan { $left } bloques
     }
 sweep-designs = diseños
-sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, faltan { $left } s
+sweep-progress = { $done }/{ $total } { $what }, { $rate }/s, faltan { $left }
 
 # sweep --tolerance: el informe.
 scatter-title = { $name }: dispersión de fabricación

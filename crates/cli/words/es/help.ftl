@@ -138,6 +138,7 @@ sweep-shard = Calcula una de N partes iguales, en bloques de filas. --out es la 
 sweep-block_rows = Número de filas de un bloque (por defecto 131072)
 sweep-resume = Continúa un barrido interrumpido
 sweep-jobs = Número de hilos (por defecto, uno por núcleo)
+sweep-estimate = Solo estima la duración del barrido a partir de la de algunas filas; no se escribe nada
 sweep-progress = Escribe cada 10 s una línea con ritmo y tiempo restante donde la salida de errores no es un terminal
 sweep-yes = Permite más de 100 millones de filas
 sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', 'base_radius=…', 'mass=…', 'speed=…' (se puede repetir)

@@ -207,3 +207,58 @@ fn a_name_that_is_a_formula_to_a_spreadsheet_stands_in_the_table_as_text() {
     let front = fs::read_to_string(folder.path().join("front/front.csv")).unwrap();
     assert!(front.contains("'=1+2.csv"), "{front}");
 }
+
+#[test]
+fn a_varied_key_counts_as_given_and_a_heavy_flywheel_halves_the_ripple_when_doubled() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("flywheel.csv");
+    // The scene is complete only with the varied rated speed.
+    let motor = [
+        "--set",
+        "machine.motor.rated_torque=2.5 N m",
+        "--set",
+        "machine.motor.gear=12.6",
+    ];
+    let vary = [
+        "--vary",
+        "machine.motor.rated_speed=1400 rpm",
+        "--vary",
+        "machine.inertia=200 kg m^2,400 kg m^2",
+    ];
+    let output = sweep(&out, &[motor, vary].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let mut reader = csv::Reader::from_path(&out).unwrap();
+    let column = |name: &str, header: &csv::StringRecord| header.iter().position(|h| h == name);
+    let ripple = column("shaft_ripple", reader.headers().unwrap()).unwrap();
+    let values: Vec<f64> = (reader.records())
+        .map(|row| row.unwrap()[ripple].parse().unwrap())
+        .collect();
+    assert_eq!(values.len(), 2);
+    // The torque of the cam is the same, so the ripple is inverse to the inertia.
+    assert!(values[0] > 1e-5, "{values:?}");
+    assert!((values[1] / values[0] - 0.5).abs() < 0.01, "{values:?}");
+    // Without the key the scene is refused.
+    let refused = sweep(&out, &[&motor[..], &["--vary", vary[3]]].concat());
+    assert!(
+        stderr(&refused).contains("rated_speed"),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
+fn an_estimate_counts_the_rows_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("t.csv");
+    let vary = ["--vary", "limits.stroke=20 mm:60 mm:5000", "--estimate"];
+    let output = sweep(&out, &[&vary[..], &["--json", "--jobs", "2"]].concat());
+    let estimate = crate::support::object(&output);
+    assert_eq!(estimate["rows"], 5000);
+    let number = |key: &str| estimate[key].as_f64().unwrap();
+    assert!(number("computed") >= 100.0, "{estimate}");
+    let both = 2.0 * number("estimate_s") * number("rows_per_core_s");
+    assert!((both / 5000.0 - 1.0).abs() < 1e-9, "{estimate}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    let resumed = sweep(&out, &[&vary[..], &["--resume"]].concat());
+    assert_eq!(resumed.status.code(), Some(2));
+}
