@@ -18,7 +18,8 @@ use serde::{Serialize, Serializer};
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Verdict};
 use crate::drive::Drive;
-use crate::dynamics::FloorMotion;
+use crate::dynamics::hertz::line;
+use crate::dynamics::{FloorMotion, touch};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
@@ -171,6 +172,19 @@ impl Design {
     /// Contact force at a cam angle, N, at the actual shaft speed.
     pub fn force_at(&self, theta: f64) -> f64 {
         self.problem.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
+    }
+
+    /// Hertz pressure of the contact at a cam angle for the materials of cam and follower, Pa. NaN without a contact force, and for a knife edge.
+    pub fn contact_pressure_at(&self, theta: f64) -> f64 {
+        let (follower, cam, force) = (&self.cam.follower, &self.problem.cam, self.force_at(theta));
+        let is_sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
+        if self.is_idle() || is_sharp || force <= 0.0 {
+            return f64::NAN;
+        }
+        let speed = self.problem.drive.speed.abs();
+        let contact = touch(follower, speed, 0.0, self.cam.law.svaj(theta), force);
+        let modulus = cam.contact_modulus();
+        line(contact.normal, cam.thickness, contact.curvature, modulus).pressure
     }
 
     /// Speed of the shaft, rad/s, and time since cam angle 0, s, at a cam angle of the first turn.

@@ -32,3 +32,18 @@ pub const NAMES: [(RGBAColor, &str); 10] = [
     (PURPLE, "purple"),
     (RED, "red"),
 ];
+
+/// Colour from low (dark blue) to high (yellow), in equal steps of lightness: five colours of viridis.
+pub fn shade(u: f64) -> RGBAColor {
+    const STOPS: [[f64; 3]; 5] = [
+        [68.0, 1.0, 84.0],
+        [59.0, 82.0, 139.0],
+        [33.0, 145.0, 140.0],
+        [94.0, 201.0, 98.0],
+        [253.0, 231.0, 37.0],
+    ];
+    let x = u.clamp(0.0, 1.0) * 4.0;
+    let i = (x as usize).min(3);
+    let mix = |k: usize| (STOPS[i][k] + (x - i as f64) * (STOPS[i + 1][k] - STOPS[i][k])) as u8;
+    RGBAColor(mix(0), mix(1), mix(2), 1.0)
+}

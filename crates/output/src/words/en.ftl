@@ -243,6 +243,7 @@ figure-simulated = simulated
 figure-torque = torque, N·m
 figure-push = force, N
 figure-gap = gap, { $unit }
+figure-pressure = contact pressure { $range } MPa
 figure-curvature = curvature and contact
 figure-rho = radius ρ, { $unit }
 figure-contact-travel = contact, { $unit }

@@ -248,6 +248,7 @@ figure-simulated = simulado
 figure-torque = par, N·m
 figure-push = fuerza, N
 figure-gap = separación, { $unit }
+figure-pressure = presión de contacto { $range } MPa
 figure-curvature = curvatura y contacto
 figure-rho = radio ρ, { $unit }
 figure-contact-travel = contacto, { $unit }

@@ -1,5 +1,6 @@
 //! Figures of the cam are complete, have the correct size, and nothing is clipped.
 
+use gaitcam::criterion::LimitKind;
 use gaitcam_output::Language;
 
 use gaitcam_test_support::designs::{footbridge, heel_tester};
@@ -36,4 +37,35 @@ fn pictures_are_whole_and_nothing_is_cut_off() {
             }
         }
     }
+}
+
+#[test]
+fn the_colours_of_a_limited_contact_pressure_reach_the_maximum_of_the_check() {
+    let plain = gaitcam_output::plots::cam(&footbridge(), Language::En).svg();
+    assert!(!plain.contains("contact pressure"));
+    let set = [
+        "cam.follower=roller-translating",
+        "cam.roller_radius=10 mm",
+        "limits.hertz_pressure=900 MPa",
+    ];
+    let design = gaitcam_test_support::design(gaitcam::scene::DEFAULT, &set).unwrap();
+    let highest = design
+        .checks
+        .iter()
+        .find(|c| c.name == LimitKind::HertzPressure);
+    let highest = 1e-6 * highest.unwrap().worst;
+    let svg = gaitcam_output::plots::cam(&design, Language::En).svg();
+    let shown = svg.split("contact pressure ").nth(1).unwrap();
+    let shown = shown
+        .split(" … ")
+        .nth(1)
+        .unwrap()
+        .split(" MPa")
+        .next()
+        .unwrap();
+    let shown: f64 = shown.parse().unwrap();
+    assert!(
+        (shown / highest - 1.0).abs() < 1e-3,
+        "{shown} and {highest} MPa"
+    );
 }

@@ -5,8 +5,6 @@ use serde::{Deserialize, Serialize};
 use super::{MM, Sample, Shown, short};
 use gaitcam::cam::{Cam, Check};
 use gaitcam::criterion::{Criterion, LimitKind};
-use gaitcam::dynamics::hertz::line;
-use gaitcam::dynamics::touch;
 use gaitcam::synth::Design;
 
 /// Contour in the frame of the cam, mm.
@@ -89,7 +87,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
                 all(&|s| 100.0 * least(s) / s.point.rho.abs())
             }
             Colour::Force => all(&|s| s.force),
-            Colour::Hertz => all(&|s| hertz(design, s)),
+            Colour::Hertz => all(&|s| 1e-6 * design.contact_pressure_at(s.theta)),
         },
     }
 }
@@ -112,29 +110,6 @@ fn normal(cam: &Cam, s: &Sample) -> f64 {
     let unrolled = cam.follower.is_unrolled();
     let turned = if unrolled { 0.0 } else { s.theta };
     libm::atan2(y, x) + s.point.pressure_angle - turned
-}
-
-/// Hertz pressure for the materials of cam and follower, MPa; NaN without contact force, or for a knife edge.
-fn hertz(design: &Design, s: &Sample) -> f64 {
-    let follower = &design.cam.follower;
-    let sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
-    if design.is_idle() || sharp || s.force <= 0.0 {
-        return f64::NAN;
-    }
-    let here = touch(
-        follower,
-        design.problem.drive.speed.abs(),
-        0.0,
-        s.at,
-        s.force,
-    );
-    1e-6 * line(
-        here.normal,
-        design.problem.cam.thickness,
-        here.curvature,
-        design.problem.cam.contact_modulus(),
-    )
-    .pressure
 }
 
 /// Points where limits are active or violated, without repetitions.

@@ -1,6 +1,7 @@
 //! Figure of the cam with its follower, at true proportions.
 
 mod follower;
+mod pressure;
 mod table;
 
 use std::f64::consts::TAU;
@@ -19,6 +20,7 @@ use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Design;
 use gaitcam::synth::Edge;
 use gaitcam::wording::Language;
+use pressure::Pressures;
 use table::values_at;
 
 const MM: f64 = 1000.0;
@@ -56,7 +58,8 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         };
         let (plane, scale) = scene.plane(f.canvas, frame);
         scene.draw(&plane)?;
-        let mut y = scene.lines(&f, [table, top + 2.0 * e], words)? + 0.8 * e;
+        let y = scene.lines(&f, [table, top + 2.0 * e], words)?;
+        let mut y = scene.scale(&f, [table, y], words)? + 0.8 * e;
         for (name, value) in &facts {
             f.write(name, [table, y], Lettering::new(e, QUIET))?;
             for line in wrapped(value.split(' '), VALUES - 0.4) {
@@ -75,6 +78,8 @@ struct Scene<'a> {
     /// Further edges to be cut: upper wall of a groove, or second cam of a pair, m.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
+    /// Contact pressure at the points of `rows`, if it is drawn.
+    pressures: Option<Pressures>,
     pose: Pose,
     base: f64,
     prime: f64,
@@ -95,6 +100,7 @@ impl<'a> Scene<'a> {
         } else {
             cam.profile(POINTS)
         };
+        let pressures = Pressures::of(synthesis, rows.iter().map(|p| p.theta));
         let others = Edge::all(synthesis)[1..]
             .iter()
             .map(|edge| edge.points(POINTS).iter().map(|e| e.p).collect())
@@ -109,6 +115,7 @@ impl<'a> Scene<'a> {
             rows,
             others,
             start,
+            pressures,
             pose: pose(cam, start),
             base: MM * cam.follower.base_radius(),
             prime: MM * cam.follower.prime_radius(),
@@ -264,7 +271,11 @@ impl<'a> Scene<'a> {
             dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
         }
         self.other_edges(plane, here)?;
-        trace(plane, self.whole(outline), stroke(BLUE, 2.6))?;
+        let outline = self.whole(outline);
+        match &self.pressures {
+            Some(pressures) => pressures.draw(plane, &outline)?,
+            None => trace(plane, outline, stroke(BLUE, 2.6))?,
+        }
         self.centre(plane)?;
         self.follower(plane)?;
         let contact = self.synthesis.cam.point(self.start);

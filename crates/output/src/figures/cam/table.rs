@@ -53,6 +53,10 @@ impl Scene<'_> {
             }
             lines.push((ORANGE, 1.6, Some(PITCH), words.text("figure-pitch-curve")));
         }
+        if self.pressures.is_some() {
+            // The scale of the pressure is the key of the profile.
+            lines.remove(0);
+        }
         for (colour, width, dash, name) in lines {
             swatch(colour, width, dash, y)?;
             f.write(&name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
