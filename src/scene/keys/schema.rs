@@ -42,9 +42,22 @@ fn place(at: &mut Value, path: &str, value: Value) {
     });
     match (inner, list) {
         (Some(inner), Some(rest)) => place(&mut inner["items"], rest, value),
-        (Some(inner), None) => place(inner, rest, value),
+        (Some(inner), None) => place(table(inner), rest, value),
         (None, _) => {}
     }
+}
+
+/// Schema of the table with the inner keys of a key. A key such as `cam.material` is a text or a table.
+fn table(schema: &mut Value) -> &mut Value {
+    if schema["type"] == "object" {
+        return schema;
+    }
+    if schema["anyOf"][1]["type"] != "object" {
+        let words = schema.as_object_mut();
+        let description = words.and_then(|s| s.remove("description"));
+        *schema = json!({"anyOf": [schema.take(), object()], "description": description});
+    }
+    &mut schema["anyOf"][1]
 }
 
 fn of_key(key: &Key) -> Value {

@@ -194,7 +194,33 @@ fn the_schema_accepts_every_built_in_scene_and_refuses_unknown_keys() {
         let value = serde_json::to_value(&table).unwrap();
         assert_eq!(fault(&schema, &value), None, "{}", built_in.name);
     }
+    // Every key that is a text or a table with keys of its own.
+    let keys = scene::keys::KEYS.iter();
+    let both: Vec<&str> = (keys.clone().map(|k| k.path))
+        .filter(|path| {
+            keys.clone()
+                .any(|k| k.path.starts_with(&format!("{path}.")))
+        })
+        .collect();
+    assert!(both.contains(&"cam.material"), "{both:?}");
+    for path in both {
+        let (section, name) = path.split_once('.').unwrap();
+        let inner = keys
+            .clone()
+            .find(|k| k.path.starts_with(&format!("{path}.")));
+        let inner = &inner.unwrap().path[path.len() + 1..];
+        for text in [
+            format!("[{section}]\n{name} = \"bronze\""),
+            format!("[{section}.{name}]\n{inner} = \"3 GPa\""),
+        ] {
+            let table: Table = text.parse().unwrap();
+            let value = serde_json::to_value(&table).unwrap();
+            assert_eq!(fault(&schema, &value), None, "{text}");
+        }
+    }
     let wrong = [
+        "[cam]\nmaterial = 3",
+        "[cam.material]\nyung = \"3 GPa\"",
         "[limits]\nstrok = \"40 mm\"",
         "[limits]\nstroke = 40",
         "[limits]\nstroke = \"40\"",
@@ -223,7 +249,11 @@ fn fault(schema: &serde_json::Value, value: &serde_json::Value) -> Option<String
         return (schema["const"].as_f64() != value.as_f64()).then(|| format!("{value} is not 0"));
     }
     if let Some(types) = schema["type"].as_array() {
-        let alone = |one: &serde_json::Value| fault(&serde_json::json!({"type": one}), value);
+        let alone = |one: &serde_json::Value| {
+            let mut of_type = schema.clone();
+            of_type["type"] = one.clone();
+            fault(&of_type, value)
+        };
         return (types.iter())
             .all(|one| alone(one).is_some())
             .then(|| format!("{value} is none of {types:?}"));
