@@ -4,7 +4,7 @@
     lab/sample.py [--seed 60] [--comments 200] [--sentences 200]
 
 A doc comment is one block of `///` or `//!` lines of product code, without its code examples. A sentence is one of the
-Markdown documents written by hand, without tables, headings and code, or a message of an English `.ftl` file. Each item
+Markdown documents written by hand, without tables, headings, code and lists of literature, or a message of an English `.ftl` file. Each item
 is printed with its number, file and line. The same seed and the same commit give the same items.
 """
 
@@ -16,8 +16,10 @@ import textwrap
 from measure import NOT_PRODUCT, Tree
 
 GENERATED = re.compile(r"^reports/|^docs/keys\.md$|^docs/reference/(?:commands|laws)\.md$|^docs/SUMMARY\.md$")
-NOT_ENGLISH = re.compile(r"^docs/guia/|/es/|/es\.ftl$")
-SENTENCE = re.compile(r"[A-Z`*\[].*?(?:[.?!:](?=\s|$)|$)", re.S)
+NOT_ENGLISH = re.compile(r"^docs/guia/|/es/|/es\.ftl$|/LEEME\.md$")
+# A full stop after an abbreviation or before a small letter or a number does not end a sentence.
+SENTENCE = re.compile(r"\S.*?(?:(?<!\b[a-zA-Z])(?<!\beq)(?<!\bal)(?<!\bfig)[.?!](?=\s+[A-Z`*\[]|\s*$)|$)", re.S)
+LITERATURE = re.compile(r"(?ms)^#+ Literature$.*")
 
 
 def blank(text, pattern):
@@ -39,7 +41,7 @@ def comments(name, text):
 
 
 def sentences(name, text):
-    text = blank(text, r"(?s)<!--.*?-->|(?<=\n)```.*?\n```(?=\n)")
+    text = blank(LITERATURE.sub("", text), r"(?s)<!--.*?-->|(?<=\n)```.*?\n```(?=\n)")
     for paragraph in re.finditer(r"(?:^.*\S.*(?:\n|$))+", text, re.M):
         for part in re.finditer(r"(?ms)^(?!\||#|\s*<|\$\$)(?:[ \t]*(?:[-*]|\d+\.) )?.*?(?=^\||^\s*(?:[-*]|\d+\.) |\Z)", paragraph[0]):
             for sentence in SENTENCE.finditer(part[0]):

@@ -76,7 +76,6 @@ cli-not-recordings = none of { $files } files has the name ending of a recording
     .help = recordings end in { $endings }
 cli-many-rows = the table would have { $rows } rows
     .help = use fewer values or a smaller --sample, or allow it with --yes; --estimate estimates the time
-    .help = fix the scene with --set
 cli-scatter-csv = the samples of --tolerance can only be written as .csv
 cli-too-many-samples = invalid value { $count }
     .help = the maximum is { $most }
@@ -388,8 +387,8 @@ init-how = Design the cam with gaitcam synth { $file }. List every key with gait
 doctor-toml = { $file }: { $keys } values
 doctor-keys-right = all keys are known, and all values are in their ranges
 doctor-faults = { $count ->
-        [one] There is one fault. Correct it and run this again.
-       *[other] There are { $count } faults. Correct them and run this again.
+        [one] There is one fault. Correct it and run the command again.
+       *[other] There are { $count } faults. Correct them and run the command again.
     }
 doctor-one-cycle = { $file }: one cycle of { $period } s
 doctor-recording = { $file }: { $columns ->
@@ -431,7 +430,7 @@ walk-misfit = damping, %: { $dampings }; misfit of the response: { $misfit }; pe
 walk-constant = at constant speed: misfit { $misfit }; peak { $peak }
 walk-motion = speed { $low } … { $high } rad/s, acceleration up to { $acceleration } rad/s², torque up to { $torque } N·m
 walk-force = force { $low } … { $high } N; RMS difference from the force of the walk { $error } N
-walk-amplitude = amplitude at the step frequency varies by ± { $own } %, that of the walk by ± { $recorded } %: a cam varies it only together with the step time
+walk-amplitude = the amplitude at the step frequency varies by ± { $own } %, and in the walk by ± { $recorded } %; a cam can vary it only together with the step time
 walk-pace = the pace changes: the stride time of the last quarter of the strides differs by { $change } % from that of the first; record a steady walk, or cut the recording
 walk-file = Programme { $file }; run it with gaitcam simulate RESULT --speed-programme.
 programme-kept = the cam keeps contact and all limits of force and torque

@@ -76,7 +76,6 @@ cli-not-recordings = ninguno de { $files } archivos tiene la extensión de un re
     .help = los registros terminan en { $endings }
 cli-many-rows = la tabla tendría { $rows } filas
     .help = use menos valores o un --sample menor, o permítalo con --yes; --estimate estima la duración
-    .help = fije la escena con --set
 cli-scatter-csv = las muestras de --tolerance solo se pueden escribir como .csv
 cli-too-many-samples = valor no válido { $count }
     .help = el máximo es { $most }
