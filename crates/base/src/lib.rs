@@ -5,6 +5,7 @@
 //! - [`wording`]: messages from data, in English and Spanish;
 //! - [`text`]: format of numbers and text in files and pages;
 //! - [`halt`]: stop condition of a computation;
+//! - [`random`]: pseudo-random numbers that are the same on every machine;
 //! - [`threads`]: threads on systems that may refuse them.
 //!
 //! ```
@@ -24,6 +25,7 @@
 pub mod error;
 pub mod halt;
 mod quantity;
+pub mod random;
 pub mod text;
 pub mod threads;
 pub mod units;

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use gaitcam_base::random::Sequence;
+
 use crate::statistics::{mean, sample_deviation};
 use crate::walk::Walk;
 
@@ -63,7 +65,7 @@ impl Walk {
         force: impl Fn(f64) -> f64,
     ) -> Option<Walk> {
         let count = 2 * statistics.strides;
-        let mut dice = Dice(statistics.seed);
+        let mut dice = Dice(Sequence::new(statistics.seed));
         let times = varied(correlated(&mut dice, count), statistics.step_time_cv);
         let parts = varied(
             (0..count).map(|_| dice.normal()).collect(),
@@ -137,17 +139,13 @@ fn correlated(dice: &mut Dice, count: usize) -> Vec<f64> {
     values
 }
 
-/// Random numbers: SplitMix64 (Steele, Lea, Flood 2014).
-struct Dice(u64);
+/// Random numbers of a normal distribution.
+struct Dice(Sequence);
 
 impl Dice {
     /// Number in (0, 1].
     fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((((z ^ (z >> 31)) >> 11) + 1) as f64) / (1_u64 << 53) as f64
+        self.0.next_unit() + 0.5 * f64::EPSILON
     }
 
     /// Normal number of mean 0 and deviation 1, by Box and Muller.
@@ -169,7 +167,7 @@ mod tests {
         let many = 400;
         let (mut square, mut next, mut fifth) = (0.0, 0.0, 0.0);
         for seed in 0..many {
-            let x = correlated(&mut Dice(seed), 64);
+            let x = correlated(&mut Dice(Sequence::new(seed)), 64);
             let sum = |lag: usize| x.iter().zip(&x[lag..]).map(|(a, b)| a * b).sum::<f64>();
             square += sum(0) / 64.0 / many as f64;
             next += sum(1) / 63.0 / many as f64;

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use gaitcam_base::random::Sequence;
+
 use crate::dynamics::FloorMode;
 use crate::units::{Dimension, parse};
 
@@ -87,15 +89,8 @@ impl WalkersSpec {
     /// Phases of the walkers, rad. Random phases are equal in every run.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         if self.phases.is_empty() {
-            let mut state = 0_u64;
-            let drawn = (1..self.count).map(|_| {
-                // Pseudo-random numbers by SplitMix64 (Steele, Lea, Flood 2014).
-                state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-                let mut z = state;
-                z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-                z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-                TAU * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-            });
+            let mut random = Sequence::new(0);
+            let drawn = (1..self.count).map(|_| TAU * random.next_unit());
             return Some([0.0].into_iter().chain(drawn).collect());
         }
         self.listed(&self.phases, Dimension::Angle)

@@ -19,7 +19,7 @@ use crate::synth::Design;
 const MOST_WAVES: usize = 60;
 /// Minimum number of points per wave.
 const POINTS_PER_WAVE: usize = 4;
-/// Deviation, m, below which a deviation is a rounding error.
+/// Size, m, below which a deviation is a rounding error.
 const ROUNDING: f64 = 1e-10;
 
 /// Force and motion of a cam in its machine. The extremes of the law are exact.

@@ -16,9 +16,10 @@ use super::over_time::{OverTime, angle};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SweepError};
 use crate::scene::keys::{self, Key};
-use crate::sweep::plan::sample::{Method, mixed, unit};
+use crate::sweep::plan::sample::Method;
 use crate::synth::Design;
 use crate::units::{Dimension, parse};
+use gaitcam_base::random::{mixed, unit};
 
 /// A quantity with a manufacturing error.
 ///

@@ -1,5 +1,6 @@
 //! Low-discrepancy points in a cube: Latin hypercube and Sobol sequence. Each point is computed from its index only.
 
+use gaitcam_base::random::{mixed, unit};
 use serde::{Deserialize, Serialize};
 
 /// Sampling methods.
@@ -41,19 +42,6 @@ impl Method {
             Method::Sobol => sobol(index, axis),
         }
     }
-}
-
-/// SplitMix64: maps a 64-bit number to a pseudo-random one (Steele, Lea, Flood 2014).
-pub fn mixed(x: u64) -> u64 {
-    let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
-/// A number in [0, 1) from the top 53 bits.
-pub fn unit(bits: u64) -> f64 {
-    (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {

@@ -23,8 +23,8 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// Emitted profile, not the law from which it was made, in a machine that `drive` describes. The contact is steel on steel over the thickness of
-    /// the plate.
+    /// Emitted profile, not the law from which it was made, in a machine that `drive` describes. The contact has the materials of cam and follower,
+    /// over the thickness of the plate.
     ///
     /// # Errors
     ///

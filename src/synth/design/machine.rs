@@ -49,7 +49,7 @@ pub struct MachineReport {
     pub power_mean_w: Option<f64>,
     /// Minimum speed at which the follower lifts off, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,
-    /// Maximum line pressure, Pa, for steel on steel over the thickness of the cam; infinite for a knife edge.
+    /// Maximum line pressure over the thickness of the cam, for the materials of cam and follower, Pa; infinite for a knife edge.
     pub hertz_pressure_max_pa: Option<f64>,
 }
 

@@ -16,7 +16,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 /// Fraction of the squared pressure due to the roller alone, above which the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Limit for steel on steel with a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together. `is_sized` states that the radius is
+/// Limit for a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together. `is_sized` states that the radius is
 /// among the variables.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     if !is_sized {

@@ -1,4 +1,4 @@
-//! Maximum line pressure between cam and follower, steel on steel: p² = N κ E*/(π L) (theory §10).
+//! Maximum line pressure between cam and follower: p² = N κ E*/(π L) (theory §10).
 
 use std::f64::consts::PI;
 

@@ -67,7 +67,7 @@ key-limits-torque_rate = Maximum change of the shaft torque per cam angle.
 name-torque-rate = torque_rate
 label-limits-torque_rate = Torque rate
 
-key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, steel on steel.
+key-limits-hertz_pressure = Maximum Hertz pressure of the line contact, for the materials of cam and follower.
 name-hertz-pressure = hertz_pressure
 label-limits-hertz_pressure = Hertz pressure
 

@@ -67,7 +67,7 @@ key-limits-torque_rate = Variación máxima del par del eje por ángulo de leva.
 name-torque-rate = variación del par
 label-limits-torque_rate = Variación del par
 
-key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, acero sobre acero.
+key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, para los materiales de leva y seguidor.
 name-hertz-pressure = presión de Hertz
 label-limits-hertz_pressure = Presión de Hertz
 
