@@ -19,7 +19,7 @@ const EXPONENT: f64 = 0.8;
 /// // The coefficient of variation of the stride time of a healthy person is 1 to 4 %.
 /// assert_eq!(StepStatistics::default().step_time_cv, 0.03);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct StepStatistics {
     /// Number of strides; each consists of two steps.
     pub strides: usize,

@@ -73,16 +73,16 @@ impl ProgrammeRun {
 
     /// Differences between the responses to the cam's force and to a recorded force, N, at the rows. The rows contain the given number of strides;
     /// the last row repeats the first.
-    pub fn misfits(&self, recorded_n: &[f64], strides: usize) -> [Misfit; 3] {
+    pub fn misfits(&self, walk_n: &[f64], strides: usize) -> [Misfit; 3] {
         let last = self.time_s.len() - 1;
         let duration = self.time_s[last] - self.time_s[0];
         let of = |force: &[f64]| RepeatedForce::new(&force[..last], duration, strides);
-        of(recorded_n).misfits(&of(&self.force_n))
+        of(walk_n).misfits(&of(&self.force_n))
     }
 
     /// Root mean square of the difference from a recorded force at the rows, N.
-    pub fn rms_error(&self, recorded_n: &[f64]) -> f64 {
-        let off = self.force_n.iter().zip(recorded_n).skip(1);
+    pub fn rms_error(&self, walk_n: &[f64]) -> f64 {
+        let off = self.force_n.iter().zip(walk_n).skip(1);
         let square: f64 = off.map(|(a, b)| (a - b).powi(2)).sum();
         (square / (self.force_n.len() - 1) as f64).sqrt()
     }

@@ -58,9 +58,9 @@ pub struct Followed {
     pub programme: SpeedProgramme,
     /// Run of the cam that follows the programme.
     pub run: ProgrammeRun,
-    /// The recorded force at the rows, N.
-    pub recorded_n: Vec<f64>,
-    /// Differences between the responses to the force of the cam and to the recorded force.
+    /// Force of the walk (recorded or generated) at the rows, N.
+    pub walk_n: Vec<f64>,
+    /// Differences between the responses to the force of the cam and to the force of the walk.
     pub misfits: [Misfit; 3],
     /// Maximum deviation of a step time of the programme from the recorded one, s.
     pub step_error_s: f64,
@@ -160,18 +160,18 @@ impl Followed {
             ((mean * t + off - angle) / (mean + rate)).abs()
         });
         let step_error_s = step_error.fold(0.0, f64::max);
-        let mut recorded_n = walk.force_n();
-        recorded_n.push(recorded_n[0]);
+        let mut walk_n = walk.force_n();
+        walk_n.push(walk_n[0]);
         let programme = SpeedProgramme {
             speed: follower.command(&run)?,
             time_s: speed.time_s,
         };
         Ok(Followed {
-            misfits: run.misfits(&recorded_n, walk.strides()),
-            rms_error_n: run.rms_error(&recorded_n),
+            misfits: run.misfits(&walk_n, walk.strides()),
+            rms_error_n: run.rms_error(&walk_n),
             programme,
             run,
-            recorded_n,
+            walk_n,
             step_error_s,
         })
     }

@@ -87,9 +87,15 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
         report(words::fill("walk-no-cam", &json!({"why": why})));
         return Ok(NO_SUCH_CAM);
     }
-    let walk = match (&args.recording, args.generate) {
+    let statistics = args
+        .generate
+        .map(|strides| statistics(args, strides.into()));
+    let statistics = statistics.transpose()?;
+    let walk = match (&args.recording, &statistics) {
         (Some(path), _) => recorded(path)?,
-        (None, Some(strides)) => generated(args, usize::from(strides), &design)?,
+        (None, Some(statistics)) => design
+            .generated_walk(statistics)
+            .ok_or_else(|| CliError::NothingToWalk.at_argument("--generate"))?,
         (None, None) => design
             .walk()
             .ok_or_else(|| CliError::NoWalk.at_argument("RECORDING"))?,
@@ -113,7 +119,8 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
         None => Responding::Recorded,
     };
     picture(&design, (of_walk, &walk), &found, &even, &args.out)?;
-    let facts = json(&walk, &found, &even);
+    let mut facts = json(&walk, &found, &even);
+    facts["generated"] = json!(statistics);
     if args.json {
         print_json(&facts);
         return Ok(BUILT);
@@ -150,8 +157,8 @@ fn recorded(path: &Path) -> Result<Walk> {
     })
 }
 
-/// A walk of random steps with the target of the design.
-fn generated(args: &WalkArgs, strides: usize, design: &Design) -> Result<Walk> {
+/// Statistics of the generated steps.
+fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     let usual = StepStatistics::default();
     let share = |flag, text: &Option<String>| match input::quantity(
         flag,
@@ -164,14 +171,12 @@ fn generated(args: &WalkArgs, strides: usize, design: &Design) -> Result<Walk> {
         }
         given => Ok(given),
     };
-    let statistics = StepStatistics {
+    Ok(StepStatistics {
         strides,
         step_time_cv: share("--step-time-cv", &args.step_time_cv)?.unwrap_or(usual.step_time_cv),
         amplitude_cv: share("--amplitude-cv", &args.amplitude_cv)?.unwrap_or(usual.amplitude_cv),
         seed: args.seed,
-    };
-    let walk = design.generated_walk(&statistics);
-    walk.ok_or_else(|| CliError::NothingToWalk.at_argument("--generate"))
+    })
 }
 
 /// The walk scaled to the mean force of the cam, which corresponds to the weight of the walker.
@@ -206,7 +211,7 @@ fn table(found: &Followed) -> String {
         ("time_s", found.programme.time_s.clone()),
         ("speed_rad_per_s", found.programme.speed.clone()),
         ("angle_rad", found.run.angle.clone()),
-        ("recorded_n", found.recorded_n.clone()),
+        ("walk_n", found.walk_n.clone()),
     ])
 }
 

@@ -25,7 +25,7 @@ use gaitcam_output::csv;
 struct Rows {
     programme: SpeedProgramme,
     start: f64,
-    recorded_n: Option<Vec<f64>>,
+    walk_n: Option<Vec<f64>>,
 }
 
 /// Simulates the cam of a scene or result with a programme and writes `programme.csv`. The exit code is 3 if contact is lost or a limit is violated.
@@ -44,7 +44,7 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
     let steps = design.problem.steps_per_turn.unwrap_or(2);
     let turns = (run.angle[run.angle.len() - 1] - rows.start) / std::f64::consts::TAU;
     let strides = (0.5 * turns * steps as f64).round() as usize;
-    let misfits = match &rows.recorded_n {
+    let misfits = match &rows.walk_n {
         Some(recorded) if strides > 0 => Some(run.misfits(recorded, strides)),
         _ => None,
     };
@@ -65,10 +65,7 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
     folder.write("programme.csv", csv::text(&columns).as_bytes())?;
     let place = folder.path().to_path_buf();
     folder.commit(&[])?;
-    let error = rows
-        .recorded_n
-        .as_ref()
-        .map(|recorded| run.rms_error(recorded));
+    let error = rows.walk_n.as_ref().map(|recorded| run.rms_error(recorded));
     let passes = broken.is_empty() && !run.contact_lost;
     if as_json {
         print_json(&data(&run, error, misfits.as_ref(), &broken));
@@ -107,7 +104,7 @@ fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind,
     over.collect()
 }
 
-/// Reads a programme: the columns `time_s` and `speed_rad_per_s`, and, if present, `angle_rad` and `recorded_n`.
+/// Reads a programme: the columns `time_s` and `speed_rad_per_s`, and, if present, `angle_rad` and `walk_n`.
 fn read(path: &Path) -> Result<Rows> {
     let text = read_text(path)?;
     let mut lines = text
@@ -148,7 +145,7 @@ fn read(path: &Path) -> Result<Rows> {
     Ok(Rows {
         programme: programme.map_err(|e| e.in_file(path))?,
         start,
-        recorded_n: place("recorded_n").map(column).transpose()?,
+        walk_n: place("walk_n").map(column).transpose()?,
     })
 }
 
