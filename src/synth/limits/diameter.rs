@@ -59,7 +59,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     match problem.cam.follower {
         FollowerKind::FlatTranslating => Some(match given {
             Some(base) => affine(problem, reach - base, 2.0 * base),
-            None => sized(problem, reach, RADIUS),
+            None => sized(problem, reach, RADIUS, 0.0),
         }),
         FollowerKind::RollerTranslating
         | FollowerKind::KnifeTranslating
@@ -67,7 +67,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
             let offset = problem.offset().or(given.map(|_| 0.0))?;
             let most = (reach * reach - offset * offset).max(0.0).sqrt();
             let Some(prime) = given else {
-                return Some(sized(problem, most, RISE));
+                return Some(sized(problem, most, RISE, offset));
             };
             let rise = (prime * prime - offset * offset).max(0.0).sqrt();
             Some(match offset {
@@ -105,9 +105,11 @@ fn affine(problem: &Problem, bound: f64, offset: f64) -> Limit {
     .of(lift(problem, bound))
 }
 
-/// Limit on lift and size together.
-fn sized(problem: &Problem, bound: f64, size: Variable) -> Limit {
-    let mut limit = Meaning::Sized.of(lift(problem, bound));
+/// Limit on lift and size together, for a follower with this offset.
+fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
+    let radius = problem.cam.roller_radius;
+    let meaning = Meaning::Diameter { offset, radius };
+    let mut limit = meaning.of(lift(problem, bound));
     limit.extra[size] = 1.0;
     limit
 }

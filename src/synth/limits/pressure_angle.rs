@@ -73,7 +73,7 @@ impl AngleRow {
 
     /// Row with D, and e if it is free, among the variables.
     fn sized(self, length: f64, offset: Option<f64>) -> Limit {
-        let mut limit = Meaning::Sized.of(self.limit(length));
+        let mut limit = Meaning::PressureAngle.of(self.limit(length));
         limit.bound = self.side * offset.unwrap_or(0.0);
         limit.extra[RISE] = -self.tan;
         if offset.is_none() {

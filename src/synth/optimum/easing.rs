@@ -138,7 +138,7 @@ fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity>
     }
     // v − e ≤ t (s + D): a larger t relaxes the limit in proportion to the height s + D of the roller centre.
     let rise = match limit.meaning {
-        Meaning::Sized if limit.extra[RISE] != 0.0 => Some(solution.extra[RISE]),
+        Meaning::PressureAngle => Some(solution.extra[RISE]),
         Meaning::PrimeRadius { tan, offset } => Some((limit.bound - offset) / tan),
         _ => None,
     };

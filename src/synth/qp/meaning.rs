@@ -21,8 +21,18 @@ pub enum Meaning {
         /// Factor of the squared bound.
         factor: f64,
     },
-    /// A limit on a variable size; it cannot be relaxed.
+    /// A limit with the size among the variables. Its bound is not a value of the scene.
     Sized,
+    /// A pressure-angle limit with the size among the variables: its angle is in the weights, not in the bound.
+    PressureAngle,
+    /// A limit on the distance of a roller centre or face from the cam centre along the motion. The value is the diameter of the finished cam:
+    /// 2 (√(bound² + offset²) − radius).
+    Diameter {
+        /// Offset of the follower, m.
+        offset: f64,
+        /// Radius of the roller, m; 0 for a face.
+        radius: f64,
+    },
     /// A pressure-angle limit for a given prime circle: bound = tan·D ± e. Its value is the prime radius.
     PrimeRadius {
         /// Tangent of the permitted angle.
@@ -44,7 +54,10 @@ impl Meaning {
     /// Value of the scene for a bound; `None` if the bound is not such a value.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {
-            Meaning::Structure | Meaning::Sized => None,
+            Meaning::Structure | Meaning::Sized | Meaning::PressureAngle => None,
+            Meaning::Diameter { offset, radius } => {
+                Some(2.0 * (libm::hypot(bound, offset) - radius))
+            }
             Meaning::Value { factor, offset } => Some(factor * bound + offset),
             Meaning::Square { factor } => Some(factor * bound * bound),
             Meaning::PrimeRadius { tan, offset } => {
@@ -56,7 +69,8 @@ impl Meaning {
     /// Derivative |d value / d bound|, to convert multipliers.
     pub fn slope(self, bound: f64) -> f64 {
         match self {
-            Meaning::Structure | Meaning::Sized => 1.0,
+            Meaning::Structure | Meaning::Sized | Meaning::PressureAngle => 1.0,
+            Meaning::Diameter { offset, .. } => 2.0 * (bound / libm::hypot(bound, offset)).abs(),
             Meaning::Value { factor, .. } => factor.abs(),
             Meaning::Square { factor } => 2.0 * (factor * bound).abs(),
             Meaning::PrimeRadius { tan, offset } => {

@@ -66,6 +66,7 @@ fn no_design_that_passes_is_larger_than_its_limit() {
         fitted("follower = \"flat-translating\"\nbase_radius = \"30 mm\""),
         fitted(roller),
         fitted(&format!("{roller}\noffset = \"auto\"")),
+        fitted(&format!("{roller}\noffset = \"7 mm\"")),
         fitted(&format!(
             "{roller}\noffset = \"6 mm\"\nprime_radius = \"60 mm\""
         )),
@@ -74,7 +75,7 @@ fn no_design_that_passes_is_larger_than_its_limit() {
         built_in("camdas_04_oscillating_flat"),
         built_in("camdas_07_conjugate_roller"),
     ];
-    let (mut passed, mut failed) = (0, 0);
+    let (mut passed, mut failed, mut eased) = (0, 0, 0);
     for text in scenes {
         let natural = 2.0 * design_of(&text, &[]).cam.radii().unwrap()[1].value;
         for step in 0..8 {
@@ -89,6 +90,16 @@ fn no_design_that_passes_is_larger_than_its_limit() {
                 "{text} {}: {largest}",
                 own.worst
             );
+            for easing in (design.easing.iter()).filter(|e| e.limit == LimitKind::Diameter) {
+                let values = [easing.from / limit, easing.to / limit];
+                assert!((values[0] - 1.0).abs() < 1e-9, "{text} {limit}: {easing:?}");
+                assert!(
+                    (values[1] - 1.01).abs() < 1e-9,
+                    "{text} {limit}: {easing:?}"
+                );
+                assert!(easing.after <= easing.before, "{text} {limit}: {easing:?}");
+                eased += 1;
+            }
             if own.pass {
                 passed += 1;
                 assert!(largest <= limit * (1.0 + 1e-8), "{text} {limit}: {largest}");
@@ -98,6 +109,7 @@ fn no_design_that_passes_is_larger_than_its_limit() {
         }
     }
     assert!(passed >= 40, "{passed} pass, {failed} fail");
+    assert!(eased >= 10, "{eased} sensitivities to the diameter");
 }
 
 /// Where the size is part of the program the limit is met, and a smaller diameter has a larger force error.
