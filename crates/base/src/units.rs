@@ -246,18 +246,18 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
 }
 
 fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
-    if matches!(unit, "lb" | "lbs") {
+    if matches!(unit, "lb" | "lbs" | "pound" | "pounds" | "libra" | "libras") {
         return Some(match dimension {
             Dimension::Mass | Dimension::Inertia => (LB, [0, 1, 0, 0]),
             _ => (LBF, [1, 1, -2, 0]),
         });
     }
     let unit = match unit {
-        "\"" | "″" | "inch" | "inches" => "in",
-        "'" | "′" | "foot" | "feet" => "ft",
-        "r" | "revs" | "turns" | "revolutions" => "rev",
-        "degrees" => "deg",
-        "sec" | "secs" | "seconds" => "s",
+        "\"" | "″" | "inch" | "inches" | "pulgada" | "pulgadas" => "in",
+        "'" | "′" | "foot" | "feet" | "pie" | "pies" => "ft",
+        "r" | "revs" | "turns" | "revolutions" | "vuelta" | "vueltas" => "rev",
+        "degree" | "degrees" | "grado" | "grados" => "deg",
+        "sec" | "secs" | "seconds" | "segundo" | "segundos" => "s",
         "RPM" => "rpm",
         _ => unit,
     };
@@ -278,7 +278,12 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)))
         .filter(|_| worded);
-    let (unit, nearest) = (unit.to_string(), meant.map(str::to_string));
+    // A power without its sign: in3 for in^3.
+    let base = unit.trim_end_matches(|c: char| c.is_ascii_digit());
+    let power = (base.len() < unit.len() && lookup(base, dimension).is_some())
+        .then(|| format!("{base}^{}", &unit[base.len()..]));
+    let nearest = power.or_else(|| meant.map(str::to_string));
+    let unit = unit.to_string();
     UnitsError::UnknownUnit { unit, nearest }.into()
 }
 
@@ -418,5 +423,23 @@ mod tests {
             let words = message(text, dimension);
             assert!(words.contains(meant), "{words}");
         }
+    }
+
+    #[test]
+    fn units_in_words_of_both_languages_are_read_and_a_missing_power_sign_is_found() {
+        for (text, dimension, value) in [
+            ("90 grados", Dimension::Angle, std::f64::consts::FRAC_PI_2),
+            ("1 degree", Dimension::Angle, std::f64::consts::PI / 180.0),
+            ("2 pulgadas", Dimension::Length, 0.0508),
+            ("800 pounds", Dimension::Force, 800.0 * LBF),
+            ("0,5 vueltas", Dimension::Angle, std::f64::consts::PI),
+        ] {
+            let read = parse(text, dimension).unwrap();
+            assert!((read / value - 1.0).abs() < 1e-12, "{text}: {read}");
+        }
+        let refused = parse("30 psi/in3", Dimension::PressurePerVolume).unwrap_err();
+        let (unit, nearest) = ("in3".to_string(), Some("in^3".to_string()));
+        let fault = UnitsError::UnknownUnit { unit, nearest };
+        assert_eq!(refused.fault(), Some(&fault));
     }
 }

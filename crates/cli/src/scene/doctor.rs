@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
+use gaitcam::scene;
 use gaitcam::synth::{Search, sentences};
 use serde_json::json;
 
+use crate::console::error::CliError;
 use crate::console::exit_code::{self, BAD_INPUT, BUILT, NO_SUCH_CAM};
 use crate::console::language;
 use crate::console::terminal::print;
@@ -25,6 +27,9 @@ const EXAMPLES: &str = "Examples:
 pub struct DoctorArgs {
     /// Scene file, name of a built-in scene, or recording
     file: PathBuf,
+    /// Change a value of the scene: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
     #[command(flatten)]
     time: TimeLimit,
 }
@@ -32,9 +37,15 @@ pub struct DoctorArgs {
 /// Examines the file. The exit code is that of `synth` or `gait`.
 pub fn run(args: &DoctorArgs) -> Result<u8> {
     if doctor::is_recording(&args.file) {
+        if !args.set.is_empty() {
+            return Err(CliError::RecordingNotScene.at_argument("--set"));
+        }
         return Ok(report(&doctor::recording_file(&args.file)?));
     }
-    let (table, files, _) = input::written(&SceneArgs::of(args.file.clone()))?;
+    let (mut table, files, _) = input::written(&SceneArgs::of(args.file.clone()))?;
+    for change in &args.set {
+        scene::set(&mut table, change).map_err(input::at_flag("--set"))?;
+    }
     let name = args.file.display().to_string();
     let (findings, input) = doctor::scene(&name, table, files)?;
     let code = report(&findings);

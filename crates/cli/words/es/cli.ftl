@@ -24,6 +24,8 @@ cli-among-recordings = los resultados se escribirían entre los registros de { $
     .help = dé otra carpeta
 cli-not-cover = esto no es una tabla de gaitcam cover
     .help = dé la carpeta de resultados de gaitcam cover
+cli-recording-not-scene = cambia una escena, pero el archivo es un registro
+    .help = use las opciones de gaitcam gait
 cli-scene-not-recording = es una escena, no un registro
     .help = use gaitcam synth para diseñar su leva, gaitcam doctor para revisarla, o gaitcam gait con el archivo de su gait.file
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
@@ -387,8 +389,8 @@ init-how = Diseñe la leva con gaitcam synth { $file }. Muestre todas las claves
 doctor-toml = { $file }: { $keys } valores
 doctor-keys-right = todas las claves existen y todos los valores están en su intervalo
 doctor-faults = { $count ->
-        [one] Hay un fallo. Corríjalo y ejecute esto de nuevo.
-       *[other] Hay { $count } fallos. Corríjalos y ejecute esto de nuevo.
+        [one] Hay un fallo. Corríjalo y ejecute la orden de nuevo.
+       *[other] Hay { $count } fallos. Corríjalos y ejecute la orden de nuevo.
     }
 doctor-one-cycle = { $file }: un ciclo de { $period } s
 doctor-recording = { $file }: { $columns ->

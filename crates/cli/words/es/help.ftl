@@ -177,6 +177,7 @@ init-machine = Máquina; si se omite, se enumeran
 init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)
 
 doctor-file = Archivo de escena, nombre de una escena incorporada, o registro
+doctor-set = Cambia un valor de la escena: --set 'limits.stroke=40 mm' (se puede repetir)
 
 
 completions-shell = El intérprete de órdenes
