@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::json;
 
 use crate::console::error::CliError;
@@ -63,8 +63,10 @@ pub struct EcamArgs {
 
 /// Parser for the names of the dialects on the command line.
 pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
-    let named = |name: String| Dialect::ALL.into_iter().find(|d| d.name() == name);
-    PossibleValuesParser::new(Dialect::ALL.map(Dialect::name))
+    let is = |d: &Dialect, name: &str| d.name() == name || d.other_names().contains(&name);
+    let named = move |name: String| Dialect::ALL.into_iter().find(|d| is(d, &name));
+    let value = |d: Dialect| PossibleValue::new(d.name()).aliases(d.other_names());
+    PossibleValuesParser::new(Dialect::ALL.map(value))
         .map(move |name| named(name).unwrap_or(Dialect::Csv))
 }
 

@@ -99,6 +99,16 @@ impl Dialect {
         }
     }
 
+    /// Makers and products whose name also selects the dialect on the command line.
+    pub fn other_names(self) -> &'static [&'static str] {
+        match self {
+            Dialect::Codesys | Dialect::Csv => &[],
+            Dialect::Twincat => &["beckhoff"],
+            Dialect::Segments => &["siemens", "sew"],
+            Dialect::Rockwell => &["logix"],
+        }
+    }
+
     /// File name of the dialect.
     pub const fn file(self) -> &'static str {
         match self {

@@ -14,166 +14,69 @@ use gaitcam::wording::Catalogue;
 // `NoParquet` is used only in builds without Parquet.
 #[cfg_attr(feature = "parquet", allow(dead_code))]
 pub enum CliError {
-    CannotOpen {
-        fault: String,
-    },
-    SceneName {
-        shown: String,
-        fault: NameFault,
-    },
-    FewRows {
-        rows: u32,
-        least: u32,
-    },
-    CycleEnding {
-        file: String,
-    },
-    NotStances {
-        file: String,
-    },
-    StancesOfSeveral {
-        table: String,
-    },
+    CannotOpen { fault: String },
+    SceneName { shown: String, fault: NameFault },
+    FewRows { rows: u32, least: u32 },
+    CycleEnding { file: String },
+    NotStances { file: String },
+    StancesOfSeveral { table: String },
     TableChanged,
-    Cams {
-        typed: String,
-        most: usize,
-    },
-    AmongRecordings {
-        folder: String,
-    },
+    Cams { typed: String, most: usize },
+    AmongRecordings { folder: String },
     NotCover,
     SceneNotRecording,
     RecordingNotScene,
-    NoKeyContains {
-        pattern: String,
-    },
-    InputTime {
-        limit: String,
-    },
-    NoModel {
-        typed: String,
-    },
-    Speeds {
-        typed: String,
-        most: usize,
-    },
-    CamIsMade {
-        key: String,
-    },
-    BrokenTable {
-        fault: String,
-    },
+    NoKeyContains { pattern: String },
+    InputTime { limit: String },
+    NoModel { typed: String },
+    Speeds { typed: String, most: usize },
+    CamIsMade { key: String },
+    BrokenTable { fault: String },
     FieldNotNumber,
     EmptyTable,
     NoBlocks,
-    NotSweepTable {
-        column: String,
-    },
+    NotSweepTable { column: String },
     NoParquet,
-    TableEnding {
-        file: String,
-    },
+    TableEnding { file: String },
     NoBaseScene,
-    RowNotNumber {
-        row: u64,
-        cell: String,
-    },
+    RowNotNumber { row: u64, cell: String },
     NothingVaries,
     ListCell,
-    ListValue {
-        fault: String,
-    },
+    ListValue { fault: String },
     EmptyList,
-    NoRecordings {
-        endings: String,
-    },
-    NotRecordings {
-        files: usize,
-        endings: String,
-    },
-    ManyRows {
-        rows: String,
-    },
+    NoRecordings { endings: String },
+    NotRecordings { files: usize, endings: String },
+    ManyRows { rows: String },
     ScatterCsv,
-    TooManySamples {
-        count: String,
-        most: String,
-    },
+    TooManySamples { count: String, most: String },
     NoSample,
-    PartialRows {
-        rows: u64,
-    },
+    PartialRows { rows: u64 },
     NotPartial,
-    RowsSafe {
-        fault: String,
-        rows: u64,
-    },
-    AllRowsSafe {
-        fault: String,
-    },
-    CannotRepair {
-        fault: String,
-    },
+    RowsSafe { fault: String, rows: u64 },
+    AllRowsSafe { fault: String },
+    CannotRepair { fault: String },
     FileIsThere,
-    UnknownFlag {
-        near: Option<String>,
-    },
+    UnknownFlag { near: Option<String> },
     OneTooMany,
-    UnknownVerb {
-        typed: String,
-        near: Option<String>,
-    },
-    InLab {
-        typed: String,
-    },
+    UnknownVerb { typed: String, near: Option<String> },
+    InLab { typed: String },
     FlagWithoutValue,
-    FlagChoice {
-        typed: String,
-        choices: String,
-    },
-    FlagValue {
-        typed: String,
-        fault: String,
-    },
-    FlagWhole {
-        typed: String,
-    },
-    FlagRange {
-        typed: String,
-        range: String,
-    },
-    MissingArguments {
-        missing: String,
-        choices: String,
-    },
-    FlagConflict {
-        other: String,
-    },
+    FlagChoice { typed: String, choices: String },
+    FlagValue { typed: String, fault: String },
+    FlagWhole { typed: String },
+    FlagRange { typed: String, range: String },
+    MissingArguments { missing: String, choices: String },
+    FlagConflict { other: String },
     FlagCount,
-    Arguments {
-        fault: String,
-    },
-    NegativeBall {
-        typed: String,
-    },
+    Arguments { fault: String },
+    NegativeBall { typed: String },
     NoWalk,
     NothingToWalk,
-    VariesTooMuch {
-        most: String,
-    },
-    StridesMissing {
-        count: usize,
-        recorded: usize,
-    },
-    FewStrides {
-        strides: usize,
-        needed: usize,
-    },
+    VariesTooMuch { most: String },
+    StridesMissing { count: usize, recorded: usize },
+    FewStrides { strides: usize, needed: usize },
     ClippedWalk,
-    ProgrammeColumn {
-        column: String,
-    },
+    ProgrammeColumn { column: String },
 }
 
 /// Reasons why a scene's name cannot be a folder name.
