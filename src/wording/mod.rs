@@ -9,8 +9,8 @@ use serde::Serialize;
 use gaitcam_base::error::nearest;
 
 pub use gaitcam_base::wording::{
-    Catalogue, DIGITS, Language, LengthUnit, Messages, Sentences, display_lengths_in, exact, fixed,
-    number, people, quantity, range, rounded, walker,
+    Catalogue, DIGITS, Language, Messages, Sentences, exact, fixed, number, people, quantity,
+    range, rounded, walker,
 };
 pub(crate) use gaitcam_base::wording::{InLanguages, code, degrees};
 pub use words::Words;

@@ -34,7 +34,7 @@ impl Unit {
         Unit::of_si(dimension.si())
     }
 
-    /// Output unit of lengths: millimetres, or the unit set by [`display_lengths_in`](crate::wording::display_lengths_in).
+    /// Output unit of lengths: millimetres, or the unit set by [`display_lengths_in`](gaitcam_base::wording::display_lengths_in).
     pub fn length() -> Unit {
         Unit::of_si("m")
     }

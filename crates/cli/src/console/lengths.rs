@@ -1,7 +1,7 @@
 //! Unit of displayed lengths: `--units`.
 
 use clap::{Args, ValueEnum};
-use gaitcam::wording::{LengthUnit, display_lengths_in};
+use gaitcam_base::wording::{LengthUnit, display_lengths_in};
 
 /// Unit of lengths for users.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
