@@ -89,4 +89,4 @@ law-table-spacing = { $table }: the spacing of its rows is too uneven for a spli
 joins-dwell = dwell
 joins-return-of-equal-acceleration = return of equal acceleration
 joins-constant-velocity = constant velocity
-joins-nothing-but-a-general-polynomial = nothing but a general polynomial
+joins-nothing-but-a-general-polynomial = only a general polynomial

@@ -127,7 +127,7 @@ scene-keyway-too-wide = a keyway of { $width } does not fit a bore of { $bore }
     .help = write "auto" for the width of DIN 6885-1
 scene-offset-reaches-prime = the offset of { $offset } is not smaller than the prime radius of { $prime }
     .help = reduce the offset or increase the prime radius
-scene-force-needs-turn = a target force requires a lift over one turn, but this follower ({ $follower }) has no cam that turns
+scene-force-needs-turn = a target force requires a law over one turn, but this cam ({ $follower }) translates or has a law of several turns
     .help = use a follower on a disc cam, or remove [gait] and give a programme
 scene-length-needs-program = a law over a length must be given as a programme
     .help = set law.family = "program" with segments

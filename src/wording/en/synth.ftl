@@ -5,7 +5,7 @@ reason-mean-force = The mean target force is { $mean }, but the weight of the ma
 reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if it is correct.
 reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if it is correct.
 reason-recording-mass = The mass of the walker and the scale of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if they are correct.
-reason-recording-clipped = The recording is clipped: { $because }. Its peaks and the mass are too low, and this cannot be accepted. Record again with a larger range, or omit the column ({ $keys }).
+reason-recording-clipped = The recording is clipped: { $because }. Its peaks and the mass are too low, and gait.accept does not permit a clipped recording. Record again with a larger range, or omit the column ({ $keys }).
 reason-lift-jumps = The lift is discontinuous at { $at }; no follower can perform this. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }, which causes infinite acceleration and an impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }, which causes infinite jerk, and vibration at high speed.

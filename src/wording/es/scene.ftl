@@ -127,7 +127,7 @@ scene-keyway-too-wide = un chavetero de { $width } no cabe en un agujero de { $b
     .help = escriba "auto" para la anchura de DIN 6885-1
 scene-offset-reaches-prime = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
     .help = reduzca la excentricidad o aumente el radio primario
-scene-force-needs-turn = una fuerza objetivo requiere una elevación en una vuelta, pero este seguidor ({ $follower }) no tiene una leva que gire
+scene-force-needs-turn = una fuerza objetivo requiere una ley de una vuelta, pero esta leva ({ $follower }) se traslada o tiene una ley de varias vueltas
     .help = use un seguidor sobre una leva de disco, o quite [gait] y dé un programa
 scene-length-needs-program = una ley sobre una longitud debe darse como programa
     .help = ponga law.family = "program" con segmentos

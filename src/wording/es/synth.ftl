@@ -5,7 +5,7 @@ reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la ma
 reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si es correcto.
 reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si es correcta.
 reason-recording-mass = La masa de la persona y la escala de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si son correctas.
-reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, y esto no se puede aceptar. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
+reason-recording-clipped = El registro está recortado: { $because }. Sus picos y la masa son demasiado bajos, y gait.accept no permite un registro recortado. Registre de nuevo con un rango mayor, o excluya la columna ({ $keys }).
 reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede realizarla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }, lo que causa sobreaceleración infinita y vibración a alta velocidad.
