@@ -80,7 +80,7 @@ struct LoggedArgs {
     columns: ColumnArgs,
 }
 
-/// Columns of the logs.
+/// Names or numbers of the columns in the logs.
 #[derive(Args, Debug)]
 struct ColumnArgs {
     /// Name or number of the time column

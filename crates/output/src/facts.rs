@@ -24,7 +24,7 @@ enum Brief {
 /// A fact about a design: name and formatted value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fact {
-    /// Name of the fact.
+    /// Name of the fact in the language of the output.
     pub name: String,
     /// Value of the fact with its unit.
     pub value: String,

@@ -45,7 +45,7 @@ fn spanish() -> &'static Messages {
     HELP.of(Language::Es)
 }
 
-/// Help text of a key, if it exists.
+/// Spanish help text with a key; `None` if the catalogue does not contain the key.
 fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)

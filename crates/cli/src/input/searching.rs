@@ -25,7 +25,7 @@ const GRACE: Duration = Duration::from_millis(300);
 /// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;
 
-/// Arguments for the duration of searches.
+/// Arguments that limit the duration of searches.
 #[derive(Args, Debug, Default, Clone, Copy)]
 pub struct TimeLimit {
     /// End the search after this processor time and keep the best result (default 60 s, in sweeps 5 s per design)

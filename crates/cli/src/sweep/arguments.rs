@@ -27,7 +27,7 @@ pub struct Asked {
     pub files: Vec<Disk>,
 }
 
-/// Reads the scenes, the list and the varied keys.
+/// Reads the scenes, the list and the names of the recordings, and returns the definition of the sweep.
 pub fn question(args: &SweepArgs) -> Result<Asked> {
     let named: Vec<Option<&PathBuf>> = match &args.scenes[..] {
         [] => vec![None],

@@ -18,7 +18,7 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_app::{Lock, inputs};
 use serde_json::{Value, json};
 
-/// Lock file of the folder.
+/// Name of the lock file in the folder.
 const LOCK: &str = ".lock";
 
 /// An unfinished table whose folder is locked by this process.

@@ -40,7 +40,7 @@ pub fn jobs(given: Option<u16>) -> usize {
     given.map_or_else(cores, usize::from)
 }
 
-/// Computation of blocks of rows.
+/// Computes blocks of rows with several threads.
 pub struct Work<'a> {
     /// Runner that computes the rows of the sweep.
     pub runner: Runner<'a>,

@@ -88,7 +88,7 @@ impl WorkshopArgs {
         }
     }
 
-    /// Content of the DXF drawings.
+    /// Content of the DXF drawings: all lines, or only the edges to be cut.
     fn drawn(&self) -> Content {
         if self.cut_only {
             Content::CutOnly

@@ -245,7 +245,7 @@ pub fn ends(values: &[f64]) -> [f64; 2] {
         .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
 }
 
-/// Maximum absolute value.
+/// Maximum absolute value of a list; 0 for an empty list.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| most.max(x.abs()))
 }

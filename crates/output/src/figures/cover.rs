@@ -14,7 +14,7 @@ const DOT: f64 = 4.5;
 /// Curve of an error as a function of the number of cams; the curve may be empty.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// Name of the curve.
+    /// Name of the curve in the key.
     pub name: String,
     /// Points of the curve: number of cams, and error in the unit of the vertical axis.
     pub points: Vec<(f64, f64)>,

@@ -20,9 +20,9 @@ pub struct Panel<'a, 'c> {
     /// Positions of the vertical grid lines, in the unit of the horizontal axis.
     columns: Vec<f64>,
     y: [f64; 2],
-    /// Size of the lettering, points.
+    /// Font size, points.
     size: f64,
-    /// Power of ten by which the vertical ticks are divided.
+    /// Exponent of the power of ten by which the values of the vertical ticks are divided.
     power: i32,
     language: Language,
 }
@@ -32,7 +32,7 @@ pub const QUANTITY: f64 = 5.7;
 /// Maximum width of a tick label beside which the label of the axis has enough space, em.
 const WIDEST_TICK: f64 = 4.3;
 
-/// About `count` round numbers within [low, high].
+/// Approximately `count` equally spaced round numbers in [low, high].
 pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
     let raw = (high - low) / count;
     if !(raw > 0.0 && raw.is_finite()) {

@@ -27,7 +27,7 @@ const BORE: &str =
     "style=\"fill:var(--paper);stroke:var(--ink)\" fill-opacity=\".6\" stroke-width=\"1.2\"";
 const FOLLOWER: &str = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
 
-/// Adds a path to the drawing.
+/// Adds an SVG path with a style to the drawing.
 fn shape(out: &mut String, d: &str, style: &str) {
     // Writing to a String cannot fail, here and below.
     let _ = write!(out, "<path d=\"{d}\" {style}/>");

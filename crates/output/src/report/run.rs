@@ -16,7 +16,7 @@ use gaitcam_base::text::escaped;
 /// Maximum number of listed impacts. A decaying sequence of bounces consists of dozens of impacts.
 const LISTED: usize = 12;
 
-/// Writes the section of a simulation.
+/// Writes the section of the report on a simulation.
 pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &Words) {
     let outcome = running.outcome;
     heading(out, &words.text("report-simulation"));

@@ -16,7 +16,7 @@ use gaitcam::wording::people;
 
 /// Size of the figures, points.
 const SIZE: (u32, u32) = (1100, 720);
-/// Size of the lettering, points.
+/// Font size, points.
 const LETTERS: f64 = 16.0;
 
 /// A column of a table of designs: label with unit, and values.
