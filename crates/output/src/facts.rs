@@ -159,8 +159,8 @@ pub fn at_resonance(walker: &OfWalker, language: Language) -> ([String; 4], Vec<
     (columns.map(|name| words.text(name)), rows.collect())
 }
 
-/// Text of a force of a design (of a moment, if the follower oscillates), with the unit and the number of digits of the figure in
-/// `column`.
+/// Text of a force of a design with its unit. The number of digits is that of the figure in `column`. If the follower oscillates, the
+/// value is a moment.
 pub fn force(design: &Design, column: &str, value: f64, language: Language) -> String {
     let unit = design.cam.follower.measures().force();
     let digits = |f: &Figure| f.digits;

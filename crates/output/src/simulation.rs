@@ -312,8 +312,8 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
     })
 }
 
-/// Text on the difference between the results and those of the next finer model. Forces are in N. For an arm, moments are divided by
-/// `lever`, the length of the lever, m.
+/// Text on the change of the results if the next finer model is used. Forces are in N. For an arm, moments are divided by `lever`, the
+/// length of the lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());
     if let Some(fault) = &next.failed {

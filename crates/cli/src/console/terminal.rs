@@ -1,4 +1,4 @@
-//! Standard output and standard error. If the reader of a pipe closes it early, this is not an error; a full disk is an error.
+//! Standard output and standard error. It is not an error if the reader of a pipe closes the pipe early. A full disk is an error.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Result, Write};

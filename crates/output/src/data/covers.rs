@@ -56,8 +56,8 @@ pub fn assignment(covers: &[Cover], error: ErrorMeasure) -> Records {
     Records { fields }
 }
 
-/// `folds.csv`: errors of cross-validation. `in` are the errors of walkers from whom the cams were designed, `out` those of the other
-/// walkers.
+/// `folds.csv`: errors of cross-validation. Columns with `in` contain the errors of the walkers for whom the cams were designed. Columns
+/// with `out` contain the errors of the other walkers.
 pub fn folds(folds: &[Fold], error: ErrorMeasure) -> Records {
     let all = || folds.iter();
     let fields = vec![

@@ -111,7 +111,7 @@ pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// Columns of `law.csv`. For an arm, the force is the force at the lever arm of the load. The target is NaN if there is none.
+/// Columns of `law.csv`. For an arm, the force is the moment divided by the lever. Without a target, its column is NaN.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
@@ -170,7 +170,7 @@ fn points_columns(rows: &[ProfilePoint]) -> Columns {
     columns(PROFILE, rows)
 }
 
-/// Names of columns. For an oscillating follower (`swings`), lengths of the lift are replaced by the [names of angles](ANGLES).
+/// Names of columns. For an oscillating follower (`swings`), names of lengths are replaced by [names of angles](ANGLES).
 pub(crate) fn named<const N: usize>(names: [&'static str; N], swings: bool) -> [&'static str; N] {
     names.map(|name| {
         let angle = ANGLES.iter().find(|a| a.0 == name && swings);

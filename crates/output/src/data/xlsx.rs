@@ -1,5 +1,5 @@
-//! Workbook with the table of the program CAM-DAS (Serrano Muñoz 2010, "Exportar-Excel"), in which each quantity has the same cell as
-//! there, and with the summary.
+//! Workbook with the summary and with the table of the program CAM-DAS (Serrano Muñoz 2010, "Exportar-Excel"). Each quantity is in the
+//! same cell as in CAM-DAS.
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;
