@@ -25,7 +25,7 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Share of the mean force, %. A force error of the file below this share is not printed.
+/// Force error, % of the mean force, below which the error of the file is not printed as a number.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
@@ -61,7 +61,7 @@ pub struct EcamArgs {
     pub json: bool,
 }
 
-/// Parser for the names of the dialects on the command line.
+/// Parses the name of a dialect on the command line.
 pub fn dialects() -> impl TypedValueParser<Value = Dialect> {
     let is = |d: &Dialect, name: &str| d.name() == name || d.other_names().contains(&name);
     let named = move |name: String| Dialect::ALL.into_iter().find(|d| is(d, &name));
@@ -110,7 +110,7 @@ pub fn run(args: &EcamArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Writes the file to the given path, otherwise to the folder of the design. Returns the path.
+/// Writes the file to the path given by the user, otherwise to the folder of the design. Returns the path of the file.
 fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> {
     if let Some(out) = &args.out {
         write_whole(out, cam.text.as_bytes())?;
@@ -124,14 +124,15 @@ fn written(args: &EcamArgs, made: &Made, cam: &ElectronicCam) -> Result<String> 
     Ok(file)
 }
 
-/// Several recorded strides in one cycle.
+/// Design for several recorded strides in one cycle.
 struct Several {
     design: Design,
     duration_s: f64,
     misfits: [Misfit; 3],
 }
 
-/// Design of `count` consecutive recorded strides, with its response compared with that of all strides.
+/// Design for `count` consecutive recorded strides. Its response of lightly damped modes is compared with the response to all recorded
+/// strides.
 fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
     let walk = design.walk();
     let recorded = walk.as_ref().map_or(0, Walk::strides);
@@ -162,7 +163,7 @@ impl Several {
     }
 }
 
-/// Sentence on the force error with the controller.
+/// Sentence on the force error that results from the controller's interpolation and number format.
 pub fn sentence(cam: &ElectronicCam) -> String {
     let carries = cam.dialect.carries();
     let curve = words::text(match carries.interpolation {

@@ -1,4 +1,4 @@
-//! `gaitcam identify` and `gaitcam recut`: machine parameters and the next cam from logs of a running machine.
+//! `gaitcam identify` and `gaitcam recut`: the parameters of a machine, and the next cam, from logs of the running machine.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -66,7 +66,7 @@ pub struct RecutArgs {
     no_png: bool,
 }
 
-/// A machine and its logs.
+/// A design and the logs of its machine.
 #[derive(Args, Debug)]
 struct LoggedArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
@@ -80,7 +80,7 @@ struct LoggedArgs {
     columns: ColumnArgs,
 }
 
-/// Columns of the logs.
+/// Names or numbers of the columns in the logs.
 #[derive(Args, Debug)]
 struct ColumnArgs {
     /// Name or number of the time column
@@ -103,17 +103,18 @@ struct ColumnArgs {
     counts_per_turn: Option<f64>,
 }
 
-/// A design in operation, and its logs.
+/// A design and the logs of the machine that runs it.
 struct Run {
     input: Input,
     design: Design,
     logs: Vec<Log>,
-    /// Folder for the files; `None` if only data is printed.
+    /// Folder for the files; `None` if only JSON data is printed.
     folder: Option<PathBuf>,
 }
 
 impl LoggedArgs {
-    /// Reads the design and its logs and prepares a folder for the files `names`; `None` if the design has no cam, which is reported.
+    /// Reads the design and its logs, and checks that the files `names` can be written to the folder. The result is `None` if the design
+    /// has no cam; the reason is then reported.
     fn read<'a>(
         &self,
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
@@ -149,7 +150,7 @@ impl LoggedArgs {
     }
 }
 
-/// Identifies the machine and writes scene, table and picture. The exit code is 3 if the design has no cam.
+/// Identifies the machine and writes a scene, JSON data and a picture. The exit code is 3 if the design has no cam.
 pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_identified");
     let Some(run) = args.run.read(place, OF_IDENTIFICATION)? else {
@@ -176,7 +177,7 @@ pub fn identify(args: &IdentifyArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Folder for the files; `None` if only data is printed.
+/// Folder for the files; `None` if only JSON data is printed.
 fn folder(input: &Input, out: Option<&Path>, json: bool, ending: &str) -> Result<Option<PathBuf>> {
     match (out, json) {
         (None, true) => Ok(None),
@@ -201,7 +202,7 @@ fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Res
     Ok(place)
 }
 
-/// Scene of the input with absolute paths, and the given keys from another scene.
+/// Scene of the input with absolute paths. The values of `keys` are copied from the scene `from`.
 fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>) -> Result<Table> {
     let mut out = input.resolved();
     for key in keys {
@@ -215,7 +216,8 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
     Ok(out)
 }
 
-/// Designs the next cam and writes it like `synth`. The exit code is 3 if there is none, or if the repeatable error is noise.
+/// Designs the next cam and writes the same files as `synth`. The exit code is 3 if there is no feasible cam. It is also 3 if the
+/// repeatable error cannot be distinguished from noise.
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");

@@ -1,7 +1,6 @@
-//! The command `gaitcam`: arguments, files, progress, exit codes.
+//! The command `gaitcam`: arguments, files, progress and exit codes.
 //!
-//! One module per verb, with its arguments. [`run`] parses the command line, calls the verb and
-//! returns the exit code.
+//! Each verb has a module with its arguments. [`run`] parses the command line, calls the function of the verb and returns the exit code.
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
@@ -92,7 +91,7 @@ enum Command {
     Completions(completions::CompletionsArgs),
 }
 
-/// Runs the command with its arguments and returns the exit code. The first argument is the program's name.
+/// Runs the command with its arguments and returns the exit code. The first argument is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments = usage::with_negative_values(arguments);
     language::set(&arguments);
@@ -116,7 +115,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// Ignores the signal of a write beyond the file size limit (`ulimit -f`), so that the write fails with an error.
+/// Catches the signal that is sent when a write exceeds the file size limit (`ulimit -f`). The write then fails with an error, and the
+/// process is not ended.
 #[cfg(unix)]
 fn fail_on_large_files() {
     let noticed = std::sync::Arc::default();
@@ -168,7 +168,7 @@ pub(crate) fn refused(error: &Error, json: bool) -> u8 {
     final_exit_code(exit_code::of_error(error))
 }
 
-/// An error as JSON, with the message of standard error.
+/// Converts an error to JSON. The message is the same as on standard error.
 fn error_json(error: &Error) -> Value {
     let language = language::current();
     let place = error.place.to_string();
@@ -181,7 +181,7 @@ fn error_json(error: &Error) -> Value {
 }
 
 impl Command {
-    /// Whether the output is JSON.
+    /// Whether the user requested JSON output.
     fn json(&self) -> bool {
         match self {
             Command::Synth(args) => args.json,

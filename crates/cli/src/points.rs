@@ -1,4 +1,4 @@
-//! `gaitcam points`: a design → its profile as points for "curve through points" of a CAD program.
+//! `gaitcam points`: writes the profile of a design as points for the command "curve through points" of a CAD program.
 
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam points out/heel_tester --cad inventor --units inch
   gaitcam points out/footbridge --cad fusion --out cam.csv";
 
-/// Arguments of `points`.
+/// Arguments of `gaitcam points`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct PointsArgs {
@@ -46,7 +46,7 @@ pub struct PointsArgs {
     out: Option<PathBuf>,
 }
 
-/// CAD programs, by the format that their command "curve through points" reads.
+/// Supported CAD programs. Each one requires a different file format for "curve through points".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Program {
     // "Curve through XYZ points": x y z separated by tabs, no header
@@ -59,7 +59,7 @@ enum Program {
     Plain,
 }
 
-/// Units of the coordinates.
+/// Units of length for the coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Unit {
     // Millimetres
@@ -80,7 +80,7 @@ impl Program {
         }
     }
 
-    /// Content of the file with these coordinates.
+    /// Content of the file with these points. `unit` is the unit of their coordinates.
     fn bytes(self, points: &[[f64; 2]], unit: &str) -> Result<Vec<u8>> {
         let rows = |separator: &str| -> String {
             let row = |[x, y]: &[f64; 2]| format!("{x:.9}{separator}{y:.9}{separator}0\n");
@@ -110,6 +110,7 @@ impl Unit {
 ///
 /// # Errors
 /// Faults of the input; a unit that the program does not read; files that cannot be written.
+/// The input is invalid, the program does not read the unit, or a file cannot be written.
 pub fn run(args: &PointsArgs) -> Result<u8> {
     if args.cad == Program::Fusion && args.units.is_some() {
         return Err(SceneError::PointsOfFusion.at_argument("--units"));
@@ -136,7 +137,7 @@ pub fn run(args: &PointsArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Writes the profile of one cam. The last point of a closed profile equals the first.
+/// Writes the points of one profile. For a closed profile, the first point is repeated at the end.
 fn written(args: &PointsArgs, cam: &Cam, place: &Path) -> Result<()> {
     let (unit, per_metre) = match args.cad {
         Program::Fusion => ("cm", 1e2),

@@ -1,4 +1,4 @@
-//! `gaitcam studio`: local web application.
+//! `gaitcam studio`: local web application in which a cam is redesigned after every change.
 
 use std::path::PathBuf;
 use std::process::{Command, Stdio, exit};
@@ -31,7 +31,7 @@ pub struct StudioArgs {
     no_open: bool,
 }
 
-/// Prints the address and serves the page until interrupted.
+/// Prints the address and serves the page until the user interrupts the program.
 pub fn run(args: &StudioArgs) -> Result<u8> {
     let ready = open(&Options {
         open: args.open.clone(),
@@ -49,7 +49,7 @@ pub fn run(args: &StudioArgs) -> Result<u8> {
     ready.serve()
 }
 
-/// Opens the page in the system's browser, if there is one. The address is printed in any case.
+/// Opens the page in the default browser. If this fails, there is no error, because the address is printed.
 fn show(url: &str) {
     let (program, before): (&str, &[&str]) = if cfg!(target_os = "macos") {
         ("open", &[])

@@ -1,4 +1,4 @@
-//! Facts of a design for console, report and page, each with its name and formatted value.
+//! Facts about a design for the console, the report and the page. Each fact has a name and a formatted value.
 
 use crate::words::{self, Words};
 use gaitcam::cam::{Measures, Unit};
@@ -7,42 +7,42 @@ use gaitcam::dynamics::RepeatedForce;
 use gaitcam::synth::{Design, Figure, Figures, OfWalker};
 use gaitcam::wording::{Language, rounded};
 
-/// Damping ratio of the sentence on resonance.
+/// Damping ratio of the vibration mode in the sentence on resonance.
 const SHOWN_DAMPING: f64 = 0.005;
 
-/// Visibility of a fact on the console. The report shows every fact.
+/// Display of a fact on the console. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
     /// The console does not show the fact.
     Not,
-    /// A line of the console shows the fact with its name.
+    /// The console shows the name and the value of the fact.
     Whole,
-    /// A line of the console shows the fact without its name.
+    /// The console shows only the value of the fact.
     Value,
 }
 
-/// A fact of a design.
+/// A fact about a design: name and formatted value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fact {
-    /// Name of the fact.
+    /// Name of the fact in the language of the output.
     pub name: String,
     /// Value of the fact with its unit.
     pub value: String,
-    /// Column of the figure, or key of the name.
+    /// Column name of the figure, or message key of the name.
     pub(crate) key: &'static str,
     brief: Brief,
 }
 
-/// Subject of a group of facts.
+/// Subject of a group of facts about a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// Facts on the law of motion.
+    /// Facts about the law of motion.
     Law,
-    /// Facts on the drive, with moved mass and speed.
+    /// Facts about the drive, such as moved mass and speed.
     Drive,
-    /// Facts on cam and follower.
+    /// Facts about cam and follower.
     Cam,
-    /// Facts on torque, power, lift-off and pressure.
+    /// Facts about torque, power, lift-off and contact pressure.
     Machine,
 }
 
@@ -50,7 +50,7 @@ impl Group {
     /// All groups, in the order of the console.
     pub const ALL: [Group; 4] = [Group::Law, Group::Drive, Group::Cam, Group::Machine];
 
-    /// Name of the group in data.
+    /// Identifier of the group, as in JSON keys.
     pub fn name(self) -> &'static str {
         match self {
             Group::Law => "law",
@@ -89,7 +89,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// Main facts of a group in one line; `None` without facts.
+/// The facts of a group that the console shows, in one line; `None` without such facts.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -101,13 +101,14 @@ pub fn line(design: &Design, group: Group, language: Language) -> Option<String>
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// Name of a figure for the follower of a design.
+/// Name of the figure in a column, for the follower of a design.
 pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     let label = |f: &Figure| f.label_on(&design.cam.follower, words.language());
     Figure::of_column(column).map_or(String::new(), label)
 }
 
-/// Severity of the cam at constant speed at resonance, compared with the recorded walk; `None` without eight or more recorded strides.
+/// Sentence with the ratio of two peak responses of a lightly damped mode: the response to this cam at constant speed, divided by the
+/// response to the recorded walk. `None` if fewer than eight strides are recorded.
 pub fn resonance(design: &Design, language: Language) -> Option<String> {
     let walker = design.walker()?;
     let at = walker
@@ -136,7 +137,7 @@ pub fn resonance(design: &Design, language: Language) -> Option<String> {
     Some(words.fill(key, &arguments))
 }
 
-/// Names of the columns, and rows, of the comparison of the recorded walk with the cam at resonance.
+/// Column names and rows of the table that compares the responses at resonance to the recorded walk and to the cam.
 pub fn at_resonance(walker: &OfWalker, language: Language) -> ([String; 4], Vec<[String; 4]>) {
     let words = words::words(language);
     let columns = [
@@ -158,7 +159,8 @@ pub fn at_resonance(walker: &OfWalker, language: Language) -> ([String; 4], Vec<
     (columns.map(|name| words.text(name)), rows.collect())
 }
 
-/// Formats a force of a design, or a moment on its arm, as a figure.
+/// Text of a force of a design with its unit. The number of digits is that of the figure in `column`. If the follower oscillates, the
+/// value is a moment.
 pub fn force(design: &Design, column: &str, value: f64, language: Language) -> String {
     let unit = design.cam.follower.measures().force();
     let digits = |f: &Figure| f.digits;
@@ -166,7 +168,7 @@ pub fn force(design: &Design, column: &str, value: f64, language: Language) -> S
     unit.after(&rounded(language, unit.factor * value, digits))
 }
 
-/// Force error in percent of the mean.
+/// RMS force error as a percentage of the mean force, as text without a unit.
 pub fn error_percent(design: &Design, language: Language) -> String {
     let figure = Figure::of_column("force_rms_error_percent");
     let digits = figure.map_or(gaitcam::wording::DIGITS, |f| f.digits);
@@ -191,13 +193,13 @@ impl List<'_> {
         });
     }
 
-    /// Adds a fact that is not a figure.
+    /// Adds a quantity that is not in the table of figures.
     fn quantity(&mut self, key: &'static str, unit: Unit, value: f64) {
         let value = unit.shown(value, self.words.language());
         self.put(key, value, Brief::Not);
     }
 
-    /// Adds a figure as a fact, if the design has a value for it.
+    /// Adds a figure as a fact, unless its value is undefined.
     fn figure(&mut self, column: &'static str, brief: Brief) {
         let Some(figure) = Figure::of_column(column) else {
             return;
@@ -339,7 +341,7 @@ impl List<'_> {
         }
     }
 
-    /// Adds torque, power, lift-off speed and pressure, if they are defined.
+    /// Adds torque, power, lift-off speed and contact pressure, if they are defined.
     fn machine(&mut self) {
         self.figure("torque_max_n_m", Brief::Whole);
         self.figure("torque_rms_n_m", Brief::Whole);

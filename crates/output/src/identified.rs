@@ -1,4 +1,4 @@
-//! Text of the machine parameters that were identified from a log.
+//! Text on the machine parameters that were identified from logs.
 
 use gaitcam::identify::{Identified, Parameter};
 use gaitcam::scene::{Scene, keys};
@@ -7,7 +7,7 @@ use gaitcam::wording::{Language, number, quantity};
 
 use crate::words;
 
-/// A quantity with the unit of its parameter.
+/// A value with the unit of its parameter, as text.
 fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -> String {
     let unit = match parameter.key {
         "log.scale" => "",
@@ -20,12 +20,13 @@ fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -
     quantity(language, value, unit).trim_end().to_string()
 }
 
-/// Note that the log has no angle; `None` if it has one.
+/// Note that the log contains no cam angle; `None` if it contains one.
 pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
     (!found.has_angle).then(|| words::words(language).text("identify-no-angle"))
 }
 
-/// Lines on noise and residual, each parameter with its interval, the parameters that this log does not identify, and a run that would identify them.
+/// Lines on an identification: noise and residual, each parameter with its interval, the parameters that the logs do not identify, and a
+/// run that would identify them.
 pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
     let words = words::words(language);
     let number = |x: f64| number(language, x);

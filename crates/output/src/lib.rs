@@ -1,7 +1,8 @@
-//! Output formats of a design: tables, figures, report. `gaitcam_cad` makes drawings and solids.
+//! Output formats of a design: tables, figures and report. Drawings and solids are in the crate `gaitcam_cad`.
 //!
-//! Every function is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or bytes. The command writes the files. Drawings
-//! are at true scale in millimetres. Tables are in SI units, with the unit in the name of the column. Figures are in millimetres and degrees.
+//! Every function is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or bytes. The command writes the files.
+//! Drawings of the cam are true to scale. Tables are in SI units, with the unit in the name of the column. Figures are in millimetres and
+//! degrees.
 
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
@@ -32,12 +33,12 @@ pub use report::ActiveLimit;
 pub use report::laws as laws_report;
 pub use report::sweep as sweep_report;
 
-/// Samples of a motion and its target, for other drawings.
+/// Sampled motion, and values of its target, for drawings in other crates.
 pub mod curve {
     pub use super::pose::{largest_radius, motion, target_at};
 }
 
-/// All figures of a design.
+/// Figures of a design.
 pub mod plots {
     pub use super::Picture;
     pub use super::figures::cam::cam;
@@ -52,11 +53,11 @@ pub mod plots {
     pub use super::figures::walkers::walkers;
 }
 
-/// Computing times, s. The caller measures them, because output functions do not read a clock.
+/// Computing times, s. The caller measures them, because output functions have no access to a clock.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Timing {
-    /// Time of the synthesis alone.
+    /// Time for the synthesis alone, s.
     pub solve_s: f64,
-    /// Total time so far.
+    /// Total time from the start of the run, s.
     pub total_s: f64,
 }

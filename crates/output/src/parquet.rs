@@ -1,4 +1,4 @@
-//! Tables of a sweep as Parquet.
+//! Tables of a sweep as Parquet files.
 
 use std::collections::HashMap;
 use std::fs::File;
@@ -39,7 +39,7 @@ fn field(column: &sweep::Field) -> Field {
     }
 }
 
-/// Names, types and units of the columns, with metadata of the whole table.
+/// Schema of a table: names, types and units of the columns, and metadata of the whole table.
 pub fn schema(records: &Records, metadata: &[(String, String)]) -> SchemaRef {
     let fields: Vec<Field> = records.fields.iter().map(field).collect();
     let metadata: HashMap<String, String> = metadata.iter().cloned().collect();
@@ -71,7 +71,7 @@ fn parquet_fault(e: parquet::errors::ParquetError) -> Error {
     SweepError::Parquet { fault }.into()
 }
 
-/// Rows as a record batch.
+/// Rows as a record batch with the given schema.
 ///
 /// # Errors
 ///
@@ -85,11 +85,11 @@ pub fn record_batch(schema: &SchemaRef, records: &Records) -> Result<RecordBatch
     RecordBatch::try_new(schema.clone(), columns.collect()).map_err(arrow_fault)
 }
 
-/// Complete file with the given rows.
+/// Content of a Parquet file with the given rows.
 ///
 /// # Errors
 ///
-/// The columns do not fit together.
+/// The columns have different lengths.
 pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>> {
     let schema = schema(records, metadata);
     let mut writer = Writer::new(Vec::new(), &schema)?;
@@ -97,13 +97,13 @@ pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>>
     writer.close()
 }
 
-/// Writes rows incrementally, with one row group in memory.
+/// Writes rows to a Parquet file step by step. Only one row group is in memory.
 pub struct Writer<W: Write + Send> {
     inner: ArrowWriter<W>,
 }
 
 impl<W: Write + Send> Writer<W> {
-    /// Starts a file for the columns of `schema`.
+    /// Starts a file with the columns of `schema`.
     ///
     /// # Errors
     ///
@@ -122,7 +122,7 @@ impl<W: Write + Send> Writer<W> {
         })
     }
 
-    /// Adds rows.
+    /// Adds a batch of rows.
     ///
     /// # Errors
     /// The sink cannot write the rows.
@@ -139,11 +139,11 @@ impl<W: Write + Send> Writer<W> {
     }
 }
 
-/// Writes the rows of several files with equal columns as one file.
+/// Joins the rows of several files with equal columns in one file.
 ///
 /// # Errors
 ///
-/// A file cannot be read, or the sink cannot write the rows.
+/// There are no rows, a file cannot be read, or the sink cannot write the rows.
 pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     let mut sink = Some(sink);
     let mut writer = None;
@@ -163,11 +163,11 @@ pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
     writer.ok_or_else(empty)?.close()
 }
 
-/// Reads columns of a table by their names, batch by batch, as text or numbers. `each` receives the columns in the requested order.
+/// Reads a table batch by batch and calls `each` with every batch, which contains all columns.
 ///
 /// # Errors
 ///
-/// The file is not a Parquet file, or lacks a column.
+/// The file is not a valid Parquet file, or `each` returns an error.
 pub fn read<R: ChunkReader + 'static>(
     file: R,
     mut each: impl FnMut(&RecordBatch) -> Result<()>,
@@ -181,7 +181,7 @@ pub fn read<R: ChunkReader + 'static>(
     Ok(())
 }
 
-/// Number in a record batch; NaN if missing.
+/// Number in a row of a column; NaN if it is missing.
 pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
     if column.is_null(row) {
         return f64::NAN;
@@ -194,7 +194,7 @@ pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
         .map_or(f64::NAN, |x| x.value(row) as f64)
 }
 
-/// Word in a record batch; empty if missing.
+/// Word in a row of a column; empty if it is missing.
 pub fn word_at(column: &ArrayRef, row: usize) -> &str {
     if let Some(words) = column.as_dictionary_opt::<Int32Type>() {
         return words.key(row).map_or("", |k| word_at(words.values(), k));

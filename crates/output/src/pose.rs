@@ -1,19 +1,20 @@
-//! Functions that all drawings of a cam share: directions, poses, samples of the motion.
+//! Functions for all drawings of a cam: rotation, poses of the follower, samples of the motion.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Law, Svaj};
 
-/// Number of points per turn of a drawn curve: one per two pixels of a wide figure.
+/// Number of sampled points of a curve over the whole law, approximately one per two pixels of a wide figure.
 const PER_LAW: f64 = 540.0;
 
-/// Rotates `p` by `theta` rad counter-clockwise, from the frame of the cam to the fixed frame.
+/// Rotates the point `p` counter-clockwise by `theta`, rad. This converts coordinates of the cam to fixed coordinates.
 pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(theta);
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }
 
-/// Angles of `n` rows at equal steps. A closed law does not repeat its first angle; an open law ends at its last one.
+/// `n` equally spaced angles over the range of the law. For a closed law, the last angle is one step before the end, which equals the
+/// first angle. For an open law, the last angle is the end.
 pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     let (start, length) = law.extent();
     let steps = if law.is_closed() {
@@ -24,13 +25,13 @@ pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     (0..n).map(move |i| start + length * i as f64 / steps as f64)
 }
 
-/// Target force at `theta`, N, with the cycle of the target spread over the extent of the law.
+/// Target force at `theta`, N. One cycle of the target covers the whole range of the law.
 pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     let (start, length) = law.extent();
     target.at(std::f64::consts::TAU * ((theta - start) / length))
 }
 
-/// Bounds of a drawing: lower left and upper right corner.
+/// Bounds of a drawing: lower left corner and upper right corner.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Bounds {
     pub low: [f64; 2],
@@ -38,7 +39,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Extends the bounds to a point with a margin around it.
+    /// Extends the bounds so that they contain a point with a margin around it.
     pub fn hold(&mut self, point: [f64; 2], margin: f64) {
         for (k, x) in point.into_iter().enumerate() {
             self.low[k] = self.low[k].min(x - margin);
@@ -47,14 +48,14 @@ impl Bounds {
     }
 }
 
-/// Part of the follower that touches the cam, in the fixed frame, m.
+/// Position of the part of the follower that touches the cam, in fixed coordinates, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pose {
-    /// A face through `at` in the direction `angle` (rad) from +x.
+    /// A flat face through the point `at` in the direction `angle`.
     Face {
-        /// Point of the face at the foot of the stem, or of the perpendicular from the pivot, m.
+        /// Point of the face at the foot of the stem, m. For an arm, it is the foot of the perpendicular from the pivot to the face.
         at: [f64; 2],
-        /// Direction of the face from +x, rad.
+        /// Angle from +x to the face, rad.
         angle: f64,
     },
     /// A roller, or the tip of a knife edge (radius 0).
@@ -66,9 +67,9 @@ pub enum Pose {
     },
 }
 
-/// Pose of the follower at the cam angle `theta`.
+/// Position of the follower at the cam angle `theta`.
 ///
-/// The face of an oscillating follower starts at the foot of the perpendicular from its pivot, along the arm.
+/// The face of an oscillating follower starts at the foot of the perpendicular from its pivot and extends along the arm.
 pub fn pose(cam: &Cam, theta: f64) -> Pose {
     let point = cam.point(theta);
     let [nx, ny] = cam.motion(theta);
@@ -97,8 +98,8 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
     }
 }
 
-/// Required face of a flat follower: range of the contact, m, towards −x and +x from the cam centre, or along the arm from the foot of the
-/// perpendicular from the pivot; `None` for other followers.
+/// Ends of the face that a flat follower needs: the range of the contact, m. They are measured from the cam centre along x or, for an arm,
+/// along the face from the foot of the perpendicular from the pivot. `None` for other followers.
 pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
     if !cam.follower.is_flat() {
         return None;
@@ -107,7 +108,7 @@ pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
         .map(|(low, high)| (low.value, high.value))
 }
 
-/// Angles (rad) with the motion at each. Both sides of every break are sampled, so jumps are visible.
+/// Sampled motion of a law as (angle in rad, motion). Both sides of every break are sampled, so that jumps are visible.
 pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     let breaks = law.breaks();
     let (_, length) = law.extent();
@@ -122,8 +123,8 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     out
 }
 
-/// Maximum radius of curvature that is drawn. For a disc it is `size`, above which curves look straight; for an unrolled cam it is three quarters of
-/// its `radii`.
+/// Maximum radius of curvature that is drawn. For a disc, it is `size` times the larger of prime radius and stroke, because curves with
+/// larger radii look straight. For an unrolled cam, it is at least the 75th percentile of `radii`.
 pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
     let size = size * cam.follower.prime_radius().max(cam.law.stroke());
     if !cam.follower.is_unrolled() {

@@ -1,4 +1,4 @@
-//! Result of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
+//! Output of a simulation: `simulation.json`, `dynamics.csv` and the table for the console.
 
 use crate::csv::{self, Columns};
 use crate::words::{self, Words};
@@ -42,7 +42,7 @@ fn values(outcome: &Outcome, row: &Row) -> [f64; COLUMNS.len()] {
     ]
 }
 
-/// The object that `gaitcam simulate --json` prints.
+/// Content of `simulation.json`, which `gaitcam simulate --json` also prints.
 pub fn json(outcome: &Outcome) -> Value {
     let notes = outcome.notes.iter().map(|note| note.sentence(Language::En));
     let notes: Vec<String> = notes.collect();
@@ -80,13 +80,13 @@ pub fn json(outcome: &Outcome) -> Value {
     out
 }
 
-/// Columns of `dynamics.csv` (see [`crate::csv::text`]) and of `dynamics.xlsx` (see [`crate::xlsx::table`]).
+/// Columns of `dynamics.csv` (written by [`crate::csv::text`]) and of `dynamics.xlsx` (written by [`crate::xlsx::table`]).
 pub fn columns(outcome: &Outcome) -> Columns {
     let rows = outcome.rows.iter().map(|row| values(outcome, row));
     csv::columns(csv::named(COLUMNS, outcome.swings), rows)
 }
 
-/// Names and values of a simulation.
+/// Results of a simulation as rows of name and value.
 pub fn rows(outcome: &Outcome, measures: Measures, language: Language) -> Vec<(String, String)> {
     let words = &words::words(language);
     let mut lines = vec![
@@ -111,7 +111,7 @@ pub fn rows(outcome: &Outcome, measures: Measures, language: Language) -> Vec<(S
         .collect()
 }
 
-/// The results as text, in the units of the simulated follower.
+/// Results of a simulation as a text table, in the units of the follower.
 pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
     let lines = rows(outcome, measures, language);
     let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0);
@@ -130,7 +130,7 @@ fn contact(outcome: &Outcome, words: &Words) -> String {
     words.fill("simulation-contact-lost", &[("percent", &percent)])
 }
 
-/// Text on the acceleration of the floor and its comfort class.
+/// Text with the acceleration of the floor and its comfort class.
 pub fn floor(floor: &FloorMotion, language: Language) -> String {
     let words = words::words(language);
     let [peak, rms] = [
@@ -147,7 +147,7 @@ pub fn floor(floor: &FloorMotion, language: Language) -> String {
     words.fill("simulation-floor-values", &values)
 }
 
-/// Rows on the speed, motor, start and minimum inertia of the shaft.
+/// Rows about the shaft: speed, motor, start, and minimum inertia.
 pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)> {
     let speed = [
         ("least", &*words.number(shaft.min)),
@@ -188,7 +188,7 @@ pub(crate) fn shaft(shaft: &Shaft, words: &Words) -> Vec<(&'static str, String)>
     ]
 }
 
-/// Rows on force, force error, bearing loads, torque and pressure.
+/// Rows about force, force error, bearing loads, torque and contact pressure.
 fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let force = measures.force().name;
     let [low, high] = [outcome.force.min, outcome.force.max].map(|f| words.number(f));
@@ -232,7 +232,7 @@ fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static 
     lines
 }
 
-/// Rows on lift-off, initial turns and impacts.
+/// Rows about lift-off speed, initial turns and impacts.
 fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
     let liftoff = match outcome.liftoff_speed {
         Some(w) => Some(measures.speed_words(w, words.language())),
@@ -276,7 +276,7 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
     lines
 }
 
-/// Changes of a force, N, or of the contact loss, below which they are rounding errors.
+/// Change of a force, N, or of the fraction of lost contact, below which the change is a rounding error.
 const LEAST_CHANGE: f64 = 5e-5;
 
 fn impact_json(hit: &Impact) -> Value {
@@ -312,7 +312,8 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
     })
 }
 
-/// Text on the changes from the next finer model. Forces are in N; for an arm at its lever, m.
+/// Text on the change of the results if the next finer model is used. Forces are in N. For an arm, moments are divided by `lever`, the
+/// length of the lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());
     if let Some(fault) = &next.failed {

@@ -1,4 +1,4 @@
-//! Errors of the command itself, about files, flags and folders. Their messages are in `words/`.
+//! Errors of the command-line program: wrong files, flags and folders. Their messages are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::console::words;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
-/// Errors of the command. Text fields quote the user or the system.
+/// Errors of the command-line program. Text fields contain input of the user or messages of the operating system.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -1,12 +1,12 @@
-//! Help texts in the language of the run. The English ones are the doc comments of the arguments; the Spanish ones
-//! are in `words/es/help.ftl`, under `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
+//! Help texts in the language of the output. The English texts are the doc comments of the arguments. The Spanish texts are in
+//! `words/es/help.ftl`, with the keys `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
 
 use clap::{Arg, Command, CommandFactory};
 use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
 
 use crate::Cli;
 
-/// Command line in a language. For English, only the parts that a run needs are built.
+/// Command-line parser with help texts in a language. In English, clap builds only the subcommand that is used, which saves time.
 pub fn parser(language: Language) -> Command {
     match language {
         Language::En => Cli::command().arg(lang()),
@@ -14,7 +14,7 @@ pub fn parser(language: Language) -> Command {
     }
 }
 
-/// Whole command line with its help texts in a language.
+/// Command-line parser with all subcommands and their help texts in a language.
 pub fn command(language: Language) -> Command {
     let mut command = Cli::command().arg(lang());
     // Flags and subcommands that clap adds automatically exist only after `build`.
@@ -35,7 +35,7 @@ fn lang() -> Arg {
         .help("Language of messages and reports (default: LC_ALL, LANG, else English)")
 }
 
-/// Spanish help texts. The English ones are the doc comments of the arguments.
+/// Spanish help texts. The English texts are the doc comments of the arguments.
 static HELP: Catalogue = Catalogue::new(&[Sentences {
     files: &[["", include_str!("../../words/es/help.ftl")]],
     ..Sentences::NONE
@@ -45,7 +45,7 @@ fn spanish() -> &'static Messages {
     HELP.of(Language::Es)
 }
 
-/// Help text of a key, if it exists.
+/// Spanish help text with a key; `None` if the catalogue does not contain the key.
 fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)
@@ -55,7 +55,7 @@ fn label(key: &str) -> String {
     spanish().text(key)
 }
 
-/// Replaces the help texts of a verb and its subcommands by the Spanish ones. An empty `verb` is the command itself.
+/// Replaces the help texts of a verb and its subcommands by the Spanish texts. An empty `verb` stands for `gaitcam` without a verb.
 fn in_spanish(command: Command, verb: &str) -> Command {
     let about = if verb.is_empty() { "gaitcam" } else { verb };
     let usage = command.clone().render_usage().to_string();

@@ -1,4 +1,4 @@
-//! Internal errors. A panic on any thread becomes a message, exit code 1 and a file for a bug report.
+//! Internal errors. A panic on any thread leads to an error message, exit code 1 and a file for a bug report.
 
 use std::fs::File;
 use std::io::Write;
@@ -15,17 +15,17 @@ use crate::console::exit_code::INTERNAL_ERROR;
 use crate::console::terminal::{print_json, report};
 use crate::console::words;
 
-/// Last scene that was read, for a bug report.
+/// Last scene that was read. It is written into a bug report.
 static SCENE: Mutex<Option<Table>> = Mutex::new(None);
-/// Text and source location of the first panic.
+/// Message and source location of the first panic.
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
 
-/// Keeps a scene for a possible error report.
+/// Stores a scene for a possible bug report.
 pub fn keep(scene: &Table) {
     *SCENE.lock().unwrap_or_else(PoisonError::into_inner) = Some(scene.clone());
 }
 
-/// Runs a command and reports a panic in it. The backtrace is not printed, because it does not help the user.
+/// Runs a command and reports a panic, if one occurs. The backtrace is not printed, because it does not help the user.
 pub fn caught(
     json: bool,
     work: impl FnOnce() -> Result<u8>,
@@ -45,7 +45,7 @@ pub fn caught(
     })
 }
 
-/// Writes a file for a bug report: the command and the error as comments, and the scene. Returns its path.
+/// Writes a file for a bug report: the command and the error as comments, then the scene. Returns the path of the file.
 fn written() -> Option<PathBuf> {
     let panic = PANIC.lock().unwrap_or_else(PoisonError::into_inner).take();
     let scene = SCENE.lock().unwrap_or_else(PoisonError::into_inner).take();

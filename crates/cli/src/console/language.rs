@@ -1,27 +1,28 @@
-//! Language of messages: `--lang`, else `LC_ALL`, else `LANG`, else English.
+//! Language of messages: the value of `--lang`, otherwise of `LC_ALL`, otherwise of `LANG`, otherwise English.
 
 use std::ffi::OsString;
 use std::sync::OnceLock;
 
 use gaitcam::wording::Language;
 
-/// Language of the run, set once the arguments are known.
+/// Language of all output. It is set once, from `--lang` or the environment.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
-/// Language stated by `--lang`; `None` without this option.
+/// Language selected by `--lang`; `None` without this option.
 static GIVEN: OnceLock<Option<Language>> = OnceLock::new();
 
-/// Sets the language for the rest of the run. It is set before the arguments are parsed, because help and errors use it.
+/// Sets the language of all output from the arguments or the environment. This must precede the parsing of the arguments, because help
+/// texts and errors use the language.
 pub fn set(arguments: &[OsString]) {
     let given = GIVEN.get_or_init(|| of_arguments(arguments));
     let _ = LANGUAGE.set(given.unwrap_or_else(of_environment));
 }
 
-/// Language stated by `--lang`; `None` without this option.
+/// Language selected by `--lang`; `None` without this option.
 pub fn given() -> Option<Language> {
     GIVEN.get().copied().flatten()
 }
 
-/// Value of `--lang` in the arguments, as `--lang es` or `--lang=es`.
+/// Value of `--lang` in the arguments, written as `--lang es` or `--lang=es`.
 fn of_arguments(arguments: &[OsString]) -> Option<Language> {
     let mut words = arguments.iter().map(|a| a.to_string_lossy());
     while let Some(word) = words.next() {
@@ -35,7 +36,7 @@ fn of_arguments(arguments: &[OsString]) -> Option<Language> {
     None
 }
 
-/// Language of all output of this run.
+/// Language of all output.
 pub fn current() -> Language {
     *LANGUAGE.get_or_init(of_environment)
 }

@@ -1,9 +1,9 @@
-//! Unit of displayed lengths: `--units`.
+//! Unit in which lengths are displayed, selected by `--units`.
 
 use clap::{Args, ValueEnum};
 use gaitcam_base::wording::{LengthUnit, display_lengths_in};
 
-/// Unit of lengths for users.
+/// Units in which lengths can be displayed.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub enum Lengths {
     #[default]
@@ -13,7 +13,7 @@ pub enum Lengths {
 }
 
 impl Lengths {
-    /// Displays lengths in this unit for the rest of the run.
+    /// Selects this unit for all lengths that are displayed from now on.
     pub fn display(self) {
         display_lengths_in(match self {
             Lengths::Mm => LengthUnit::Millimetre,

@@ -1,4 +1,4 @@
-//! Progress line of a long computation: on a terminal, or as separate lines in a log.
+//! Progress display of a long computation: one updated line on a terminal, or separate lines in a log.
 
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::Arc;
@@ -14,17 +14,18 @@ use crate::console::words;
 /// Delay before the progress line appears, and interval between its updates.
 const EVERY: Duration = Duration::from_millis(500);
 
-/// Interval between the lines of a log.
+/// Interval between the progress lines of a log.
 const EVERY_LOGGED: Duration = Duration::from_secs(10);
 
-/// A thread that updates the progress line until this value is dropped.
+/// A thread that displays the progress until this value is dropped.
 pub struct Watch {
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Watch {
-    /// Starts a thread with `work`, whose receiver is disconnected when the watch is dropped. Without effect if the system allows no thread.
+    /// Starts a thread that runs `work`. The receiver passed to `work` is disconnected when the watch is dropped. If the system cannot
+    /// start a thread, nothing happens.
     pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
         let (done, waits) = channel();
         Watch {
@@ -43,7 +44,7 @@ impl Drop for Watch {
     }
 }
 
-/// Shows a progress line on a terminal until the returned value is dropped. `line` makes its text from the elapsed time, s.
+/// Shows a progress line on a terminal until the returned value is dropped. `line` returns the text of the line for the elapsed time, s.
 pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     stderr().is_terminal().then(|| {
         Watch::new(move |waits| {
@@ -60,7 +61,7 @@ pub fn shown(line: impl Fn(f64) -> String + Send + 'static) -> Option<Watch> {
     })
 }
 
-/// Writes a line to standard error every ten seconds until the returned value is dropped.
+/// Writes a progress line to standard error every ten seconds until the returned value is dropped.
 fn logged(line: impl Fn(f64) -> String + Send + 'static) -> Watch {
     Watch::new(move |waits| {
         let begun = Instant::now();
@@ -70,21 +71,22 @@ fn logged(line: impl Fn(f64) -> String + Send + 'static) -> Watch {
     })
 }
 
-/// Writes a text to standard error and ignores errors of the terminal.
+/// Writes text to standard error. Errors are ignored.
 fn put(text: &str) {
     let mut terminal = stderr().lock();
     let _ = terminal.write_all(text.as_bytes());
     let _ = terminal.flush();
 }
 
-/// Number of finished items, with rate and remaining time.
+/// Counter of finished items. It displays their number, the rate and the remaining time.
 pub struct Progress {
     done: Arc<AtomicU64>,
     _watch: Option<Watch>,
 }
 
 impl Progress {
-    /// Starts a counter with `done` of `total` items finished. With `in_log`, lines are also written if standard error is not a terminal.
+    /// Starts a counter with `done` of `total` items finished. If `in_log` is set, progress lines are also written when standard error is
+    /// not a terminal.
     pub fn new(what: String, total: u64, done: u64, in_log: bool) -> Progress {
         let now = Arc::new(AtomicU64::new(done));
         let counted = now.clone();
@@ -108,7 +110,7 @@ impl Progress {
         self.done.store(done, Ordering::Relaxed);
     }
 
-    /// Adds to the number of finished items.
+    /// Adds `more` to the number of finished items.
     pub fn add(&self, more: u64) {
         self.done.fetch_add(more, Ordering::Relaxed);
     }
@@ -119,7 +121,7 @@ impl Progress {
     }
 }
 
-/// A duration in s as text with two digits at least: `95 s`, `12 min`, `30 h`, `12 d`.
+/// Duration, given in s, as text: `95 s`, `12 min`, `30 h`, `12 d`. Values that are not whole have at least two significant digits.
 pub fn duration(seconds: f64) -> String {
     let (unit, size) = [("d", 86_400.0), ("h", 3600.0), ("min", 60.0)]
         .into_iter()
@@ -134,7 +136,7 @@ pub fn duration(seconds: f64) -> String {
     format!("{} {unit}", words::fixed(value, decimals))
 }
 
-/// Progress text after `elapsed` seconds. `before` and `done` are the numbers of items finished at the start and now.
+/// Progress text after `elapsed` seconds. `before` is the number of finished items at the start, `done` the present number.
 fn line(what: &str, total: u64, [before, done]: [u64; 2], elapsed: f64) -> String {
     let rate = (done - before) as f64 / elapsed;
     let left = match rate > 0.0 {

@@ -1,6 +1,6 @@
 //! Console tables. A column is as wide as its longest cell.
 
-/// Alignment of the cells of a column.
+/// Alignment of the text in a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Aligned to the left, for names and text.
@@ -9,7 +9,8 @@ pub enum Side {
     Right,
 }
 
-/// Table with aligned columns from rows of equal length. The last element of `sides` holds for all further columns.
+/// Table with aligned columns from rows of equal length. `sides` contains the alignment of each column. Its last element also applies to
+/// all further columns.
 pub fn table(rows: &[Vec<String>], sides: &[Side]) -> String {
     let count = rows.first().map_or(0, Vec::len);
     let long = |text: &String| text.chars().count();

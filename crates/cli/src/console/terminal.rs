@@ -1,4 +1,4 @@
-//! Standard output and standard error. A reader that closes them early causes no error; a full disk does.
+//! Standard output and standard error. It is not an error if the reader of a pipe closes the pipe early. A full disk is an error.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Result, Write};
@@ -10,10 +10,10 @@ use crate::console::words;
 /// Maximum length of a message on standard error, bytes.
 const LONGEST_MESSAGE: usize = 2048;
 
-/// Whether writing to standard output has failed.
+/// Whether a write to standard output has failed.
 static STDOUT_FAILED: AtomicBool = AtomicBool::new(false);
 
-/// Prints an output and a newline to standard output.
+/// Prints text and a newline to standard output.
 pub fn print(text: &str) {
     let mut out = std::io::stdout().lock();
     record_write_error(writeln!(out, "{text}").and_then(|()| out.flush()));
@@ -24,14 +24,14 @@ pub fn print_json(value: &serde_json::Value) {
     print(&serde_json::to_string_pretty(value).unwrap_or_default());
 }
 
-/// Prints a message to standard error, at most 2 kB of it. A closed standard error is ignored.
+/// Prints a message to standard error, shortened to 2 kB. If standard error is closed, nothing is printed.
 pub fn report(message: impl Display) {
     let text = message.to_string();
     let shown = shortened(&text, LONGEST_MESSAGE);
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// First `most` bytes of a text, cut between characters, with an ellipsis if the text is longer.
+/// The text, shortened to its first `most` bytes and an ellipsis if it is longer. Characters are not split.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();
@@ -60,7 +60,7 @@ fn closed_by_reader(error: &std::io::Error) -> bool {
     error.kind() == ErrorKind::BrokenPipe || cfg!(windows) && error.raw_os_error() == Some(233)
 }
 
-/// Exit code of the run: `code`, or that of a failed write to standard output.
+/// Exit code of the program: `code`, or the code of an internal error if a write to standard output failed.
 pub fn final_exit_code(code: u8) -> u8 {
     if STDOUT_FAILED.load(Ordering::Relaxed) {
         INTERNAL_ERROR

@@ -1,4 +1,4 @@
-//! Errors of the command line.
+//! Errors in the command line.
 
 use std::error::Error as _;
 use std::ffi::{OsStr, OsString};
@@ -13,7 +13,8 @@ use crate::console::error::CliError;
 use crate::console::help::command;
 use gaitcam::wording::Language;
 
-/// Arguments in which a negative number after a flag (`--tool -3mm`) is joined to the flag as its value. No option begins with a digit.
+/// Arguments in which a negative number after a flag (`--tool -3mm`) is joined to the flag with `=`. Otherwise the parser would read the
+/// number as an option. No option begins with a digit.
 pub fn with_negative_values(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut out: Vec<OsString> = Vec::new();
     for argument in arguments {
@@ -35,13 +36,13 @@ fn is_negative(argument: &OsStr) -> bool {
     number.is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// Whether a text is a flag whose value is the next argument.
+/// Whether a text is a flag whose value is the following argument.
 fn is_flag(argument: &OsStr) -> bool {
     let text = argument.to_string_lossy();
     text.len() > 2 && text.starts_with("--") && !text.contains('=')
 }
 
-/// Converts an error of the command-line parser.
+/// Converts an error of the command-line parser to an error of this program.
 pub fn fault(error: &clap::Error) -> Error {
     let part = |kind| context(error, kind);
     let flag = part(ContextKind::InvalidArg).unwrap_or_default();
@@ -96,7 +97,8 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// Valid values of a missing flag. The result is "table" for the file of a table and "none" for another flag without choices.
+/// Valid values of a missing flag, joined by commas. The result is "table" for the output file of a table, and "none" for other flags
+/// without a list of values.
 fn choices(missing: &str) -> String {
     if missing.starts_with("--out <") {
         return "table".to_string();
@@ -115,10 +117,10 @@ fn choices(missing: &str) -> String {
     found.unwrap_or_else(|| "none".to_string())
 }
 
-/// Former verbs that are now verbs of `gaitcam-lab`.
+/// Former verbs of `gaitcam` that are now verbs of `gaitcam-lab`.
 const IN_LAB: [&str; 2] = ["chart", "reproduce"];
 
-/// Error for an invalid value of a flag, with the valid ones.
+/// Error for an invalid value of a flag, with the valid values or range if known.
 fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     let source = error.source();
     if source.is_some_and(|s| s.is::<ParseIntError>()) {
@@ -135,7 +137,7 @@ fn unsuitable(error: &clap::Error, typed: String) -> CliError {
     }
 }
 
-/// An element of the error's context as text; lists are joined by commas.
+/// An element of the context of a clap error as text; lists are joined by commas.
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
     match error.get(kind)? {
         ContextValue::String(text) => Some(text.clone()),

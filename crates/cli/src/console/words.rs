@@ -1,4 +1,4 @@
-//! Messages of the command, by language: `words/LANGUAGE/cli.ftl`.
+//! Messages of the command, in one file per language: `words/LANGUAGE/cli.ftl`.
 
 use gaitcam::synth::Figure;
 use gaitcam::wording::{Catalogue, Language, Messages, Sentences};
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::console::language;
 
-/// Messages in the language of the run.
+/// Messages in the language of the output.
 pub fn catalogue() -> &'static Messages {
     WORDS.of(language::current())
 }
@@ -29,23 +29,23 @@ pub fn text(key: &str) -> String {
     catalogue().text(key)
 }
 
-/// Message with its placeholders filled. `arguments` is a JSON object.
+/// Message with its placeholders replaced. `arguments` is a JSON object with their values.
 pub fn fill(key: &str, arguments: &Value) -> String {
     let (area, variant) = key.split_once('-').unwrap_or(("", key));
     catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
 }
 
-/// A length in m, in the displayed unit.
+/// Length, given in m, as text in the displayed unit.
 pub fn length(metres: f64) -> String {
     gaitcam::wording::quantity(language::current(), metres, "m")
 }
 
-/// Name of a follower, law, limit or solver in the language of the run; other texts are returned unchanged.
+/// Name of a follower, law, limit or solver in the language of the output; other texts are returned unchanged.
 pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }
 
-/// Heading of a table's column with its SI unit, such as `RMS force error, N`. The column of a scene key has the key as its heading.
+/// Heading of a table column with its SI unit, such as `RMS force error, N`. For a column of a scene key, the heading is the key.
 pub fn column(name: &str) -> String {
     let label = gaitcam::sweep::table::label(name);
     let (quantity, unit) = label.rsplit_once(", ").unwrap_or((&label, ""));
@@ -62,17 +62,17 @@ pub fn column(name: &str) -> String {
     }
 }
 
-/// Number for display, with at most four significant digits.
+/// Number as text with at most four significant digits.
 pub fn number(value: f64) -> String {
     gaitcam::wording::number(language::current(), value)
 }
 
-/// Number with a fixed count of decimals, with the decimal sign of the language.
+/// Number as text with a fixed number of decimals and the decimal sign of the language.
 pub fn fixed(value: f64, decimals: usize) -> String {
     gaitcam::wording::fixed(language::current(), value, decimals)
 }
 
-/// Small number in scientific notation, such as `1.2e-15`.
+/// Number in scientific notation, such as `1.2e-15`.
 pub fn power(value: f64, decimals: usize) -> String {
     if value == 0.0 {
         return "0".to_string();
@@ -80,7 +80,7 @@ pub fn power(value: f64, decimals: usize) -> String {
     decimal(format!("{value:.decimals$e}"))
 }
 
-/// Formatted number with the decimal sign of the language.
+/// Replaces the decimal point of a formatted number by the decimal sign of the language.
 pub fn decimal(number: String) -> String {
     match language::current() {
         Language::En => number,

@@ -1,4 +1,4 @@
-//! Assignment of walkers to the cams of a cover by the force error.
+//! Assignment of walkers to the cams of a cover, so that the force error of each walker is minimum.
 
 use std::path::Path;
 
@@ -21,11 +21,11 @@ use gaitcam_app::Input;
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
 
-/// Best cam of a cover folder for each walker, for every number of cams: table and JSON data.
+/// Best cam of a cover folder for each walker, for every number of cams in the cover. Returns a table for the console and JSON data.
 ///
 /// # Errors
 ///
-/// A folder that is not a cover; a walker for whom the machine cannot be adjusted.
+/// The folder contains no cover, or the machine cannot be adjusted to a walker.
 pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     let path = folder.join("cover.csv");
     let covers = read_text(&path)?;
@@ -80,7 +80,7 @@ pub fn against(folder: &Path, walkers: Vec<Walker>) -> Result<(String, Value)> {
     ))
 }
 
-/// Best cam of a folder for a force curve, for a given number of cams.
+/// Best cam for the force curve of each walker, among the designs of a cover with `cams` cams.
 fn serving(folder: &Path, cams: usize, force: &ForceCurve) -> Result<Vec<Assigned>> {
     let (mut designs, mut scene) = (Vec::new(), None);
     for cam in 0..cams {

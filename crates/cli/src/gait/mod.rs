@@ -1,4 +1,5 @@
-//! `gaitcam gait`: contents of recordings, their mean cycles, and the joint mean of several; `gaitcam cover`.
+//! `gaitcam gait`: describes recordings, and computes the mean cycle of each and the joint mean of several. The submodule `cover` contains
+//! `gaitcam cover`.
 
 mod against;
 pub mod cover;
@@ -90,7 +91,7 @@ pub struct GaitArgs {
     against: Option<PathBuf>,
 }
 
-/// Describes every recording. The exit code is 2 if a named recording contains no cycle, or if no recording does.
+/// Describes every recording. The exit code is 2 if a recording named by the user contains no cycle, or if no recording contains a cycle.
 pub fn run(args: &GaitArgs) -> Result<u8> {
     let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
     let accept = OpenQuestion::list(&args.accept).map_err(input::at_flag("--accept"))?;
@@ -125,7 +126,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     )
 }
 
-/// Whether a file is a cycle that this command has written into a folder.
+/// Whether `file` is a cycle that this command has written into `folder`.
 fn wrote(folder: &Path, file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let inside = || {
@@ -172,7 +173,7 @@ fn one(
     })
 }
 
-/// Best cams of a cover for the walkers with a cycle, as text and JSON.
+/// Best cams of a cover folder for the recordings that have a cycle, as text and JSON.
 fn held_against(folder: &Path, reads: &[Read]) -> Result<(String, Value)> {
     let walker = |read: &Read| {
         let name = read

@@ -1,4 +1,4 @@
-//! Paths of the mean cycles.
+//! Paths of the files with mean cycles.
 
 use std::path::{Path, PathBuf};
 
@@ -11,22 +11,22 @@ use gaitcam_app::inputs;
 /// File name of the joint mean in a folder of cycles.
 pub const JOINT_MEAN: &str = "joint_mean.csv";
 
-/// Paths of the cycles of one or several recordings. A picture has the path of its cycle, with `.svg` or `.png` instead of `.csv`.
+/// Paths of the cycles of one or several recordings. The picture of a cycle has the same path with the ending `.svg` or `.png`.
 #[derive(Debug, Default)]
 pub struct Places {
     /// Path of the cycle of each recording; empty if none is written.
     pub each: Vec<PathBuf>,
-    /// Path of the joint mean.
+    /// Path of the joint mean; `None` if it is not written.
     pub joint: Option<PathBuf>,
 }
 
 impl Places {
-    /// Paths for `--out`: the named file, or `NAME_cycle.csv` and `joint_mean.csv` in a folder. `recordings` holds the files of each recording.
-    /// `several`: a joint mean is computed and a named file is for the joint mean.
+    /// Paths for the value of `--out`. If it is a folder, they are `NAME_cycle.csv` for each recording and `joint_mean.csv`. If it is a
+    /// file, it receives the joint mean if `several` is set, otherwise the cycle. `recordings` contains the files of each recording.
     ///
     /// # Errors
     ///
-    /// A path that would replace a recording, or a name of another kind of file.
+    /// A path would replace a recording, or the name has the ending of another kind of file.
     pub fn of(out: Option<&Path>, recordings: &[Vec<PathBuf>], several: bool) -> Result<Places> {
         let Some(out) = out else {
             return Ok(Places::default());
@@ -68,11 +68,11 @@ impl Places {
     }
 }
 
-/// Rejects the path of a table of stances if another kind of file is there or the file ending is wrong.
+/// Checks the path of a table of stances.
 ///
 /// # Errors
 ///
-/// The fault, with the path.
+/// The file ending is wrong, or a file of another kind exists at this path.
 pub fn check_table(table: &Path) -> Result<()> {
     let file = table.display().to_string();
     let is_csv = (table.extension()).is_some_and(|e| e.eq_ignore_ascii_case("csv"));
@@ -84,8 +84,8 @@ pub fn check_table(table: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Path `NAME_cycle.csv` for each recording. The name is that of the first file of a recording; recordings of the same name from two folders are
-/// numbered.
+/// Path `NAME_cycle.csv` for each recording, where NAME is the name of its first file. Recordings with equal names from different folders
+/// are numbered.
 fn named(folder: &Path, recordings: &[Vec<PathBuf>]) -> Vec<PathBuf> {
     let mut places: Vec<PathBuf> = Vec::new();
     for recording in recordings.iter().filter_map(|files| files.first()) {

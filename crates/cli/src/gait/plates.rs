@@ -1,4 +1,4 @@
-//! Files of the force plates of one trial.
+//! Grouping of files that contain the force plates of one trial.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use gaitcam::force::{PlateFile, plate_of};
 use gaitcam_app::read::open;
 
-/// Number of bytes at the start of a file that contain its header.
+/// Number of bytes that are read from the start of a file; they contain its header.
 const HEAD: u64 = 1 << 16;
 
-/// Files grouped by recording, in order: all plates of one trial together, each other file alone.
+/// Files grouped by recording, in the given order. All plates of one trial form a group. Each other file forms its own group.
 pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     let mut trials: Vec<(Option<Vec<PlateFile>>, Vec<PathBuf>)> = Vec::new();
     let is_alone = files.len() < 2;
@@ -35,7 +35,8 @@ pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     trials.into_iter().map(|(_, paths)| paths).collect()
 }
 
-/// Force plate of a file; `None` if the file cannot be read. The error is reported later.
+/// Trial and force plate of a file, from its header; `None` if the file is not of this kind or cannot be read. A reading error is reported
+/// later.
 fn plate(file: &Path) -> Option<PlateFile> {
     let mut head = Vec::new();
     let start = open(file).ok()?.take(HEAD).read_to_end(&mut head);

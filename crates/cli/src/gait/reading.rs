@@ -1,4 +1,4 @@
-//! One recording of `gaitcam gait`: reading, description and writing.
+//! One recording of `gaitcam gait`: how it is read, described and written.
 
 use std::path::{Path, PathBuf};
 
@@ -16,25 +16,25 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_output as output;
 use gaitcam_output::gait as tables;
 
-/// A recording with the result of its reading.
+/// Result of reading a recording.
 #[derive(Default)]
 pub(super) struct Read {
-    /// Path of the file, or of the files of its plates.
+    /// Path of the recording, or paths of the files of its plates.
     pub(super) paths: Vec<PathBuf>,
-    /// Interpretation of the recording; `None` for a file that is one cycle.
+    /// Interpretation of the recording; `None` if the file contains exactly one cycle.
     pub(super) understood: Option<Interpretation>,
-    /// Mean cycle of the recording.
+    /// Mean cycle of the recording; `None` if the recording has none.
     pub(super) cycle: Option<Cycle>,
-    /// Cycle of a file that contains exactly one cycle.
+    /// Cycle in a file that contains exactly one cycle.
     pub(super) given: Option<ForceCurve>,
-    /// Reason why the recording has no cycle.
+    /// Error because of which the recording has no cycle.
     pub(super) fault: Option<Error>,
     /// Text that describes the recording.
     pub(super) text: String,
     pub(super) object: Value,
 }
 
-/// Reads one recording: a file, or the files of its plates. The text lists every stance if `all` is set.
+/// Reads one recording from its file, or from the files of its plates. If `all` is set, the text lists every stance.
 pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: bool) -> Result<Read> {
     let path = paths[0].as_path();
     if path.extension().is_some_and(|e| e == "toml") {
@@ -94,7 +94,7 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     })
 }
 
-/// Names of the files of a recording, joined by commas.
+/// Names of the files of a recording, as returned by `name`, joined by commas.
 pub(super) fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
     let names = paths.iter().map(|path| name(path));
     names.collect::<Vec<_>>().join(BETWEEN_PLATES)
@@ -111,18 +111,18 @@ impl Read {
         }
     }
 
-    /// Paths of the files read.
+    /// Paths of the files of the recording, joined by commas.
     pub(super) fn shown(&self) -> String {
         together(&self.paths, |path| path.display().to_string())
     }
 
-    /// Cycle of the recording: the mean cycle, or the cycle given.
+    /// Cycle of the recording: its mean cycle, or the only cycle of the file.
     pub(super) fn curve(&self) -> Option<&ForceCurve> {
         let mean = self.cycle.as_ref().map(|c| &c.curve);
         mean.or(self.given.as_ref())
     }
 
-    /// Writes the cycle. A mean cycle and a rejected recording also get a picture.
+    /// Writes the cycle. For a recording that is not a single cycle, a picture is also written, even if the recording has no mean cycle.
     pub(super) fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.shown());
@@ -160,13 +160,13 @@ pub(super) fn write_cycle(
     write_whole(place, text.as_bytes())
 }
 
-/// Writes a picture as `.svg` and `.png` beside the CSV file `place`.
+/// Writes a picture as `.svg` and `.png`, with the path `place` apart from the ending.
 pub(super) fn write_picture(place: &Path, picture: &output::Picture) -> Result<()> {
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())
 }
 
-/// Heading with the names of files.
+/// Message `key` with the names of files filled in.
 pub(super) fn of_files(key: &str, files: &str) -> String {
     words::fill(key, &json!({"file": files}))
 }

@@ -1,4 +1,4 @@
-//! Several recordings: a table of all, and their joint mean.
+//! Output for several recordings: a table of all recordings, and their joint mean.
 
 use super::places::Places;
 use super::{Read, held_against, of_files, together, write_cycle, write_picture};
@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 
 use gaitcam_output as output;
 
-/// Prints the table with the joint mean, and writes the requested cycles. `is_named`: whether the user named a recording. Recordings found in a
-/// folder are skipped if they contain no cycle.
+/// Prints the table of the recordings with their joint mean, and writes the requested cycles. `is_named` returns whether the user named a
+/// recording. Recordings that were found in a folder are skipped if they contain no cycle.
 pub fn describe(
     reads: Vec<Read>,
     places: &Places,
@@ -88,14 +88,14 @@ pub fn describe(
     Ok(code)
 }
 
-/// Result of reading one recording with its file, as JSON.
+/// JSON data of one recording, with the paths of its files.
 fn object(read: &Read) -> Value {
     let mut object = read.object.clone();
     object["file"] = json!(read.shown());
     object
 }
 
-/// Paths without their common folder.
+/// Paths relative to the common folder of all recordings.
 fn short_names(reads: &[Read]) -> Vec<String> {
     let paths = reads.iter().flat_map(|read| &read.paths);
     let mut parents = paths.map(|path| path.parent().map(Path::to_path_buf));
@@ -111,13 +111,13 @@ fn short_names(reads: &[Read]) -> Vec<String> {
     names.collect()
 }
 
-/// Open questions about a recording that the user has not accepted.
+/// Open questions about a recording that the user has not accepted on the command line.
 fn open(read: &Read, accept: &[OpenQuestion]) -> Vec<OpenQuestion> {
     let doubts = read.understood.iter().flat_map(|u| u.doubts());
     doubts.filter(|d| !accept.contains(d)).collect()
 }
 
-/// Reason why each recording is excluded from the joint mean; `None` if it is included.
+/// Reason for which each recording is excluded from the joint mean; `None` if it is included.
 fn reasons(
     reads: &[Read],
     joint: &Result<JointMean>,

@@ -1,4 +1,4 @@
-//! A manufactured cam and its machine.
+//! A designed cam and the machine in which it runs.
 
 use std::path::{Path, PathBuf};
 
@@ -11,31 +11,32 @@ use gaitcam::scene::{Scene, set};
 use gaitcam::synth::Outcome;
 use gaitcam_app::design::{is_of_machine, put_on};
 
-/// A flag that sets a key of the machine.
+/// A command-line flag that sets a key of the machine.
 pub struct Flag<'a> {
     /// Name of the flag.
     pub name: &'static str,
-    /// Key of the scene.
+    /// Key of the scene that the flag sets.
     pub key: &'static str,
     /// Value of the flag.
     pub value: &'a str,
 }
 
-/// The scene of a cam, and the scene of its machine.
+/// The scene of a cam, and the scene of the machine in which it runs.
 pub struct Made {
     /// Scene from which the cam was designed.
     pub input: Input,
-    /// Scene of the design with the drive and machine of the run.
+    /// The scene of the design with the drive and machine of this run.
     pub running: Scene,
-    /// Whether the machine of the run differs from the machine of the design.
+    /// Whether the machine in this run differs from the machine of the design.
     pub other_machine: bool,
 }
 
 impl Made {
-    /// Folder of the files that are made from a design: the given folder, otherwise that of the results of its scene.
+    /// Folder for files that are made from a design: the folder given by the user, otherwise the results folder of its scene.
     ///
     /// # Errors
     /// A scene name that is not a file name.
+    /// The name of the scene cannot be a file name.
     pub fn folder(&self, given: &Path) -> Result<PathBuf> {
         match given.is_dir() {
             true => Ok(given.to_path_buf()),
@@ -43,12 +44,13 @@ impl Made {
         }
     }
 
-    /// Reads the cam that the arguments name. Changes of a scene are part of its design. Changes of a result (its folder or summary.json) apply to
-    /// the machine, because its cam already exists. `flags` change the machine in both cases.
+    /// Reads the cam that the arguments specify. If they specify a scene, the changes of `--set` apply to its design. If they specify a
+    /// result (its folder or summary.json), the changes apply to the machine, because the cam already exists. `flags` change the machine
+    /// in both cases.
     ///
     /// # Errors
     ///
-    /// A change of the cam of a result; otherwise as [`scene`].
+    /// A change of a result concerns the cam and not the machine. Otherwise as for [`scene`].
     pub fn read(args: &SceneArgs, flags: &[Flag]) -> Result<Made> {
         let result = args.scene.as_deref().and_then(summary_of);
         let on_machine: &[String] = if result.is_some() { &args.set } else { &[] };
@@ -89,17 +91,18 @@ impl Made {
         })
     }
 
-    /// Reason why a key has no effect in a run.
+    /// Sentence on the reason for which a key has no effect in this run; `None` if it has an effect.
     pub fn unused(&self, key: &str) -> Option<String> {
         let note = self.running.no_effect_of(key)?;
         Some(note.sentence(language::current()))
     }
 
-    /// The designed cam on the machine of the run, and the reason why there is no target at this speed.
+    /// The designed cam in the machine of this run. The second value is the reason for which there is no target at this speed, if there is
+    /// none.
     ///
     /// # Errors
     ///
-    /// Faults of the scene, its force or the other drive.
+    /// The scene, its force or the drive of this run is invalid.
     pub fn design(&self) -> Result<(Outcome, Option<Error>)> {
         match searching::answer(&self.input)? {
             Outcome::Built(design) if self.other_machine => {
@@ -111,7 +114,7 @@ impl Made {
     }
 }
 
-/// Path of the summary in a result folder, or `path` itself if it is a summary.
+/// Path of the summary in a result folder, or `path` itself if it is a JSON file.
 fn summary_of(path: &Path) -> Option<PathBuf> {
     if path.is_dir() {
         return Some(path.join("summary.json"));

@@ -1,4 +1,4 @@
-//! Scenes of the command line: a file, standard input or the built-in scene, with changes.
+//! Input scenes of the commands: a scene file, standard input or a built-in scene, with the changes from the command line.
 
 pub mod made;
 pub mod recordings;
@@ -22,7 +22,7 @@ use gaitcam_app::{Disk, inputs};
 pub use gaitcam_app::Input;
 pub use gaitcam_app::read::not_csv;
 
-/// Arguments for a scene with changes.
+/// Arguments of commands whose scene can be changed.
 #[derive(Args, Debug, Default, Clone)]
 pub struct SceneArgs {
     /// Scene file, name of a built-in scene (gaitcam scenes), or - for standard input; default footbridge
@@ -33,19 +33,19 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// Arguments for a scene without changes.
+    /// Arguments of commands whose scene cannot be changed.
     pub fn of(path: PathBuf) -> SceneArgs {
         let (scene, set) = (Some(path), Vec::new());
         SceneArgs { scene, set }
     }
 }
 
-/// Reads the scene (or the built-in one) and applies the changes.
+/// Reads the scene (by default the built-in footbridge) and applies the changes.
 pub fn scene(args: &SceneArgs) -> Result<Input> {
     completed(args, |table| table)
 }
 
-/// As [`scene`]; `complete` adds keys that other arguments give.
+/// As [`scene`]. `complete` then adds keys whose values come from other arguments.
 pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<Input> {
     let (mut table, files, file) = written(args)?;
     for change in &args.set {
@@ -63,7 +63,7 @@ pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<
     Ok(input)
 }
 
-/// Table of a scene without the changes, its input files, and the path of the scene file.
+/// Table of a scene without the changes, the input files of the scene, and the path of the scene file.
 pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     let none = Disk::default;
     Ok(match &args.scene {
@@ -78,18 +78,18 @@ pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     })
 }
 
-/// Adds a flag as the place of an error that has no place.
+/// Returns a function that adds a flag as the place of an error, unless the error already has a place.
 pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
 }
 
-/// Value of a flag with a unit in SI, if given.
+/// Value of a flag with a unit, converted to SI; `None` if the flag is not given.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
         .transpose()
 }
 
-/// Positive value of a flag with a unit in SI, if given.
+/// Positive value of a flag with a unit, converted to SI; `None` if the flag is not given.
 pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
     let value = quantity(flag, text, dimension)?;
     match (value, text) {
@@ -101,12 +101,12 @@ pub fn positive(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
     }
 }
 
-/// Parsed value of a flag, if given.
+/// Parsed value of a flag; `None` if the flag is not given.
 pub fn parsed<T: FromStr<Err = Error>>(flag: &str, text: Option<&str>) -> Result<Option<T>> {
     text.map(|t| t.parse().map_err(at_flag(flag))).transpose()
 }
 
-/// Folder of the results of a scene: `out` if given, else `out/NAME` with `ending` after the name of the scene.
+/// Folder for the results of a scene: `out` if given, otherwise `out/NAME` followed by `ending`, where NAME is the name of the scene.
 pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<PathBuf> {
     if let Some(out) = out {
         return Ok(out.to_path_buf());
@@ -116,7 +116,7 @@ pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<
     Ok(PathBuf::from("out").join(format!("{name}{ending}")))
 }
 
-/// Rejects a scene name that is not a plain file name.
+/// Rejects a scene name that cannot be used as a file name.
 fn check_file_name(name: &str) -> Result<()> {
     let fault = if name.trim().is_empty() {
         NameFault::Blank

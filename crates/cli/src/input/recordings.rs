@@ -1,4 +1,4 @@
-//! Recordings given to a command: files and folders.
+//! Recordings on the command line: files, and folders that contain files.
 
 use std::path::{Path, PathBuf};
 
@@ -7,17 +7,17 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::read::cannot_be_read;
 use gaitcam_app::recordings::{ENDINGS, inside};
 
-/// Recordings given by name or inside folders.
+/// Recordings that are named by the user or found in folders.
 #[derive(Default)]
 pub struct Recordings {
     /// Paths of the recordings.
     pub files: Vec<String>,
-    /// Names of the other files in the folders.
+    /// Names of the files in the folders that are not recordings.
     pub skipped: Vec<String>,
 }
 
-/// Every given file, and every recording inside a given folder, sorted by name. Hidden files are skipped. `argument` names the argument with the
-/// paths, for an error if there is no recording.
+/// All named files, and the recordings in each named folder, sorted by name within the folder. Hidden files are skipped. `argument` is the
+/// name of the argument that contains the paths; it is used in the error for paths without a recording.
 pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     let mut out = Recordings::default();
     for path in paths {
@@ -44,7 +44,7 @@ pub fn recordings(paths: &[PathBuf], argument: &str) -> Result<Recordings> {
     Ok(out)
 }
 
-/// Whether a path leads to an existing folder.
+/// Whether a path is the path of an existing folder.
 fn is_folder(path: &Path) -> Result<bool> {
     let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     Ok(about.is_dir())

@@ -1,4 +1,4 @@
-//! Duration of searches: progress line after half a second, time limit.
+//! Duration of searches: progress line and time limit.
 
 use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
@@ -16,15 +16,16 @@ use crate::console::progress::{self, Watch};
 use crate::console::words;
 use crate::refused;
 
-/// Time limit of one design, and of one row of a sweep, s.
+/// Default limits of processor time, s: `DESIGN_S` for one design, `ROW_S` for one row of a sweep.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// Time allowed for another process to explain a blocked input.
+/// Delay after the time limit before the program ends while it waits for an input. During the delay, an error about a folder locked by
+/// another process can be reported first.
 const GRACE: Duration = Duration::from_millis(300);
-/// Longest time limit, s. A longer one is reduced to this value.
+/// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;
 
-/// Arguments for the duration of searches.
+/// Arguments that limit the duration of searches.
 #[derive(Args, Debug, Default, Clone, Copy)]
 pub struct TimeLimit {
     /// End the search after this processor time and keep the best result (default 60 s, in sweeps 5 s per design)
@@ -41,24 +42,25 @@ fn seconds(typed: &str) -> std::result::Result<f64, String> {
 }
 
 impl TimeLimit {
-    /// Time limit of one design that starts now.
+    /// Stop condition of one design. Its time limit begins now.
     pub fn of_design(self) -> Halt {
         after(self.time_limit.unwrap_or(DESIGN_S))
     }
 
-    /// Time limit of one row of a sweep, which this thread computes.
+    /// Stop condition of one row of a sweep. It counts the processor time of the thread that calls this function.
     pub fn of_row(self) -> Halt {
         let limit = duration(self.time_limit.unwrap_or(ROW_S));
         let begun = ThreadTime::now().as_duration();
         Halt::when(move || ThreadTime::now().as_duration() - begun >= limit)
     }
 
-    /// Maximum waiting time for another process that writes into the same folder.
+    /// Maximum waiting time while another process writes to the same folder.
     pub fn patience(self) -> Duration {
         self.time_limit.map_or(PATIENCE, duration)
     }
 
-    /// Ends the program unless the returned value is dropped within the time limit, because an input may never end.
+    /// Ends the program if the returned value is not dropped within the time limit. This is necessary because the reading of an input,
+    /// such as a pipe, may never end. `None` without a time limit given by the user.
     pub fn of_input(self, json: bool) -> Option<Watch> {
         let limit = self.time_limit?;
         Some(Watch::new(move |waits| {
@@ -71,7 +73,7 @@ impl TimeLimit {
         }))
     }
 
-    /// Shows a progress line until the returned value is dropped.
+    /// Shows a progress line with the elapsed time until the returned value is dropped.
     pub fn shown(self) -> Option<Watch> {
         let limit = self.time_limit.unwrap_or(DESIGN_S);
         let text = words::fill("synth-searching", &json!({"limit": limit}));
@@ -79,17 +81,18 @@ impl TimeLimit {
     }
 }
 
-/// Design of a scene within the default time limit.
+/// Result of designing a scene within the default time limit.
 pub fn answer(input: &Input) -> Result<Outcome> {
     synth::answer(&input.scene, input.target()?.as_ref(), &search())
 }
 
-/// Search settings for an intermediate design.
+/// Search settings with the default time limit, for a design that is not the main result.
 pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
-/// Stop condition after this processor time of the process, s. The load of the machine has no influence on it.
+/// Stop condition that holds after this additional processor time of the process, s. Other programs on the computer have no influence on
+/// it.
 fn after(seconds: f64) -> Halt {
     let (begun, limit) = (ProcessTime::now(), duration(seconds));
     Halt::when(move || begun.elapsed() >= limit)

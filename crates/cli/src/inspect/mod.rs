@@ -1,4 +1,5 @@
-//! `gaitcam inspect`: deviations of the profile and the predicted force from measured points of a manufactured cam.
+//! `gaitcam inspect`: compares measured points of a manufactured cam with its design, and computes the deviations of the profile and the
+//! resulting force.
 
 mod shown;
 
@@ -58,7 +59,7 @@ pub struct InspectArgs {
     pub json: bool,
 }
 
-/// Fits the points and writes table, pictures and summary. The exit code is 3 if the design has no cam.
+/// Fits the measured points to the design and writes a table, pictures and a summary. The exit code is 3 if the design has no cam.
 pub fn run(args: &InspectArgs) -> Result<u8> {
     args.lengths.units.display();
     let ball = input::quantity("--ball", args.ball.as_deref(), Dimension::Length)?.unwrap_or(0.0);
@@ -107,7 +108,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Folder of the files; `None` if only the summary is printed.
+/// Folder for the files; `None` if only the summary is printed.
 fn folder(args: &InspectArgs, input: &input::Input) -> Result<Option<PathBuf>> {
     match &args.out {
         Some(out) => Ok(Some(out.clone())),

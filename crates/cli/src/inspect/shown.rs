@@ -1,4 +1,4 @@
-//! Findings on a manufactured cam as text and JSON.
+//! Results of the inspection of a manufactured cam as text and JSON.
 
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ fn outliers(inspected: &Inspection) -> impl Iterator<Item = &Deviation> {
     inspected.deviations.iter().filter(|d| d.is_outlier)
 }
 
-/// Message about outliers, with the numbers of at most ten lines; `None` if there are none.
+/// Data of the message about outliers, with at most ten line numbers of the file; `None` without outliers.
 fn about_outliers(inspected: &Inspection, lines: &[usize]) -> Option<Value> {
     let most = outliers(inspected)
         .map(|d| d.normal.abs())
@@ -80,7 +80,7 @@ pub(super) fn text(
     lines.join("\n")
 }
 
-/// Row that compares two cams: key, value, unit.
+/// Row that compares two cams: key of the message, function for the value, unit.
 type Compared<'a> = (&'a str, fn(&Behaviour) -> Option<f64>, &'a str);
 
 /// Lines that compare the design with the manufactured cam, one per quantity.

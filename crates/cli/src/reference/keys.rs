@@ -1,4 +1,4 @@
-//! `gaitcam keys`: list of all keys of a scene file; `gaitcam scenes`: list of the built-in scenes.
+//! `gaitcam keys` lists all keys of a scene file. `gaitcam scenes` lists the built-in scenes.
 
 use clap::Args;
 use gaitcam::error::Result;
@@ -40,7 +40,7 @@ pub struct ScenesArgs {
     pub json: bool,
 }
 
-/// Prints the key table.
+/// Prints the keys of the scene file as a table, JSON, JSON Schema or Markdown page.
 pub fn keys(args: &KeysArgs) -> Result<u8> {
     let matches = |path: &str| args.pattern.as_deref().is_none_or(|p| path.contains(p));
     if args.schema {
@@ -82,7 +82,7 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Prints the list of built-in scenes, or one of them.
+/// Prints the list of built-in scenes, or one built-in scene.
 pub fn scenes(args: &ScenesArgs) -> Result<u8> {
     let all = match args.name.as_deref() {
         Some(name) => vec![*built_in(name)?],

@@ -27,7 +27,7 @@ pub struct LawsArgs {
     pub json: bool,
 }
 
-/// Derivatives at the ends that the law can match; stated once if both ends agree.
+/// Derivatives of the lift that the rise can match at its start and end. If both ends agree, they are stated once.
 fn joined(ends: &Ends) -> String {
     let joins = |end: &End| end.joins_in(language::current());
     let (start, end) = (joins(&ends.start), joins(&ends.end));

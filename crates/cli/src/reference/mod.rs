@@ -1,4 +1,4 @@
-//! Reference output: keys, scenes, laws, completions.
+//! Commands that print reference information: keys, scenes, laws, completion scripts.
 
 pub mod completions;
 pub mod keys;

@@ -1,4 +1,4 @@
-//! Results of several designs: comparison, and front of a table.
+//! Evaluation of several designs: comparison of results, and Pareto front of a table.
 
 pub mod compare;
 pub mod front;

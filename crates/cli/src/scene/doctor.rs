@@ -34,7 +34,7 @@ pub struct DoctorArgs {
     time: TimeLimit,
 }
 
-/// Examines the file. The exit code is that of `synth` or `gait`.
+/// Examines the file. The exit code is the same as for `synth` or `gait`.
 pub fn run(args: &DoctorArgs) -> Result<u8> {
     if doctor::is_recording(&args.file) {
         if !args.set.is_empty() {
@@ -58,7 +58,7 @@ pub fn run(args: &DoctorArgs) -> Result<u8> {
     Ok(report(&[found]))
 }
 
-/// Prints findings and returns the exit code of the most serious one.
+/// Prints the findings and returns the exit code of the most serious finding.
 fn report(findings: &[Finding]) -> u8 {
     for finding in findings {
         let mark = match finding.mark() {
@@ -80,7 +80,7 @@ fn report(findings: &[Finding]) -> u8 {
     codes.max_by_key(|code| *code != BUILT).unwrap_or(BUILT)
 }
 
-/// Exit code of a finding.
+/// Exit code for a finding.
 fn code(finding: &Finding) -> u8 {
     match finding {
         Finding::Fault(fault) => exit_code::of_error(fault),

@@ -1,4 +1,4 @@
-//! Scene files: templates with comments, and lists of all faults.
+//! Scene files: templates with explanations, and lists of all faults.
 
 pub mod doctor;
 pub mod init;

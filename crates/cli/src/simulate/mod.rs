@@ -1,4 +1,4 @@
-//! `gaitcam simulate`: simulates the emitted cam instead of its law.
+//! `gaitcam simulate`: simulates the profile that is written to the files, and not the law from which it is computed.
 
 mod speeds;
 
@@ -38,7 +38,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
   gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
 
-/// Arguments of `gaitcam simulate`: scene, machine and model.
+/// Arguments of `gaitcam simulate`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct SimulateArgs {
@@ -82,7 +82,7 @@ pub struct SimulateArgs {
 }
 
 impl SimulateArgs {
-    /// Flags that set keys of the machine, with their values.
+    /// Flags that set keys of the machine, if they are given.
     fn machine(&self) -> Vec<Flag<'_>> {
         [
             ("--speed", "drive.speed", &self.speed),
@@ -112,8 +112,8 @@ impl SimulateArgs {
     }
 }
 
-/// Designs the cam of the scene or result folder, emits its profile and simulates it. The exit code is 3 if there is no cam, a limit is violated or
-/// contact is lost.
+/// Designs the cam of the scene or result folder, samples its profile as for the files, and simulates it. The exit code is 3 if there is
+/// no cam, a limit is violated or contact is lost.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     args.lengths.units.display();
     let model = Model::parse(&args.model).ok_or_else(|| {
@@ -202,13 +202,13 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Sentence on the reason why a run is compared with no target.
+/// Sentence on why the simulated force is not compared with a target.
 fn no_target(why: &Error) -> String {
     let why = why.sentence(language::current());
     words::fill("simulate-no-target", &json!({"why": why}))
 }
 
-/// Prints verdict, reason, remarks and the table of the run.
+/// Prints the verdict, its reason, remarks, and the table of the simulation.
 fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Outcome) {
     let verdict = words::name(design.verdict.name());
     print(&format!("{}: {verdict}", design.problem.name));
@@ -220,7 +220,8 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
     print(&simulation::table(outcome, measures, language::current()));
 }
 
-/// Folder of the files: the result folder if the result is simulated without changes, otherwise a folder with the scene's name.
+/// Folder for the files: the folder given by `--out`. Without this option, a result folder that is simulated without changes is used
+/// again. In all other cases, the folder has the name of the scene.
 fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {
         (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
@@ -231,7 +232,8 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     }
 }
 
-/// Remark on which cam is simulated, if this is not obvious.
+/// Remark on which cam is simulated: the cam of the result in a changed machine, or a cam designed again for another speed. `None` in
+/// other cases.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
         let rpm = words::number(design.problem.drive.speed * 30.0 / PI);
@@ -242,7 +244,7 @@ fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     again.then(|| words::text("simulate-designed-again"))
 }
 
-/// Emitted profile of the design on the machine of the run.
+/// Simulation input: the profile of the design as written to the files, with the machine of this run.
 fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
     let run = design.emitted(&scene.machine, design.problem.drive);
     run.map_err(|e| match args.natural_frequency {

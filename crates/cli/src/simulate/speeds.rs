@@ -1,4 +1,4 @@
-//! One manufactured cam at several speeds: `speeds.csv`, its table and its picture.
+//! Simulation of one manufactured cam at several speeds: `speeds.csv`, table and picture.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -29,18 +29,18 @@ use gaitcam_app::inputs;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_output::plots::{self, AtSpeed};
 
-/// Maximum number of speeds in a table.
+/// Maximum number of speeds.
 const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
 
-/// Row of the table: the result at one speed, or the reason why the shaft does not turn.
+/// Row of the table: the results at one speed, or in `stands` the reason why the motor cannot turn the shaft.
 struct Row {
     at: AtSpeed,
     stands: Option<String>,
 }
 
-/// Simulates the cam of the arguments at each of `speeds`, given as FIRST:LAST:COUNT.
+/// Simulates the cam at each of `speeds`, which has the form FIRST:LAST:COUNT.
 pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     let start = Instant::now();
     let made = Made::read(&args.scene, &args.machine())?;
@@ -83,7 +83,7 @@ pub fn run(args: &SimulateArgs, speeds: &str, model: Model) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Speeds at equal steps, rad/s or m/s. A frequency is the number of turns per second.
+/// Equally spaced speeds, rad/s (m/s for a translating cam), from text of the form FIRST:LAST:COUNT. Values in Hz are turns per second.
 fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     let fault = || {
         let typed = text.to_string();
@@ -112,7 +112,7 @@ fn read(text: &str, straight: bool) -> Result<Vec<f64>> {
     Ok((0..count).map(at).collect())
 }
 
-/// Simulates the emitted cam at a speed. It is compared with the target of that speed if a load model provides one.
+/// Simulates the cam at one speed. If a load model is given, the force is compared with its target at this speed.
 fn at(
     made: &Made,
     design: &Design,
@@ -169,7 +169,7 @@ fn stands(error: &Error) -> bool {
     fault.is_some_and(|f| matches!(f, Stalls { .. } | StallsAnyway | NoLoadSpeed { .. }))
 }
 
-/// Load factors 1 to 4 of the target.
+/// Dynamic load factors of the target for harmonics 1 to 4 of the step frequency; `None` if the target has fewer.
 fn target_factors(design: &Design) -> Option<[f64; 4]> {
     let factors = design.load_factors();
     let of_step = |k: f64| factors.iter().find(|f| f.of_step == k).map(|f| f.target);
@@ -177,7 +177,7 @@ fn target_factors(design: &Design) -> Option<[f64; 4]> {
     four?.try_into().ok()
 }
 
-/// Amplitude of the force over time at an angular frequency, rad/s.
+/// Amplitude of the component of the force over time at an angular frequency, rad/s.
 fn amplitude(outcome: &Outcome, frequency: f64) -> f64 {
     let (mut cosine, mut sine, mut sum) = (0.0, 0.0, 0.0);
     for row in &outcome.rows {
@@ -206,7 +206,7 @@ impl Row {
         })
     }
 
-    /// Cells of the row. `speed` is the speed in its customary unit.
+    /// Cells of the row. `speed` is the text of the first cell.
     fn cells(&self, speed: String) -> Vec<String> {
         let at = &self.at;
         if let Some(why) = &self.stands {

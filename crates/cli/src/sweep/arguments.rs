@@ -1,4 +1,4 @@
-//! Definition of a sweep from arguments: scenes, lists and recordings.
+//! Defines a sweep from the arguments: scenes, lists, recordings and varied keys.
 
 use std::path::{Path, PathBuf};
 
@@ -16,18 +16,18 @@ use gaitcam::sweep::{Axis, Key, NamedScene, Subject, Sweep};
 use gaitcam_app::read::read_bytes;
 use gaitcam_app::{Disk, SweepQuestion, Varied, completed, inputs};
 
-/// Number of rows above which confirmation is required.
+/// Number of rows above which the user must confirm the sweep.
 const MANY: u64 = 100_000_000;
 
-/// Definition of a sweep with the files of its scenes.
+/// Definition of a sweep, and the input files of its scenes.
 pub struct Asked {
     /// Definition of the sweep.
     pub question: SweepQuestion,
-    /// Files of each base scene.
+    /// Input files of each base scene.
     pub files: Vec<Disk>,
 }
 
-/// Reads the scenes, the list and the varied keys.
+/// Reads the scenes, the list and the names of the recordings, and returns the definition of the sweep.
 pub fn question(args: &SweepArgs) -> Result<Asked> {
     let named: Vec<Option<&PathBuf>> = match &args.scenes[..] {
         [] => vec![None],
@@ -78,7 +78,7 @@ pub fn question(args: &SweepArgs) -> Result<Asked> {
     Ok(Asked { question, files })
 }
 
-/// Sweep of designs, with the files of its scenes.
+/// Sweep of designs, and the input files of its scenes.
 pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     let Asked { question, files } = question(args)?;
     let varies = [&question.vary, &question.list]
@@ -97,7 +97,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     Ok((sweep, files))
 }
 
-/// Data that a resumed sweep must match, and the paths of its recordings.
+/// Description of a sweep, with the folders of its scenes. A continued sweep must have the same description.
 pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
     let mut description = sweep.description();
     for (i, files) in files.iter().enumerate() {
@@ -107,7 +107,7 @@ pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
     description
 }
 
-/// Rejects an impractical number of rows, and a large one without confirmation.
+/// Rejects a number of rows that is impossible, or that is very large and not confirmed.
 fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     let rows = subject.rows().map_err(input::at_flag("--vary"))?;
     if rows > MANY && !args.yes && !args.estimate {
@@ -117,7 +117,7 @@ fn check_size(args: &SweepArgs, subject: &Subject) -> Result<()> {
     Ok(())
 }
 
-/// Flag that caused a fault of the whole sweep.
+/// Flag that caused an error of the whole sweep.
 fn flag_of(e: &Error) -> &'static str {
     match e.fault() {
         Some(SweepError::NothingToSample) => "--sample",
@@ -126,7 +126,7 @@ fn flag_of(e: &Error) -> &'static str {
     }
 }
 
-/// Varied keys of a CSV file whose header names the keys.
+/// Varied keys from a CSV file, in which the header contains the keys and each line one combination of values.
 fn list(path: &Path) -> Result<Vec<Varied>> {
     let bytes = read_bytes(path)?;
     let mut reader = csv::ReaderBuilder::new()
@@ -154,7 +154,7 @@ fn list(path: &Path) -> Result<Vec<Varied>> {
         .collect()
 }
 
-/// Varied key of a column of a list. The error of an invalid value names its line.
+/// Varied key from one column of a list file. The error for an invalid value contains its line number.
 fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     if let Err(fault) = read(&values) {
@@ -165,14 +165,14 @@ fn of_list(path: &Path, name: &str, values: Vec<String>) -> Result<Varied> {
     Ok(Varied::Listed(name.to_string(), values))
 }
 
-/// Error for an invalid row of a list file; `row` is counted from 0, below the header.
+/// Error for an invalid row of a list file. Row 0 is the first row below the header.
 fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
     let what = fault.what(language::current());
     let fault = format!("{name}: {what}");
     CliError::ListValue { fault }.at_line(path, row + 2)
 }
 
-/// Adds the line of the list to a fault of the sweep, if the fault is in the list.
+/// Adds the line number of the list file to an error of the sweep, if a value of the list causes the error.
 fn in_list(fault: Error, question: &SweepQuestion, path: Option<&Path>) -> Error {
     let place_in_list = || {
         let Place::Key(name) = &fault.place else {

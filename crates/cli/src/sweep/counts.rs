@@ -1,4 +1,4 @@
-//! Counts of the rows of a sweep.
+//! Numbers of rows of a sweep by outcome and verdict.
 
 use std::path::Path;
 
@@ -6,27 +6,27 @@ use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::sweep::{Outcome, Records};
 
-/// Numbers of rows of a sweep by their outcome and verdict.
+/// Numbers of rows of a sweep by outcome and verdict.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
-    /// Number of all rows.
+    /// Number of rows.
     pub rows: u64,
     /// Number of designed cams.
     pub built: u64,
-    /// Number of cams that pass every check.
+    /// Number of cams with the verdict "acceptable".
     pub acceptable: u64,
-    /// Number of cams not for high speed.
+    /// Number of cams with the verdict "not for high speed".
     pub low_speed: u64,
     /// Number of rows with infeasible limits.
     pub infeasible: u64,
-    /// Number of rows with a faulty scene.
+    /// Number of rows whose scene is invalid.
     pub errors: u64,
-    /// First row with a faulty scene, with its fault.
+    /// Number and error message of the first row whose scene is invalid.
     pub first_error: Option<(u64, String)>,
 }
 
 impl Counts {
-    /// Counts of the computed rows.
+    /// Counts of computed rows.
     pub fn of(records: &Records) -> Counts {
         let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
         let first = records.first_row().unwrap_or(0);
@@ -39,7 +39,8 @@ impl Counts {
         out
     }
 
-    /// Counts of the rows of a block. There are fewer rows than expected if the block is truncated.
+    /// Counts of the rows in a block file; `first` is the number of its first row. If the block is truncated, the total is smaller than
+    /// expected.
     pub fn of_block(path: &Path, first: u64) -> Counts {
         let mut out = Counts::default();
         // The rows before the fault are counted. The caller compares the number with the expected one.
@@ -69,7 +70,7 @@ impl Counts {
         self.rows += 1;
     }
 
-    /// Adds the counts of the following rows.
+    /// Adds the counts of the rows that follow these rows.
     pub fn add(&mut self, next: Counts) {
         self.rows += next.rows;
         self.built += next.built;

@@ -1,4 +1,4 @@
-//! `gaitcam sweep --estimate`: time of a sweep, from the times of some of its rows.
+//! `gaitcam sweep --estimate`: estimates the time of a sweep from the times of some of its rows.
 
 use std::time::Instant;
 
@@ -11,16 +11,16 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use gaitcam::error::Result;
 
-/// Number of equidistant places of the sweep at which rows are computed.
+/// Number of equidistant positions in the sweep at which rows are computed.
 const PLACES: u64 = 10;
-/// Number of rows at each place, at first.
+/// Initial number of rows at each position.
 const ROWS: u64 = 10;
-/// Minimum duration of the measured computation, s. Until then the number of rows increases.
+/// Minimum duration of the measurement, s. If it is shorter, the measurement is repeated with more rows.
 const LEAST_S: f64 = 0.25;
-/// Factor by which the number of rows increases.
+/// Factor by which the number of rows increases when the measurement is repeated.
 const GROWTH: u64 = 4;
 
-/// Computes some rows on one thread, and prints their rate and the time of all rows. Nothing is written.
+/// Computes some rows on one thread and prints the rate and the estimated time of the sweep. No file is written.
 pub fn run(args: &SweepArgs) -> Result<u8> {
     let (sweep, _) = arguments::sweep(args)?;
     let rows = sweep.rows()?;
@@ -60,7 +60,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Ranges of `each` consecutive rows (first, end) that begin at equidistant rows; all rows in one range if the ranges would meet.
+/// Ranges (first row, end) of `each` consecutive rows that begin at equidistant rows. If the ranges would overlap, the result is one range
+/// with all rows.
 fn places(rows: u64, each: u64) -> Vec<(u64, u64)> {
     if rows <= PLACES * each {
         return vec![(0, rows)];

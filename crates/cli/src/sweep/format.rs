@@ -1,4 +1,4 @@
-//! File formats of tables.
+//! File formats of sweep tables.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write, copy};
@@ -22,14 +22,14 @@ pub enum Format {
 }
 
 impl Format {
-    /// Format of blocks shared by many processes.
+    /// Format of the blocks when several processes share a sweep.
     #[cfg(feature = "parquet")]
     pub const SHARED: Format = Format::Parquet;
-    /// Format of blocks shared by many processes.
+    /// Format of the blocks when several processes share a sweep.
     #[cfg(not(feature = "parquet"))]
     pub const SHARED: Format = Format::Csv;
 
-    /// Format of a path by its file ending.
+    /// Format that corresponds to the ending of a path.
     pub fn of(path: &Path) -> Result<Format> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
@@ -54,7 +54,7 @@ impl Format {
         }
     }
 
-    /// Rows as lines of CSV; empty for other formats.
+    /// Rows as lines of CSV text; empty for other formats.
     pub fn lines(self, records: &Records) -> String {
         match self {
             Format::Csv => records.csv_rows(),
@@ -63,7 +63,8 @@ impl Format {
         }
     }
 
-    /// Content of a block file: a complete table of the given rows. `lines` is the result of [`Format::lines`] (CSV); `metadata` is used for Parquet.
+    /// Content of a block file, which is a complete table of the given rows. In CSV, the rows are taken from `lines`, the result of
+    /// [`Format::lines`]. In Parquet, `metadata` is stored in the file.
     pub fn block(
         self,
         records: &Records,
@@ -81,7 +82,7 @@ impl Format {
         }
     }
 
-    /// Writes the rows of all blocks as one table.
+    /// Writes the rows of all blocks to one table.
     pub fn join(self, blocks: &[PathBuf], table: File) -> Result<File> {
         match self {
             Format::Csv => join_csv(blocks, table),
@@ -91,7 +92,7 @@ impl Format {
     }
 }
 
-/// Writes the header once, then the lines of every block.
+/// Writes the header once, and then the lines of every block.
 fn join_csv(blocks: &[PathBuf], mut table: File) -> Result<File> {
     for (i, path) in blocks.iter().enumerate() {
         let fault = |e: std::io::Error| cannot_be_read(path, &e);

@@ -160,7 +160,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     Ok(if some { BUILT } else { NO_SUCH_CAM })
 }
 
-/// Name of the table in messages.
+/// Message argument with the path of the table.
 fn file(args: &SweepArgs) -> serde_json::Value {
     json!({"file": args.out.display().to_string()})
 }

@@ -1,7 +1,7 @@
 //! Unfinished table of a sweep: blocks of rows in the folder `FILE.partial`.
 //!
-//! Each block is a complete table and is written before the next is computed. The final table is assembled from the blocks, and `FILE.sweep.json`
-//! describes its sweep. A process locks the folder while it uses it.
+//! Each block is a complete table and is written before the next block is computed. The final table is assembled from the blocks, and
+//! `FILE.sweep.json` describes its sweep. A process locks the folder while it writes the blocks.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -18,10 +18,10 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_app::{Lock, inputs};
 use serde_json::{Value, json};
 
-/// Lock file of the folder.
+/// Name of the lock file in the folder.
 const LOCK: &str = ".lock";
 
-/// An unfinished table, locked by this process.
+/// An unfinished table whose folder is locked by this process.
 pub struct PartialTable {
     blocks: Blocks,
     folder: PathBuf,
@@ -29,15 +29,15 @@ pub struct PartialTable {
     table: PathBuf,
     format: Format,
     counts: Counts,
-    /// Message about a damaged block, if there is one.
+    /// Message about the first damaged block, if there is one.
     damaged: Option<String>,
     _lock: Lock,
 }
 
-/// Key of the table's checksum in the description of a finished sweep.
+/// Key of the table's checksum in the description of the finished sweep.
 const CHECKSUM: &str = "table_crc32";
 
-/// Path with an added ending: FILE.csv.partial and FILE.csv.sweep.json are in the folder of FILE.csv.
+/// Path of the table with an ending appended, such as FILE.csv.partial or FILE.csv.sweep.json.
 pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(ending);
@@ -45,11 +45,12 @@ pub fn with_ending(table: &Path, ending: &str) -> PathBuf {
 }
 
 impl PartialTable {
-    /// Opens the unfinished table of a sweep, new or (with `resume`) continued; `None` if the table is complete.
+    /// Opens the unfinished table of a sweep: a new one, or with `resume` an existing one. `None` if the table is already complete.
     ///
     /// # Errors
     ///
-    /// Another process uses the table, it holds another sweep, or it holds rows and `resume` is not set. The table then stays unchanged.
+    /// Another process uses the table, the table belongs to another sweep, or it contains rows and `resume` is not set. The table then
+    /// remains unchanged.
     pub fn open(
         table: &Path,
         format: Format,
@@ -99,7 +100,7 @@ impl PartialTable {
         Ok(Some(partial))
     }
 
-    /// Counts the rows of the blocks and removes all blocks from the first incomplete one on.
+    /// Counts the rows of the blocks. The first damaged block and all later blocks are removed.
     fn count_blocks(&mut self) -> Result<()> {
         for (rows, path) in blocks::files(&self.folder)? {
             if rows.start == self.counts.rows && blocks::is_whole(&path) {
@@ -120,17 +121,17 @@ impl PartialTable {
         Ok(())
     }
 
-    /// Counts of the rows in the table.
+    /// Counts of the rows that are complete so far.
     pub fn counts(&self) -> &Counts {
         &self.counts
     }
 
-    /// Message about a damaged block.
+    /// Message about the first damaged block; `None` if no block was damaged.
     pub fn damaged(&self) -> Option<&str> {
         self.damaged.as_deref()
     }
 
-    /// Adds the next rows and writes their block, `bytes`, to the disk.
+    /// Counts the next rows and writes `bytes`, the content of their block, to the disk.
     pub fn append(&mut self, records: &Records, bytes: &[u8]) -> Result<()> {
         let start = self.counts.rows;
         let rows = start..start + records.len() as u64;
@@ -142,7 +143,7 @@ impl PartialTable {
         Ok(())
     }
 
-    /// Moves the complete table to its final path and removes the blocks.
+    /// Assembles the complete table at its final path and removes the blocks.
     pub fn finish(self, sweep: &Value) -> Result<Counts> {
         inputs::check(&self.table)?;
         let describe = |joined: &Path| {
@@ -187,7 +188,7 @@ impl PartialTable {
     }
 }
 
-/// Locks the folder, which is created if needed.
+/// Creates the folder if necessary, and locks it.
 fn locked(folder: &Path) -> Result<Lock> {
     fs::create_dir_all(folder).map_err(|e| {
         let fault = e.to_string();
@@ -196,7 +197,7 @@ fn locked(folder: &Path) -> Result<Lock> {
     Lock::wait(folder, LOCK, Duration::ZERO)
 }
 
-/// Description of a sweep, if the file exists.
+/// Description of a sweep in a file; `None` if the file cannot be read.
 fn described(path: &Path) -> Option<Value> {
     serde_json::from_slice(&fs::read(path).ok()?).ok()
 }

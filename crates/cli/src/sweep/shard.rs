@@ -1,4 +1,4 @@
-//! `gaitcam sweep --shard I/N`: one share of a sweep in blocks, for job queues with many processes.
+//! `gaitcam sweep --shard I/N`: computes one share of a sweep in blocks, for job queues with many processes.
 
 use serde_json::json;
 
@@ -11,12 +11,12 @@ use crate::console::terminal::{self, print, print_json};
 use crate::{console::language, console::words};
 use gaitcam_app::blocks::{BLOCK_ROWS, SharedBlocks};
 
-/// One of several equal shares of a sweep. They may be counted from 0 or from 1: share 0 of N is share N.
+/// One of several equal shares of a sweep. Shares may be counted from 0 or from 1, because share 0 of N is the same as share N.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// Number of the share.
+    /// Number of this share.
     pub part: u64,
-    /// Number of all shares.
+    /// Total number of shares.
     pub parts: u64,
 }
 
@@ -30,11 +30,11 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
         .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }
 
-/// Computes the missing blocks of the share, as Parquet if this build supports it, else as CSV.
+/// Computes the missing blocks of the share. They are written as Parquet if this build supports it, otherwise as CSV.
 ///
 /// # Errors
 ///
-/// As for a sweep into one table; a folder that holds another sweep.
+/// As for a sweep into one table. In addition, the folder must not contain another sweep.
 pub fn run(args: &SweepArgs, shard: Shard) -> gaitcam::error::Result<u8> {
     let (sweep, _) = arguments::sweep(args)?;
     let rows = args.block_rows.unwrap_or(BLOCK_ROWS);

@@ -1,4 +1,4 @@
-//! `gaitcam sweep --tolerance`: effect of manufacturing tolerances on one design.
+//! `gaitcam sweep --tolerance`: effect of manufacturing tolerances on the force error of one design.
 
 use std::fmt::Write;
 
@@ -21,10 +21,10 @@ use gaitcam_app::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
 use gaitcam_output::sweep_report::{Page, Table, html};
 
-/// Maximum number of samples. All are held in memory.
+/// Maximum number of samples. The limit is necessary because all samples are in memory.
 const MOST: u64 = 20_000_000;
 
-/// Varies the design within its tolerances and writes the samples and a report. The exit code is 3 if there is no design.
+/// Varies a design within its manufacturing tolerances, and writes the samples and a report. The exit code is 3 if there is no design.
 pub fn run(args: &SweepArgs) -> Result<u8> {
     let at_flag = input::at_flag("--tolerance");
     let question = arguments::question(args)?.question;
@@ -133,7 +133,7 @@ fn report(
     html(&page, language::current())
 }
 
-/// Main numbers of the report: heading, value, remark.
+/// Key figures of the report: heading, value, remark.
 fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String)> {
     let percent = |x: f64| format!("{} %", number(x));
     let card = |key: &str, x: f64| (words::text(key), percent(x), String::new());

@@ -1,4 +1,4 @@
-//! Computation of the rows of a table, block by block.
+//! Computes the rows of a table block by block.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -14,14 +14,14 @@ use gaitcam::error::Result;
 use gaitcam::sweep::{Records, Runner};
 use gaitcam_app::blocks::BLOCK_ROWS;
 
-/// Target duration of a block, s, and its target as a fraction of the elapsed time; the longer one holds. The loss in a crash and the number of
-/// blocks are thus limited.
+/// The target duration of a block is the larger of `BLOCK_S`, s, and the fraction `BLOCK_SHARE` of the elapsed time. The first value
+/// limits the number of blocks of a short sweep. The second value limits the number of blocks of a long sweep and the loss in a crash.
 const BLOCK_S: f64 = 0.25;
 const BLOCK_SHARE: f64 = 0.01;
 /// Number of rows of the first block.
 const FIRST_BLOCK: u64 = 8;
 
-/// Installs a handler for Ctrl-C and returns the flag that it sets. A second Ctrl-C ends the program at once; complete blocks are kept.
+/// Installs a handler for Ctrl-C that sets the returned flag. A second Ctrl-C ends the program at once. Complete blocks are kept.
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
@@ -34,25 +34,25 @@ pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     stop
 }
 
-/// Number of threads: as given, else one per core.
+/// Number of threads: the given number, otherwise one per core.
 pub fn jobs(given: Option<u16>) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     given.map_or_else(cores, usize::from)
 }
 
-/// Computation of blocks of rows.
+/// Computes blocks of rows with several threads.
 pub struct Work<'a> {
-    /// Computation of the rows of the sweep.
+    /// Runner that computes the rows of the sweep.
     pub runner: Runner<'a>,
-    /// Format of the blocks.
+    /// File format of the blocks.
     pub format: Format,
     /// Description of the sweep that is stored in each block.
     pub metadata: Vec<(String, String)>,
     /// Number of worker threads.
     pub jobs: usize,
-    /// Set when the user stops the computation.
+    /// Flag that is set when the user stops the computation.
     pub stop: Arc<AtomicBool>,
-    /// Whether progress is also written if standard error is not a terminal.
+    /// Whether progress is also displayed if standard error is not a terminal.
     pub in_log: bool,
 }
 
@@ -61,7 +61,8 @@ impl Work<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// Computes the first rows of a range (all rows unless stopped), with the bytes of their block.
+    /// Computes the rows of a range and the content of their block. If the user stops the computation, only the first rows of the range
+    /// are computed.
     pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
         // Each thread formats the lines of its rows. A single thread would need as much time for the lines as two threads for the rows.
         let part = |records: Records| (self.format.lines(&records), records);
@@ -72,7 +73,7 @@ impl Work<'_> {
         Ok((records, bytes))
     }
 
-    /// Computes the missing rows of a table, until all are done or the user stops.
+    /// Computes the missing rows of a table until all rows are complete or the user stops the computation.
     pub fn fill(&self, total: u64, partial: &mut PartialTable) -> Result<()> {
         let (what, done) = (words::text("sweep-designs"), partial.counts().rows);
         let progress = Progress::new(what, total, done, self.in_log);

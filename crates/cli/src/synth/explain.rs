@@ -1,4 +1,4 @@
-//! `gaitcam synth --explain`: selected models, and the reasons against others.
+//! `gaitcam synth --explain`: explains which models were selected and why others were not.
 
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
 use gaitcam::synth::{Design, PassedOver};
@@ -8,15 +8,15 @@ use crate::console::language;
 use crate::console::table::{Side, table};
 use crate::console::words::{self, fill, fixed, name};
 
-/// A choice of the model selection, with its reason.
+/// One choice in the model selection, with its reason.
 pub struct Choice {
-    /// Kind of the choice: "family", "solver", "shaft" or "dynamics".
+    /// Subject of the choice: "family", "solver", "shaft" or "dynamics".
     subject: &'static str,
     chosen: String,
     because: String,
 }
 
-/// Model choices for a design with `points` points on its profile.
+/// All model choices for a design. `points` is the number of points on the profile.
 pub fn lines(design: &Design, points: usize) -> Vec<Choice> {
     let mut out = vec![family(design), solver(design)];
     out.extend(shaft(design));
@@ -24,7 +24,7 @@ pub fn lines(design: &Design, points: usize) -> Vec<Choice> {
     out
 }
 
-/// Choice of the law family, with the error of a simpler one that was rejected.
+/// Choice of the law family. The reason states the error of a simpler family that was rejected, if there is one.
 fn family(design: &Design) -> Choice {
     let values = json!({"family": design.family.name(), "degree": design.degree});
     let passed_over = design.solver.passed_over.as_ref();
@@ -45,7 +45,7 @@ fn solver(design: &Design) -> Choice {
     }
 }
 
-/// Choice of the speed assumed for the law, from the estimate of inertia and energy.
+/// Choice between constant and varying speed of the shaft for the design of the law. The reason is an estimate from inertia and energy.
 fn shaft(design: &Design) -> Option<Choice> {
     let on_shaft = design.shaft.as_ref()?;
     let forecast = on_shaft.forecast;
@@ -65,7 +65,7 @@ fn shaft(design: &Design) -> Option<Choice> {
     })
 }
 
-/// Dynamic model that a simulation selects for a machine without spring or backlash.
+/// Dynamic model that a simulation would select for this cam in a machine without spring or backlash.
 fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     let run = Run {
         profile: design.cam.profile(points),
@@ -83,7 +83,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Choice> {
     })
 }
 
-/// Choices as a table for the console. `name` is the name of the design.
+/// The choices as a table for the console. `name` is the name of the design.
 pub fn text(name: &str, lines: &[Choice]) -> String {
     let rows = lines.iter().flat_map(|line| {
         let because = fill("explain-because", &json!({"reason": line.because}));
@@ -97,7 +97,7 @@ pub fn text(name: &str, lines: &[Choice]) -> String {
     format!("{title}\n{}", table(&rows, &[Side::Left]))
 }
 
-/// Choices as JSON, for `explain` in summary.json.
+/// The choices as JSON, for the key `explain` of summary.json.
 pub fn json(lines: &[Choice]) -> Value {
     lines
         .iter()

@@ -1,4 +1,4 @@
-//! `gaitcam synth --front`: Pareto front of two objectives, as a table and a picture.
+//! `gaitcam synth --front`: computes a Pareto front of two objectives, as a table and a picture.
 
 use serde_json::json;
 
@@ -16,7 +16,7 @@ use gaitcam::synth::{FIGURES, Figure, Figures, ForceReport, Search, Trade, trade
 use gaitcam_app::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
-/// Default number of points of the front.
+/// Default number of points on the front.
 const POINTS: u32 = 20;
 
 /// Computes the front and writes front.csv, front.svg and front.png. The exit code is 3 if the front is empty.
@@ -80,12 +80,12 @@ fn title(name: &str, against: &Figure) -> String {
     words::fill("trade-title", &arguments)
 }
 
-/// Force of a design compared with its target, N.
+/// Force of a design with its errors, N.
 fn force(t: &Trade) -> ForceReport {
     t.design.force.newtons(&t.design.problem.drive)
 }
 
-/// Value of a quantity in a design, SI.
+/// Value of a quantity in a design, in SI units.
 fn value(figure: &Figure, t: &Trade) -> f64 {
     figure.value(&Figures::of(&t.design))
 }

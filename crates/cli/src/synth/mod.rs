@@ -1,4 +1,4 @@
-//! `gaitcam synth`: designs a cam for a force curve or a classical programme, checks it and writes its files.
+//! `gaitcam synth`: designs a cam for a force curve or for a programme of classical laws, checks it and writes its files.
 
 mod explain;
 mod front;
@@ -77,16 +77,16 @@ pub struct SynthArgs {
 
 /// Default number of rows of law.csv and profile.csv.
 const ROWS: u32 = 1440;
-/// Minimum number of rows.
+/// Minimum number of rows of law.csv and profile.csv.
 const FEWEST_ROWS: u32 = 16;
 
-/// Further requested outputs. They are checked before the design begins.
+/// Options and folder of the requested files. They are checked before the design begins.
 struct Request {
     contents: Contents,
     folder: Option<ResultFolder>,
 }
 
-/// A design with its problem.
+/// A design with its computing times and additional data.
 struct Answer {
     design: Design,
     solve_s: f64,
@@ -113,10 +113,10 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     design_of(args, &input, target, (start, limit), None)
 }
 
-/// Additional data for summary.json and the console: key, value, lines.
+/// Additional data of a design: key in summary.json, its value, and lines for the console.
 pub type More = (&'static str, Value, Vec<String>);
 
-/// Designs the cam of a scene. `more` is additional data of a scene from a file.
+/// Designs the cam of a scene that was already read, and writes its files as [`run`] does. `more` is added to the output.
 pub fn designed(args: &SynthArgs, input: &Input, start: Instant, more: Option<More>) -> Result<u8> {
     design_of(args, input, || input.target(), (start, None), more)
 }
@@ -194,7 +194,7 @@ impl Answer {
     }
 }
 
-/// Writes the files and prints the summary.
+/// Writes the files of a design and prints its summary.
 fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer) -> Result<()> {
     let design = &answer.design;
     let mut remarks = Vec::new();

@@ -1,4 +1,4 @@
-//! Output for a scene without a cam.
+//! Output for a scene that has no cam.
 
 use std::path::Path;
 use std::time::Instant;
@@ -15,7 +15,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam_app::ResultFolder;
 use gaitcam_app::design;
 
-/// Writes and prints the reason why there is no cam.
+/// Prints the reason why there is no cam and writes it to summary.json. Returns the exit code.
 pub fn no_cam(
     as_json: bool,
     input: &Input,
@@ -43,7 +43,7 @@ pub fn no_cam(
     Ok(exit_code::NO_SUCH_CAM)
 }
 
-/// Line with the folder of the files and the file to open first.
+/// Sentence with the folder of the written files and the file to open first.
 pub fn files_in(folder: &Path, first: &str) -> String {
     let first = folder.join(first).display().to_string();
     let folder = folder.display().to_string();

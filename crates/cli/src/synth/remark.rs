@@ -1,4 +1,4 @@
-//! Remarks on the files for manufacturing, as sentences.
+//! Remarks on the manufacturing files, as sentences.
 
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ use gaitcam::error::Error;
 use gaitcam_app::Remark;
 use gaitcam_cad::cutter::Gouge;
 
-/// A remark as a sentence, in the units of the follower.
+/// Converts a remark to a sentence, in the units of the follower.
 pub fn sentence(remark: &Remark, measures: Measures) -> String {
     match remark {
         Remark::NoSolid(fault) => words::fill("synth-no-solid", &arguments(fault)),

@@ -1,4 +1,4 @@
-//! Console reports about the shaft, the walkers and the floor of a design.
+//! Console lines about the shaft, the walkers and the floor of a design.
 
 use gaitcam::scene::{ErrorMeasure, Robust};
 use gaitcam::synth::Design;
@@ -10,7 +10,7 @@ use super::summary::{filled, row};
 use crate::console::language;
 use crate::console::words::{self, number};
 
-/// Speed of the shaft under its motor, force error over time, and effect of another machine.
+/// Lines about the shaft: its speed under the motor, the force error over time, and the error with different machine parameters.
 pub(super) fn shaft(design: &Design) -> Vec<String> {
     let Some(on_shaft) = &design.shaft else {
         return Vec::new();
@@ -50,7 +50,7 @@ pub(super) fn shaft(design: &Design) -> Vec<String> {
     out
 }
 
-/// Force errors of the walkers.
+/// Line about the force errors of the walkers; `None` without a population.
 pub(super) fn population(design: &Design) -> Option<String> {
     let p = design.population.as_ref()?;
     let (id, [mean, worst, cvar]) = match design.problem.law.error {
@@ -72,7 +72,7 @@ pub(super) fn population(design: &Design) -> Option<String> {
     ))
 }
 
-/// Acceleration of the floor under shaker and walkers, and its comfort class.
+/// Line about the acceleration of the floor under shaker and walkers, and its comfort class; `None` without a floor.
 pub(super) fn floor(design: &Design) -> Option<String> {
     let motion = design.floor.as_ref()?;
     Some(row(

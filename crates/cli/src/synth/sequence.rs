@@ -1,4 +1,4 @@
-//! `synth --verbose`: steps of the sequence of convex programs.
+//! `gaitcam synth --verbose`: iterations of the sequence of convex programs.
 
 use gaitcam::cam::Unit;
 use gaitcam::synth::Design;

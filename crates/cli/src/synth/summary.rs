@@ -1,4 +1,4 @@
-//! Summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
+//! Summary of a design for the console: verdict, reasons and main values, at most 25 lines.
 
 use gaitcam::cam::Check;
 use gaitcam::criterion::Criterion;
@@ -14,16 +14,16 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Maximum number of lines of one kind. Further lines are only counted; summary.json lists them.
+/// Maximum numbers of lines of each kind. Further lines are only counted; summary.json contains all data.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
-/// Harmonics whose load factor is printed.
+/// Number of harmonics whose load factor is printed.
 const LOAD_FACTORS: usize = 4;
 const ACTIVE_LIMITS: usize = 3;
 const SENSITIVITIES: usize = 2;
 const NOTES: usize = 3;
 
-/// Summary as text, with the steps of the solver if `verbose` is set.
+/// Summary as text. If `verbose` is set, it includes the solver and its certificate.
 pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
     let language = language::current();
     let headline = match design.out_of_time && design.infeasible.is_none() {
@@ -57,7 +57,7 @@ pub fn text(design: &Design, time: Timing, verbose: bool) -> String {
     out.join("\n")
 }
 
-/// Labels of the rows, without `label-`.
+/// Message keys of the row labels, without the prefix `label-`.
 const LABELS: [&str; 17] = [
     "failed",
     "ok",
@@ -78,7 +78,7 @@ const LABELS: [&str; 17] = [
     "sequence",
 ];
 
-/// Row with its label. An empty label continues the previous row.
+/// Row with a label in front of the text. A row with an empty label continues the previous row.
 pub fn row(label: &str, text: &str) -> String {
     let shown = |name: &str| words::text(&format!("label-{name}"));
     let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
@@ -91,12 +91,13 @@ pub fn row(label: &str, text: &str) -> String {
     format!("  {label:<width$} {text}")
 }
 
-/// Row with a message whose placeholders are filled from `arguments`.
+/// Row with a label and the message `key`, in which `arguments` replace the placeholders.
 pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// At most `most` lines. If there are more, the last line is the number of lines left out.
+/// The first lines, so that the result has at most `most` lines. If lines are omitted, the last line states their number with the message
+/// `what`.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
@@ -165,7 +166,8 @@ fn force(design: &Design) -> Vec<String> {
     rows
 }
 
-/// Dynamic load factors of the first harmonics of the step frequency. All six are in summary.json.
+/// Line with the dynamic load factors at the first four harmonics of the step frequency; `None` without load factors. summary.json
+/// contains six harmonics.
 fn load_factors(design: &Design) -> Option<String> {
     let all: Vec<String> = (design.load_factors().iter())
         .filter(|f| f.of_step.fract() == 0.0)
@@ -176,7 +178,7 @@ fn load_factors(design: &Design) -> Option<String> {
     (!all.is_empty()).then(|| filled("", "synth-load-factors", json!({"list": list})))
 }
 
-/// One line per active limit, sorted by multiplier in descending order.
+/// Lines for the active limits, sorted by the absolute value of the multiplier in descending order.
 fn active_limits(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let mut limits = ActiveLimit::all(design);
@@ -204,7 +206,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// Method of the solver, and the error of the closed form.
+/// Method of the solver and, if a closed form was rejected, its error.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));

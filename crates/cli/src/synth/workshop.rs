@@ -1,4 +1,4 @@
-//! Options of `synth` for CAD and the workshop.
+//! Options of `gaitcam synth` for CAD and manufacturing files.
 
 use crate::console::lengths::Lengths;
 use clap::{Args, ValueEnum};
@@ -14,7 +14,7 @@ use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_cad::ecam::Dialect;
 
-/// Arguments for the files for CAD and the workshop.
+/// Arguments for CAD and manufacturing files.
 #[derive(Args, Debug, Default)]
 pub struct WorkshopArgs {
     /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), workbook (XLSX)
@@ -43,7 +43,7 @@ pub struct WorkshopArgs {
     pub units: Lengths,
 }
 
-/// Representation of the edges in profile.dxf.
+/// Type of the edges in profile.dxf.
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub enum Dxf {
     #[default]
@@ -53,7 +53,7 @@ pub enum Dxf {
 }
 
 impl WorkshopArgs {
-    /// Options of the writers. The title block is not set.
+    /// Options for the manufacturing files, from the arguments. The title block is empty.
     pub fn asked(&self) -> Result<Workshop> {
         let length = |name, typed: &Option<String>| {
             input::positive(name, typed.as_deref(), Dimension::Length)
@@ -71,7 +71,7 @@ impl WorkshopArgs {
         })
     }
 
-    /// Unit of DXF, drawing and programs.
+    /// Unit of length in DXF files, drawing and programs.
     fn units(&self) -> Units {
         match self.units {
             Lengths::Mm => Units::Millimetres,
@@ -79,7 +79,7 @@ impl WorkshopArgs {
         }
     }
 
-    /// Kind of the curves in profile.dxf.
+    /// Type of the curves in profile.dxf.
     fn curves(&self) -> Curves {
         match self.dxf {
             Dxf::Arcs => Curves::Arcs,
@@ -88,7 +88,7 @@ impl WorkshopArgs {
         }
     }
 
-    /// Content of the DXF drawings.
+    /// Content of the DXF drawings: all lines, or only the edges to be cut.
     fn drawn(&self) -> Content {
         if self.cut_only {
             Content::CutOnly
@@ -98,7 +98,7 @@ impl WorkshopArgs {
     }
 }
 
-/// Options with the title block from a scene.
+/// The options with the title block of a scene added.
 pub fn titled(workshop: Workshop, input: &Input) -> Workshop {
     Workshop {
         title: input.title(),

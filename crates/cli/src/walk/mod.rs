@@ -1,4 +1,4 @@
-//! `gaitcam walk`: the speed programme with which a cam has the step times of a recorded walk.
+//! `gaitcam walk`: computes the speed programme with which a cam has the step times of a recorded walk.
 
 pub mod programme;
 
@@ -39,12 +39,12 @@ const EXAMPLES: &str = "Examples:
   gaitcam walk footbridge --generate 128 --step-time-cv '2.5 %'
   gaitcam simulate out/walk --speed-programme speed.csv";
 
-/// Maximum number of generated strides.
+/// Maximum number of strides that can be generated.
 const MOST_GENERATED: i64 = 2048;
-/// Maximum coefficient of variation of generated steps, so that no step time is near zero.
+/// Maximum coefficient of variation of generated step times and amplitudes. It excludes step times near zero.
 const MOST_VARIED: f64 = 0.15;
 
-/// Which design, and which walk.
+/// Arguments of `gaitcam walk`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct WalkArgs {
@@ -77,7 +77,7 @@ pub struct WalkArgs {
     pub json: bool,
 }
 
-/// Computes and writes the programme. The exit code is 3 if the design has no cam.
+/// Computes the programme and writes it. The exit code is 3 if the design has no cam.
 pub fn run(args: &WalkArgs) -> Result<u8> {
     let most = args.max_acceleration.as_deref();
     let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;
@@ -137,7 +137,7 @@ pub fn run(args: &WalkArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Reads the walk of a recording.
+/// Reads the consecutive strides of a recording.
 fn recorded(path: &Path) -> Result<Walk> {
     inputs::note(path);
     let bytes = content(&Disk::default(), path)?;
@@ -157,7 +157,7 @@ fn recorded(path: &Path) -> Result<Walk> {
     })
 }
 
-/// Statistics of the generated steps.
+/// Statistics of the generated steps, from the arguments and the default values.
 fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     let usual = StepStatistics::default();
     let share = |flag, text: &Option<String>| match input::quantity(
@@ -179,7 +179,7 @@ fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     })
 }
 
-/// The walk scaled to the mean force of the cam, which corresponds to the weight of the walker.
+/// The walk, scaled to the mean force of the cam if the axis moves. The mean force corresponds to the weight of the walker.
 fn on_cam(walk: Walk, design: &Design) -> Walk {
     let drive = &design.problem.drive;
     if drive.kind != DriveKind::MovingAxis {
@@ -190,7 +190,7 @@ fn on_cam(walk: Walk, design: &Design) -> Walk {
     walk.scaled(drive.newtons(drive.rest_force) / mean)
 }
 
-/// Force of the cam at constant speed, and the misfits of its response relative to the recorded walk.
+/// Force of the cam at constant speed, and misfits of its response relative to the response to the recorded walk.
 fn steady(run: &Run, walk: &Walk, steps: usize) -> Result<(RepeatedForce, [Misfit; 3])> {
     let mut still = run.clone();
     still.machine.motor = None;
@@ -205,7 +205,7 @@ fn steady(run: &Run, walk: &Walk, steps: usize) -> Result<(RepeatedForce, [Misfi
     Ok((force, off))
 }
 
-/// `speed.csv`: the programme with the cam angle and the recorded force.
+/// Content of `speed.csv`: the speed programme, the cam angle and the recorded force.
 fn table(found: &Followed) -> String {
     csv::text(&vec![
         ("time_s", found.programme.time_s.clone()),
@@ -245,7 +245,7 @@ pub fn ends(values: &[f64]) -> [f64; 2] {
         .fold(ends, |[low, high], x| [low.min(*x), high.max(*x)])
 }
 
-/// Maximum absolute value.
+/// Maximum absolute value of a list; 0 for an empty list.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
@@ -267,19 +267,19 @@ fn json(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> V
     })
 }
 
-/// Coefficient of variation of the amplitude at the step frequency, for the cam with its programme.
+/// Coefficient of variation of the force amplitude at the step frequency, for the cam with the speed programme.
 fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
     let own = walk.with_force(&found.run.force_n[..walk.samples()]);
     own.variability().amplitude_cv
 }
 
-/// Misfits, or ratios of the peaks, as a list.
+/// Values of the misfits (misfit or ratio of the peaks), joined to one text with three decimals.
 pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
     let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
     all.join("  ")
 }
 
-/// Damping ratios in percent, as a list.
+/// Damping ratios of the misfits, %, joined to one text.
 pub fn dampings(of: &[Misfit]) -> String {
     let all: Vec<String> = of.iter().map(|m| number(100.0 * m.damping_ratio)).collect();
     all.join("  ")

@@ -1,4 +1,4 @@
-//! `gaitcam simulate --speed-programme`: the cam as designed with a speed that varies over time.
+//! `gaitcam simulate --speed-programme`: simulates the cam as designed with a speed that varies over time.
 
 use std::path::Path;
 
@@ -28,7 +28,8 @@ struct Rows {
     walk_n: Option<Vec<f64>>,
 }
 
-/// Simulates the cam of a scene or result with a programme and writes `programme.csv`. The exit code is 3 if contact is lost or a limit is violated.
+/// Simulates a cam with the speed programme in the file `path` and writes `programme.csv`. The exit code is 3 if contact is lost or a
+/// limit is violated.
 pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8> {
     inputs::note(path);
     let rows = read(path)?;
@@ -77,7 +78,7 @@ pub fn run(made: &Made, path: &Path, folder: &Path, as_json: bool) -> Result<u8>
     Ok(if passes { BUILT } else { NO_SUCH_CAM })
 }
 
-/// Limits of motion, force, torque and power that the run violates, each with the worst value and the limit.
+/// Limits of motion, force, torque and power that are violated, each with the worst value and the bound.
 fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind, f64, f64)> {
     let [least, most] = ends(&run.force_n);
     let power = run.torque.iter().zip(&run.speed);
@@ -104,7 +105,7 @@ fn broken(run: &ProgrammeRun, limits: &Limits, drive: &Drive) -> Vec<(LimitKind,
     over.collect()
 }
 
-/// Reads a programme: the columns `time_s` and `speed_rad_per_s`, and, if present, `angle_rad` and `walk_n`.
+/// Reads a speed programme with the columns `time_s` and `speed_rad_per_s`. The columns `angle_rad` and `walk_n` are optional.
 fn read(path: &Path) -> Result<Rows> {
     let text = read_text(path)?;
     let mut lines = text

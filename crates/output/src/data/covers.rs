@@ -1,13 +1,13 @@
-//! Tables of a cover: errors by number of cams, assignment of walkers, and errors of new walkers.
+//! Tables of a cover: errors for each number of cams, assignment of walkers to cams, and errors of cross-validation.
 
 use gaitcam::cover::{Assigned, Cover, Fold};
 use gaitcam::scene::ErrorMeasure;
 use gaitcam::sweep::{Field, Records};
 
-/// Components of a force error, as in column names.
+/// Components of a force error, as they are named in columns: differences in weight, speed and shape.
 pub const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
-/// A column of errors, with the unit in its name.
+/// A column of errors. Its name ends with the unit of the error measure.
 fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) -> Field {
     Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
 }
@@ -17,7 +17,7 @@ fn counts(name: &str, values: impl Iterator<Item = usize>) -> Field {
     Field::numbers(name, values.map(|count| count as f64).collect())
 }
 
-/// `cover.csv`: mean and maximum error by number of cams, with the lower bound of the objective.
+/// `cover.csv`: mean and maximum error for each number of cams, and the lower bound of the objective.
 pub fn cover(covers: &[Cover], error: ErrorMeasure) -> Records {
     let all = || covers.iter();
     let fields = vec![
@@ -29,7 +29,7 @@ pub fn cover(covers: &[Cover], error: ErrorMeasure) -> Records {
     Records { fields }
 }
 
-/// `assignment.csv`: cam of each cycle, its error, and the components of the error.
+/// `assignment.csv`: the cam assigned to each cycle, the RMS error with this cam, and the components of the error.
 pub fn assignment(covers: &[Cover], error: ErrorMeasure) -> Records {
     let all = || {
         covers
@@ -56,7 +56,8 @@ pub fn assignment(covers: &[Cover], error: ErrorMeasure) -> Records {
     Records { fields }
 }
 
-/// `folds.csv`: errors of walkers with cams that were designed without them.
+/// `folds.csv`: errors of cross-validation. Columns with `in` contain the errors of the walkers for whom the cams were designed. Columns
+/// with `out` contain the errors of the other walkers.
 pub fn folds(folds: &[Fold], error: ErrorMeasure) -> Records {
     let all = || folds.iter();
     let fields = vec![

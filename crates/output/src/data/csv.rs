@@ -1,4 +1,4 @@
-//! Tables of the law and the profile, with one row per cam angle and full precision.
+//! Tables of the law and the profile, with one row per cam angle. Numbers have full precision.
 
 use crate::pose::{angles, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
@@ -18,7 +18,7 @@ const LAW: [&str; 9] = [
     "time_s",
     "speed_rad_per_s",
 ];
-/// Columns that are angles for an oscillating follower.
+/// Columns that contain a length, with the name that they have if the follower oscillates and the value is an angle.
 const ANGLES: [(&str, &str); 6] = [
     ("s_m", "s_rad"),
     ("v_m_per_rad", "v_rad_per_rad"),
@@ -36,7 +36,7 @@ const PROFILE: [&str; 7] = [
     "rho_m",
     "pressure_angle_rad",
 ];
-/// Columns of `walkers.csv` after the name.
+/// Columns of `walkers.csv` after the column with the name.
 const WALKERS: [&str; 5] = [
     "mass_kg",
     "speed_rad_per_s",
@@ -44,13 +44,14 @@ const WALKERS: [&str; 5] = [
     "rms_error_percent",
     "rms_error_n",
 ];
-/// A table of numbers by column.
+/// A table of numbers: name and values of each column.
 pub type Columns = Vec<(&'static str, Vec<f64>)>;
 
-/// Length reserved for one number and its comma.
+/// Number of bytes reserved for one number and its comma.
 const WIDTH: usize = 24;
 
-/// `floor.csv`: motion of the floor over the step frequency, with the required force and with the force of the finished cam.
+/// `floor.csv`: acceleration of the floor as a function of the step frequency, for the required force and for the force of the designed
+/// cam. `None` without a floor.
 pub fn floor(design: &Design) -> Option<String> {
     design.floor.as_ref()?;
     let rows = design.resonance().into_iter().map(|p| {
@@ -70,13 +71,13 @@ pub fn floor(design: &Design) -> Option<String> {
     Some([names.to_string()].into_iter().chain(rows).collect())
 }
 
-/// `strides.csv`: the consecutive recorded strides with which the cam is compared, at equal time steps. The sequence of strides is repeated without
-/// end.
+/// `strides.csv`: the consecutive recorded strides with which the cam is compared, at equal time steps. The comparison repeats this
+/// sequence of strides periodically. `None` without such strides.
 pub fn strides(design: &Design) -> Option<String> {
     design.repeated().map(|(walk, _)| strides_of(&walk))
 }
 
-/// Force of consecutive strides over time, as CSV.
+/// Force of consecutive strides as a function of time, as CSV.
 pub fn strides_of(walk: &Walk) -> String {
     let force = walk.force_n();
     let step = walk.duration_s / force.len() as f64;
@@ -84,7 +85,7 @@ pub fn strides_of(walk: &Walk) -> String {
     text(&vec![("time_s", time), ("force_n", force)])
 }
 
-/// `walkers.csv`: force error of each cycle of a population.
+/// `walkers.csv`: force error of each cycle of a population; `None` without a population.
 pub fn walkers(design: &Design) -> Option<Records> {
     let each = &design.population.as_ref()?.each;
     let numbers = columns(
@@ -104,13 +105,13 @@ pub fn walkers(design: &Design) -> Option<Records> {
 
 /// `law.csv`: lift, its derivatives with respect to the cam angle, force and target at `points` equal steps.
 ///
-/// The force is the output force; for a polydyne cam the force of the follower's end. Numbers have the minimum number of digits for which they are
-/// read back exactly. `target_n` is empty for a classical programme, which has no target.
+/// The force is the output force; for a polydyne cam it is the force of the follower end. Numbers have the minimum number of digits for
+/// which they are read back exactly. `target_n` is empty for a programme of classical laws, because it has no target.
 pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// Columns of `law.csv`, for an arm with the force at its lever; NaN without a target.
+/// Columns of `law.csv`. For an arm, the force is the moment divided by the lever. Without a target, its column is NaN.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
@@ -127,10 +128,11 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     columns(names, rows)
 }
 
-/// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
+/// `profile.csv`: contact point, pitch curve, radius of curvature and pressure angle at `rows` equal steps.
 ///
-/// Row i is the contact at its angle. The curve of a closed law closes at row 0. At a flat point of the profile `rho_m` is `inf`. For a barrel, the
-/// table contains the lower wall with the centre of its roller. With two rollers, this centre is below the centre of the stud.
+/// Each row contains the contact at one cam angle. The curve of a closed law closes at the first row. At a flat point of the profile
+/// `rho_m` is `inf`. For a barrel cam, the table contains the lower wall of the groove with the centre of its roller. If the follower has
+/// two rollers, this centre is below the centre of the stud.
 pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
@@ -148,7 +150,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Any profile in the columns of `profile.csv`, such as that of the second cam of a conjugate pair.
+/// Any profile as CSV with the columns of `profile.csv`, such as the profile of the second cam of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }
@@ -168,7 +170,7 @@ fn points_columns(rows: &[ProfilePoint]) -> Columns {
     columns(PROFILE, rows)
 }
 
-/// Names of columns; for an oscillating follower with the [names of angles](ANGLES).
+/// Names of columns. For an oscillating follower (`swings`), names of lengths are replaced by [names of angles](ANGLES).
 pub(crate) fn named<const N: usize>(names: [&'static str; N], swings: bool) -> [&'static str; N] {
     names.map(|name| {
         let angle = ANGLES.iter().find(|a| a.0 == name && swings);
@@ -189,7 +191,7 @@ pub(crate) fn columns<const N: usize>(
     out
 }
 
-/// Table with a header and one line per row. Numbers have their shortest exact form; NaN is an empty cell.
+/// CSV text with a header and one line per row. Numbers have the shortest form that is read back exactly; NaN is an empty cell.
 pub fn text(columns: &Columns) -> String {
     let rows = columns.first().map_or(0, |c| c.1.len());
     let mut out = String::with_capacity((rows + 1) * columns.len() * WIDTH);

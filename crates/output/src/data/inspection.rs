@@ -1,4 +1,4 @@
-//! Inspection of a measured cam as JSON, and its deviations as a table.
+//! Inspection of a measured cam as JSON, and the table of its deviations.
 
 use gaitcam::cam::{Deviation, Inspection};
 use gaitcam::drive::Drive;
@@ -6,8 +6,8 @@ use gaitcam::sweep::{Behaviour, Field, MadeCam, Records};
 use gaitcam::synth::Design;
 use serde_json::{Value, json};
 
-/// `inspection.json`: the fitted position, the deviations, and the machine with the cam as designed and as manufactured. `lines` contains the lines
-/// of the points in their file.
+/// `inspection.json`: fitted position, deviations, and behaviour of the machine with the cam as designed and as manufactured. `lines`
+/// contains the line number of each point in the file of measured points.
 pub fn json(
     design: &Design,
     inspected: &Inspection,
@@ -49,7 +49,7 @@ fn behaviour(b: &Behaviour, drive: &Drive) -> Value {
     })
 }
 
-/// `inspection.csv`: points in the order of their cam angles.
+/// `inspection.csv`: line number, cam angle and deviation of each point, in the order of the cam angles.
 pub fn table(inspected: &Inspection, lines: &[usize]) -> Records {
     let column = |name: &str, of: &dyn Fn(&Deviation) -> f64| {
         Field::numbers(name, inspected.deviations.iter().map(of).collect())

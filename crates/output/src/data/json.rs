@@ -1,4 +1,5 @@
-//! `summary.json`: the design in numbers. Undefined numbers (no curvature, no face) are null.
+//! `summary.json`: the design as numbers. Undefined numbers, such as the curvature of a straight profile or the face width of a roller,
+//! are null.
 
 use serde_json::{Map, Value, json};
 
@@ -9,10 +10,10 @@ use gaitcam::error::Error;
 use gaitcam::synth::{Design, Doubt, End, FIGURES, Figures, OnShaft, Reason};
 use gaitcam::wording::Language;
 
-/// Summary of a design.
+/// Summary of a design as JSON.
 ///
-/// Extremes are those of the continuous law. For an infeasible design, the summary also lists the conflicting limits and the minimum sufficient
-/// change of each (`to` is null if no change is sufficient).
+/// Extremes are those of the continuous law. For an infeasible design, the summary also lists the conflicting limits and the minimum
+/// sufficient change of each limit. The new value `to` is null if no change of this limit alone is sufficient.
 pub fn summary(design: &Design, time: Timing) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
@@ -83,7 +84,7 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     Value::Object(out)
 }
 
-/// Consistency of the law with the speed of the shaft, and effect of a different machine.
+/// Convergence of the law with the varying speed of the shaft, and sensitivity of the force error to machine parameters.
 fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,
@@ -94,7 +95,7 @@ fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     })
 }
 
-/// Summary of a scene without a cam: the reason, and the key that causes it.
+/// Summary of a scene without a cam: the reason, and the key that causes the reason.
 pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
     let place = error.place.to_string();
     let key = place.trim_end_matches(": ");
@@ -112,7 +113,7 @@ pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
     })
 }
 
-/// A reason as its code with its data.
+/// JSON object with the code of a reason and its data.
 fn coded(reason: &Reason) -> Value {
     let mut out = match serde_json::to_value(reason) {
         Ok(Value::Object(variant)) => match variant.into_iter().next() {
@@ -125,7 +126,7 @@ fn coded(reason: &Reason) -> Value {
     Value::Object(out)
 }
 
-/// A number that may be infinite. JSON has no such number, so it becomes the string `inf` or `-inf`. NaN becomes null.
+/// Converts a number that may be infinite. JSON has no infinite numbers, so they become the strings `inf` and `-inf`. NaN becomes null.
 fn real(x: f64) -> Value {
     match x {
         f64::INFINITY => json!("inf"),
@@ -134,7 +135,8 @@ fn real(x: f64) -> Value {
     }
 }
 
-/// Contact force; null without contact. Without a target, target and errors are null.
+/// Force of the cam and its errors; null if the machine has neither a force nor a target. Without a target, the mean of the target and the
+/// errors are null.
 fn force(design: &Design) -> Value {
     if design.problem.drive.is_idle() && design.target().is_none() {
         return Value::Null;
@@ -184,8 +186,9 @@ fn law(design: &Design) -> Value {
     out
 }
 
-/// End of a flexible follower for which the cam is designed. The force is that of the end; stroke, velocity, acceleration and jerk of the law are
-/// those of the cam. Misses are deviations in the flexible simulation: for this cam, and for a cam with the law of the end.
+/// End of a flexible follower for which a polydyne cam is designed. The force of the law is the force at this end. Stroke, velocity,
+/// acceleration and jerk of the law are those at the cam. Each miss is a deviation in the flexible simulation: `end_miss` and `force_miss`
+/// for this cam, `plain_force_miss` for a cam that has the law of the end.
 fn polydyne(end: &End, drive: &Drive) -> Value {
     let newtons = |force: f64| drive.newtons(force);
     json!({
@@ -223,7 +226,7 @@ fn cam(design: &Design) -> Value {
     out
 }
 
-/// Second cam of a pair.
+/// Second cam of a conjugate pair.
 fn second(cam: &Cam) -> Value {
     let convex = cam.curvature().convex;
     json!({
@@ -234,7 +237,7 @@ fn second(cam: &Cam) -> Value {
     })
 }
 
-/// Loads of the design on a rigid machine without friction.
+/// Loads of the design for a rigid machine without friction.
 fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");

@@ -1,4 +1,4 @@
-//! The design as numbers: CSV, JSON and workbook.
+//! The design as numbers: CSV tables, JSON and workbooks.
 
 pub mod covers;
 pub mod csv;

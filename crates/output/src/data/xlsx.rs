@@ -1,4 +1,5 @@
-//! Workbook with the table of CAM-DAS (Serrano Muñoz 2010, "Exportar-Excel"), cell for cell, and with the summary.
+//! Workbook with the summary and with the table of the program CAM-DAS (Serrano Muñoz 2010, "Exportar-Excel"). Each quantity is in the
+//! same cell as in CAM-DAS.
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;
@@ -13,19 +14,19 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
-/// Row of the headings (row 10 of the sheet).
+/// Index of the row with the headings, counted from 0.
 const HEADINGS: u32 = 9;
 const FIRST: u32 = 10;
 
 /// Workbook with two sheets: `cam`, with one row per degree in the columns of CAM-DAS, and `summary`.
 ///
-/// Lengths are in mm, angles in degrees; v, a and j are time derivatives at the speed of the cam. The function fails only if the workbook cannot be
-/// assembled.
+/// Lengths are in mm and angles in degrees. The columns for velocity, acceleration and jerk are time derivatives at the speed of the cam.
+/// The function fails only if the workbook cannot be assembled.
 pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<Vec<u8>> {
     build(synthesis, time, &words::words(language)).map_err(not_built)
 }
 
-/// Workbook with one sheet, `name`: the columns of a CSV table with its header.
+/// Workbook with one sheet of the given name, which contains the columns and their names.
 ///
 /// # Errors
 ///
@@ -48,10 +49,12 @@ pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
     built().map_err(not_built)
 }
 
-/// Workbook with the points of a curve in a plane: the unit in the first cell, headings x, y, z below it, then one point per row.
+/// Workbook with the points of a plane curve. The first cell contains the unit, the second row the headings x, y, z, and each further row
+/// one point.
 ///
 /// # Errors
 /// A workbook that cannot be assembled.
+/// The workbook cannot be assembled.
 pub fn points(unit: &str, points: &[[f64; 2]]) -> Result<Vec<u8>> {
     let built = || {
         let mut book = book("points")?;
@@ -75,7 +78,7 @@ fn not_built(fault: XlsxError) -> gaitcam::error::Error {
     WriteError::NotPutTogether { fault }.into()
 }
 
-/// Empty workbook with a fixed date, so that equal results lead to equal bytes.
+/// Empty workbook. Its creation date is fixed, so that equal results give equal files.
 fn book(title: &str) -> std::result::Result<Workbook, XlsxError> {
     // The library assembles each sheet on a separate thread and panics if the system allows no thread.
     #[cfg(not(target_family = "wasm"))]
@@ -150,7 +153,7 @@ fn cam_sheet(
     Ok(())
 }
 
-/// Lines above the table: follower, name, verdict, main dimensions and speed.
+/// Writes the lines above the table: follower, name, verdict, main dimensions and speed.
 fn head(
     sheet: &mut Worksheet,
     synthesis: &Design,
@@ -193,10 +196,10 @@ struct Row {
     lift: f64,
 }
 
-/// A column in addition to the angle: its letter in CAM-DAS, the key of its heading, and its value.
+/// A column of the table: its letter in CAM-DAS, the key of its heading, and the function for its values.
 type Column = (u8, &'static str, fn(&Design, &Row) -> f64);
 
-/// Columns that the sheet of every cam has.
+/// Columns for all kinds of cam.
 const EVERY: [Column; 9] = [
     (b'B', "sheet-lift", |_, r| r.lift * r.motion.s),
     (b'C', "sheet-velocity", |s, r| {
@@ -219,7 +222,7 @@ const EVERY: [Column; 9] = [
     (b'M', "sheet-contour-y", |_, r| MM * r.point.y),
 ];
 
-/// Columns of a translating flat face.
+/// Additional columns for a translating flat face.
 const FLAT: [Column; 2] = [
     (b'G', "sheet-contact-left", |_, r| {
         (-MM * r.motion.v).max(0.0)
@@ -229,7 +232,7 @@ const FLAT: [Column; 2] = [
     }),
 ];
 
-/// Columns of a roller follower.
+/// Additional columns for a roller follower.
 const ROLLER: [Column; 5] = [
     (b'G', "sheet-pressure-angle", |_, r| {
         r.point.pressure_angle.to_degrees()
@@ -244,7 +247,7 @@ const ROLLER: [Column; 5] = [
     (b'S', "sheet-pitch-y", |_, r| MM * r.point.pitch_y),
 ];
 
-/// Columns for the kind of cam.
+/// All columns for the kind of cam of a design.
 fn columns(synthesis: &Design) -> impl Iterator<Item = Column> + Clone {
     let own: &[Column] = match synthesis.cam.face_width() {
         None => &ROLLER,
@@ -265,7 +268,7 @@ fn polar(x: f64, y: f64) -> f64 {
     if angle < 0.0 { angle + 360.0 } else { angle }
 }
 
-/// The summary as rows `key, value`. Nested keys are joined by dots; entries of lists are counted from 1.
+/// Writes the summary as rows with a key and a value. The keys of nested objects are joined by dots. Elements of lists are counted from 1.
 fn list(
     sheet: &mut Worksheet,
     row: &mut u32,

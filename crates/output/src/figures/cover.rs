@@ -1,4 +1,4 @@
-//! Figure of a cover: error by number of cams.
+//! Figure of a cover: error as a function of the number of cams.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -8,15 +8,15 @@ use crate::plot::palette::{BLUE, GREEN, ORANGE};
 use crate::plot::picture::Picture;
 use gaitcam::wording::Language;
 
-/// Radius of a point, half the width of the line of the bound.
+/// Radius of a point, points. It is half the width of the line of the lower bound.
 const DOT: f64 = 4.5;
 
-/// A curve of errors by number of cams; it may be empty.
+/// Curve of an error as a function of the number of cams; the curve may be empty.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// Name of the curve.
+    /// Name of the curve in the key.
     pub name: String,
-    /// Points: number of cams and error, percent.
+    /// Points of the curve: number of cams, and error in the unit of the vertical axis.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -33,7 +33,7 @@ pub struct CoverWords<'a> {
     pub number: &'a str,
 }
 
-/// Figure with lower bound, the bounded error, errors of cross-validation, and mean and maximum error.
+/// Figure with six curves: lower bound, bounded error, two errors of cross-validation, mean error and maximum error.
 pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Picture {
     let layout = Layout {
         size: (1200, 560),
@@ -68,7 +68,7 @@ pub fn cover(words: &CoverWords, curves: &[Curve; 6], language: Language) -> Pic
     })
 }
 
-/// Colour and width of each curve. The line of the bound is wide and light, because the errors may coincide with it.
+/// Colour and width of each curve. The line of the lower bound is wide and light, because the errors may coincide with the bound.
 fn styles() -> [(RGBAColor, f64); 6] {
     [
         (GREEN.mix(0.35), 9.0),

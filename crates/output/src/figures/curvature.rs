@@ -1,4 +1,4 @@
-//! Figure of curvature and contact.
+//! Figure of the radius of curvature and of the pressure angle or contact position.
 
 use plotters_backend::text_anchor::VPos;
 
@@ -16,10 +16,12 @@ use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
 
-/// Maximum radius of curvature in the figure, in prime radii. Larger radii look straight.
+/// Maximum radius of curvature in the figure, as a multiple of the larger of prime radius and stroke. Profiles with larger radii look
+/// straight.
 const CAP: f64 = 2.2;
 
-/// Figure of the radius of curvature and the pressure angle (for a flat face: contact position) over the cam angle.
+/// Figure of the radius of curvature and the pressure angle over the cam angle. For a flat face, the contact position replaces the
+/// pressure angle.
 pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     layout.picture(words.language(), |f| {
         let measures = synthesis.cam.follower.measures();
@@ -48,7 +50,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
     })
 }
 
-/// Quantity at the angles of the law, over the displayed cam angle.
+/// Points (displayed cam angle, value) of a quantity at the sampled angles of the law.
 fn over_the_angle(cam: &Cam, value: impl Fn(f64, Svaj) -> f64) -> Vec<(f64, f64)> {
     let across = cam.follower.measures().angle().factor;
     let motion = motion(&cam.law);
@@ -85,7 +87,7 @@ fn radius(f: &Figure, synthesis: &Design, frame: Frame, words: &Words) -> Drawn 
     panel.quantity(&words::with_length_unit(words, "figure-rho"))
 }
 
-/// Diagram of the position of the contact on a flat face.
+/// Diagram of the position of the contact along a flat face.
 fn contact<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,
@@ -100,7 +102,7 @@ fn contact<'a, 'c>(
     Ok(panel)
 }
 
-/// Diagram of the pressure angle with its limits, degrees.
+/// Diagram of the pressure angle, degrees, with its limits.
 fn pressure<'a, 'c>(
     f: &Figure<'a, 'c>,
     synthesis: &Design,
@@ -129,7 +131,7 @@ fn pressure<'a, 'c>(
     Ok(panel)
 }
 
-/// Heights of the lines of a pressure-angle limit, degrees.
+/// Values at which lines for a limit of the pressure angle are drawn, degrees.
 fn pressure_lines(check: &Check) -> Vec<f64> {
     let shown = check.name.limit().and_then(|kind| kind.facts().diagram);
     match shown {

@@ -13,12 +13,13 @@ use gaitcam::dynamics::FloorMotion;
 use gaitcam::synth::{AtFrequency, Design};
 use gaitcam::wording::Language;
 
-/// Figure of the peak acceleration of the floor over the step frequency.
+/// Figure of the peak acceleration of the floor as a function of the step frequency.
 pub fn floor(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// Resonance curves with the limits of the comfort classes; without a floor only the frame.
+/// Peak acceleration for the required force and for the cam, with the limits of the comfort classes. Without a floor, only the frame is
+/// drawn.
 fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let points = design.resonance();
     let curve = |of: fn(&AtFrequency) -> FloorMotion| -> Vec<(f64, f64)> {

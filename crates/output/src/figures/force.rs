@@ -17,10 +17,11 @@ use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Number of points of the target and of its band.
+/// Number of sampled points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
-/// Figure of the achieved force and the target with the error below; the step-to-step spread is a band.
+/// Figure of the achieved force and the target, with the error in a second diagram below. A band shows the tolerance of the scene, or
+/// otherwise the step-to-step spread of the recording.
 pub fn force(synthesis: &Design, language: Language) -> Picture {
     force_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -89,7 +90,7 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
     })
 }
 
-/// Force of the cam over the cam angle, with its extremes.
+/// Force of the cam over the displayed cam angle, with its minimum and maximum.
 struct Achieved {
     curve: Vec<(f64, f64)>,
     low: (f64, f64),
@@ -129,7 +130,8 @@ impl Achieved {
         }
     }
 
-    /// Diagram whose axes contain the force and `others`. A force without negative values is drawn from zero.
+    /// Diagram with a vertical range that contains the force and the values `others`. If the force is never negative, the range begins at
+    /// zero.
     fn panel<'a, 'c>(
         &self,
         f: &Figure<'a, 'c>,
@@ -155,7 +157,7 @@ impl Achieved {
     }
 }
 
-/// Target over the cam angle.
+/// Points (displayed cam angle, force) of the target.
 fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     let law = synthesis.pressing();
     let factor = synthesis.cam.follower.measures().angle().factor;
@@ -168,7 +170,8 @@ fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     curve
 }
 
-/// Diagram of the error below the force, with the edges of the tolerance band about the target, or with ± its RMS.
+/// Diagram of the force error. It contains the edges of the tolerance band relative to the target or, without a band, lines at ± the RMS
+/// error.
 fn difference(
     f: &Figure,
     synthesis: &Design,
@@ -210,7 +213,7 @@ fn difference(
     panel.across(&words::across(words, measures))
 }
 
-/// Quantities of the force diagram.
+/// Texts of the force diagram: title, vertical axis, and name of the curve.
 struct Names {
     head: String,
     axis: String,
@@ -236,7 +239,7 @@ impl Names {
     }
 }
 
-/// Frame of the diagrams below the line that names the curves.
+/// Frame of the diagrams of a layout, with space above it for the key of the curves.
 pub(crate) fn force_frame(layout: Layout) -> Frame {
     let frame = layout.frame();
     Frame {
@@ -248,7 +251,7 @@ pub(crate) fn force_frame(layout: Layout) -> Frame {
 /// Upper and lower edge of a band.
 type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
 
-/// Upper and lower edge of the tolerance band of the scene, at the angles of the target.
+/// Upper and lower edge of the tolerance band of the scene, at the angles of `desired`; `None` without a band.
 fn tolerance_band(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     let [low, high] = synthesis.band()?;
     let cam = &synthesis.cam;
@@ -266,7 +269,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
     pairs.map(|(c, o)| (c.0, c.1 - o.1)).collect()
 }
 
-/// Upper and lower edge of the step-to-step spread about the target force.
+/// Upper and lower edge of the step-to-step spread about the target force; `None` without a spread.
 fn spread(synthesis: &Design, desired: &[(f64, f64)]) -> Option<Band> {
     let target = synthesis.target()?;
     let sd = target.spread_n.as_ref()?;

@@ -1,4 +1,4 @@
-//! Figure of an identified machine: measured and modelled force over the cam angle, and the residual.
+//! Figure of an identified machine: measured force, modelled force and residual over the cam angle.
 
 use gaitcam::identify::Identified;
 use gaitcam::synth::Design;
@@ -8,7 +8,7 @@ use super::overlay::{Strip, diagrams_over};
 use crate::plot::picture::Picture;
 use crate::words;
 
-/// Figure of the measured mean cycle of the first log, the model, and their difference.
+/// Figure of the mean measured cycle of the first log, the force of the model, and their difference.
 pub fn identification(design: &Design, found: &Identified, language: Language) -> Picture {
     let words = words::words(language);
     let log = &found.logs[0];

@@ -1,4 +1,4 @@
-//! Figures of a measured cam: its deviations over the cam angle, and along the profile.
+//! Figures of a measured cam: deviations over the cam angle, and deviations along the profile.
 
 use gaitcam::cam::Inspection;
 use gaitcam::sweep::MadeCam;
@@ -9,12 +9,13 @@ use super::overlay::{Strip, diagrams_over, profiles};
 use crate::plot::picture::Picture;
 use crate::words;
 
-/// Number of points of the curves.
+/// Number of points of the profile and of the force curves.
 const POINTS: usize = 1440;
-/// Maximum deviation in the polar figure, as a fraction of the size of the cam.
+/// Maximum deviation in the polar figure, as a fraction of the prime radius.
 const SHOWN: f64 = 0.08;
 
-/// Deviations along the normal and, if the law of the cam is known, the forces as designed and as manufactured.
+/// Diagram of the deviations normal to the profile, µm. If the law of the manufactured cam is known, a second diagram contains the forces
+/// as designed and as manufactured.
 pub fn diagram(
     design: &Design,
     inspected: &Inspection,
@@ -69,7 +70,7 @@ pub fn diagram(
     )
 }
 
-/// Profile with the deviations drawn along its normals, magnified by a round factor.
+/// Figure of the profile with the deviations along its normals. They are magnified by a round factor.
 pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Picture {
     let words = words::words(language);
     let cam = &design.cam;
@@ -107,7 +108,7 @@ pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Pic
     )
 }
 
-/// Maximum of 1, 2, 5, 10, 20 … that is not above `x`, and at least 1.
+/// Maximum number of the sequence 1, 2, 5, 10, 20 … that does not exceed `x`; 1 if `x` is smaller.
 fn round_down(x: f64) -> f64 {
     let ten = libm::pow(10f64, libm::log10(x.max(1.0)).floor());
     let part = x.max(1.0) / ten;

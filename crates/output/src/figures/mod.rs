@@ -1,4 +1,4 @@
-//! Figures of a design, a recording, a simulation and a sweep.
+//! Figures of designs, recordings, simulations and sweeps.
 
 pub mod cam;
 pub mod cover;

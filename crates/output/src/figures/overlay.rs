@@ -1,4 +1,4 @@
-//! Several designs in one figure: diagrams over the angle, profiles about a common centre.
+//! Several designs in one figure: overlaid diagrams over the cam angle, and overlaid profiles.
 
 use plotters::style::RGBAColor;
 
@@ -10,7 +10,7 @@ use crate::plot::sheet::{Frame, stroke, trace};
 use gaitcam::cam::Measures;
 use gaitcam::wording::Language;
 
-/// Colours of the designs, which repeat after twelve.
+/// Colours of the designs. They repeat after twelve designs.
 const COLOURS: [RGBAColor; 12] = [
     BLUE,
     ORANGE,
@@ -26,22 +26,22 @@ const COLOURS: [RGBAColor; 12] = [
     RGBAColor(140, 146, 155, 1.0),
 ];
 
-/// A diagram: its quantity, and one curve of (degrees, value) per name. A diagram without curves is omitted.
+/// A diagram: name of its quantity, and one curve of (degrees, value) for each design.
 #[derive(Debug, Clone)]
 pub struct Strip {
     /// Name of the quantity with its unit.
     pub quantity: String,
-    /// One curve for each name.
+    /// One curve for each design; an empty curve is not drawn.
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
-/// Diagrams over the cam angle, one above the other, with one colour per name (colours repeat after twelve).
+/// Diagrams over the cam angle, one above the other. Each design has one colour in all diagrams; colours repeat after twelve designs.
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
     let across = Measures::Translating.angle_words();
     diagrams_over(across, head, what, names, rows, Language::En)
 }
 
-/// Diagrams over a quantity other than the angle.
+/// Diagrams over a quantity with the name `across`, which need not be the cam angle.
 pub fn diagrams_over(
     across: &str,
     head: &str,
@@ -104,7 +104,7 @@ pub fn diagrams_over(
     })
 }
 
-/// Draws names in rows, at most three per line of `room` em.
+/// Divides the entries of the key into lines of at most three entries and at most `room` em.
 fn lines<'a>(
     entries: &'a [(RGBAColor, f64, &'a str)],
     room: f64,
@@ -121,7 +121,7 @@ fn lines<'a>(
     lines
 }
 
-/// Closes a curve that covers a whole turn.
+/// The curve; if it covers whole turns, its first value is repeated at the end.
 fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut out = curve.to_vec();
     if let ([first, ..], [.., before, last]) = (curve, curve) {
@@ -134,7 +134,7 @@ fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Profiles with the same scale about a common centre; points in m.
+/// Profiles at equal scale about a common centre. `curves` contains points in m.
 pub fn profiles(
     head: &str,
     what: &str,

@@ -1,4 +1,4 @@
-//! Figure of a walk at resonance: response of a vibration mode over its frequency.
+//! Figure of a walk at resonance: response of a vibration mode as a function of its natural frequency.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -13,9 +13,9 @@ use gaitcam::force::Walk;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// Damping ratio of the mode in the figure.
+/// Damping ratio of the vibration mode.
 const DAMPING: f64 = 0.005;
-/// Number of recorded strides that an electronic cam repeats in the figure.
+/// Number of recorded strides for which the figure shows the response to an electronic cam that repeats them.
 const STRIDES: usize = 16;
 
 /// A force for which the response of a mode is computed.
@@ -30,25 +30,25 @@ pub struct Response {
 /// Source of a force that excites a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Responding {
-    /// Recorded strides.
+    /// Force of the recorded strides.
     Recorded,
     /// Force of the generated strides.
     Generated,
-    /// Cam at constant speed.
+    /// Force of the cam at constant speed.
     Cam,
-    /// Given number of recorded strides, repeated.
+    /// Force of the given number of recorded strides, repeated periodically.
     Strides(usize),
-    /// Cam with a speed programme.
+    /// Force of the cam with a speed programme.
     Programme,
 }
 
-/// Responses to the recorded walk, to this cam at constant speed, and to some recorded strides, repeated. Without a recording only the frame is
-/// drawn.
+/// Responses to the recorded walk, to this cam at constant speed, and to a few recorded strides that are repeated. Without a recorded walk
+/// only the frame is drawn.
 pub fn resonance(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
 
-/// As [`resonance`], in a given layout.
+/// Same figure as [`resonance`], in a given layout.
 pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Picture {
     let mut all = Vec::new();
     if let Some((walk, [recorded, cam])) = design.repeated() {
@@ -60,12 +60,12 @@ pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Pi
     drawn(&design.problem.name, &all, layout, words)
 }
 
-/// Responses of a mode to several forces. The frequency range is around the step frequency of the first force.
+/// Responses of a mode to several forces. The range of natural frequencies is around the step frequency of the first force.
 pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
     drawn(name, all, Layout::ALONE, &words::words(language))
 }
 
-/// Response to some strides of a walk, repeated; `None` for a walk without more strides.
+/// Periodic force of 16 typical consecutive strides of a walk. `None` if the walk does not have more strides.
 pub fn repeated_strides(walk: &Walk) -> Option<Response> {
     let part = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES)?;
     Some(Response {

@@ -18,10 +18,10 @@ use gaitcam::force::ForceCurve;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// A curve in the key: colour, width, name.
+/// A curve in the key: colour, line width (points), name.
 type Entry = (RGBAColor, f64, String);
 
-/// Quantities of a simulation over the displayed cam angle or time.
+/// A simulation whose quantities are drawn over the displayed cam angle, or over time if the shaft speed varies.
 struct Shown<'a> {
     synthesis: &'a Design,
     outcome: &'a Outcome,
@@ -41,7 +41,7 @@ impl Shown<'_> {
         TAU / self.synthesis.problem.drive.speed.abs()
     }
 
-    /// Position of sample `i` on the horizontal axis: angle or time.
+    /// Horizontal position of sample `i`: displayed cam angle, or time in s.
     fn across(&self, i: usize) -> f64 {
         if self.outcome.shaft.is_none() {
             return self.measures.angle().factor * self.angle(i);
@@ -50,7 +50,7 @@ impl Shown<'_> {
         self.outcome.rows[i % a_turn].time + (i / a_turn) as f64 * self.period()
     }
 
-    /// Quantity of the samples, with the first value repeated at the end.
+    /// Points of a quantity over all samples, with the first value repeated at the end.
     fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let total = self.outcome.rows.len();
         let point = |i: usize| (self.across(i), value(i % total));
@@ -66,7 +66,7 @@ impl Shown<'_> {
         f.panel(frame, x, columns, y)
     }
 
-    /// Draws the force in front of target and rigid force. Returns the entries of the key.
+    /// Draws the simulated force, with the target and the force of the rigid model behind it. Returns the entries of the key.
     fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();
@@ -116,7 +116,7 @@ impl Shown<'_> {
     }
 }
 
-/// Figure of the force with target and rigid force, the torque, and the gap if there is one.
+/// Figure of a simulation: force with target and rigid force, torque, speed if it varies, and gap if contact is lost.
 pub fn run(synthesis: &Design, outcome: &Outcome, language: Language) -> Picture {
     run_in(synthesis, outcome, Layout::ALONE, &words::words(language))
 }

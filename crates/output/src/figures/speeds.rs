@@ -1,4 +1,4 @@
-//! Figure of a cam at several speeds: force error, load factors, torque, and the ripple of a motor-driven shaft.
+//! Figure of a cam at several speeds: force error, load factors, torque, and speed variation of a motor-driven shaft.
 
 use std::f64::consts::PI;
 
@@ -30,25 +30,25 @@ type Curve = (Vec<(f64, f64)>, RGBAColor, f64);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AtSpeed {
-    /// Speed of the cam, rad/s or m/s.
+    /// Speed of the cam, rad/s, or m/s for a translating cam.
     pub speed: f64,
     /// RMS difference between the force and the target for this speed, N; `None` without a target.
     pub rms_error: Option<f64>,
-    /// Amplitudes of the harmonics 1 to 4 of the step frequency, as fractions of the walker's weight.
+    /// Amplitudes of the force at harmonics 1 to 4 of the step frequency, as fractions of the walker's weight.
     pub load_factors: Option<[f64; 4]>,
-    /// Amplitudes of the target for this speed, as fractions of the walker's weight.
+    /// Amplitudes of the target at the same harmonics for this speed, as fractions of the walker's weight.
     pub target_factors: Option<[f64; 4]>,
-    /// Maximum absolute torque of the cam on the shaft, N·m; not finite if the shaft does not turn.
+    /// Maximum absolute torque of the cam on the shaft, N·m; NaN if the shaft does not turn.
     pub torque: f64,
-    /// Difference of maximum and minimum speed of the shaft, as a fraction of the mean.
+    /// Difference between maximum and minimum speed of the shaft, as a fraction of the mean speed.
     pub ripple: f64,
-    /// Whether the follower loses contact.
+    /// Whether the follower loses contact with the cam.
     pub contact_lost: bool,
 }
 
 const COLOURS: [RGBAColor; 4] = [BLUE, GREEN, PURPLE, RED];
 
-/// Quantity in one of the diagrams of the figure.
+/// Quantity that is drawn in one diagram of the figure.
 #[derive(Clone, Copy, PartialEq)]
 enum Strip {
     Error,
@@ -57,7 +57,7 @@ enum Strip {
     Ripple,
 }
 
-/// Figure of a cam at the given speeds in ascending order.
+/// Figure of a cam at several speeds. `rows` must be in ascending order of the speed.
 pub fn speeds(name: &str, rows: &[AtSpeed], measures: Measures, language: Language) -> Picture {
     let (layout, words) = (Layout::ALONE, &words::words(language));
     let factor = match measures {
@@ -126,7 +126,7 @@ impl Shown<'_> {
         self.rows.iter().map(point).collect()
     }
 
-    /// Curves of a diagram, the target first.
+    /// Curves of one diagram. Curves of the target are first.
     fn curves(&self, strip: Strip) -> Vec<Curve> {
         let one = |of: &dyn Fn(&AtSpeed) -> Option<f64>| vec![(self.curve(of), BLUE, 2.2)];
         match strip {
@@ -169,7 +169,7 @@ impl Shown<'_> {
         Ok(panel)
     }
 
-    /// Ranges of speed with loss of contact. Their limits are the middles between the simulated speeds.
+    /// Ranges of the displayed speed in which contact is lost. Their ends are midway between simulated speeds.
     fn lost(&self) -> Vec<[f64; 2]> {
         let at = |i: usize| self.factor * self.rows[i].speed;
         let last = self.rows.len().saturating_sub(1);

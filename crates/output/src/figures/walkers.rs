@@ -1,4 +1,4 @@
-//! Figure of a population: band of all required forces, and the walker with the maximum error.
+//! Figure of a population: required forces of all walkers, and the cam force for the walker with the maximum error.
 
 use std::f64::consts::TAU;
 
@@ -15,10 +15,11 @@ use gaitcam::scene::ErrorMeasure;
 use gaitcam::synth::Design;
 use gaitcam::wording::{Language, walker};
 
-/// Number of steps per turn.
+/// Number of angle steps per turn.
 const STEPS: usize = 360;
 
-/// Figure with the required forces of all walkers as a band, relative to each mean force. It also contains the force of the cam for the worst walker.
+/// Figure with the required forces of all walkers as a band, in percent of the mean force of each walker. For the walker with the maximum
+/// error, it also contains the required force and the force of the cam.
 pub fn walkers(design: &Design, language: Language) -> Picture {
     walkers_in(design, Layout::ALONE, &words::words(language))
 }

@@ -1,4 +1,4 @@
-//! Means of each foot over its stances, and quantities of both feet.
+//! Table of the means over the stances of each foot, and of quantities that depend on both feet.
 
 use gaitcam::force::{Cycle, Foot, Kind, Point, Stance, Stances};
 use gaitcam::units::G;
@@ -14,8 +14,9 @@ fn spread(values: &[f64]) -> Option<(f64, f64)> {
 }
 
 impl Lines {
-    /// Writes peaks, valley and stance of each foot as mean ± standard deviation. For two named feet it adds double support, cadence and the symmetry
-    /// index of the impulses, 200 (right − left)/(right + left).
+    /// Writes the peaks, the valley and the stance duration of each foot as mean ± standard deviation. For walking with stances of both
+    /// named feet, it also writes double support, cadence and symmetry index. The symmetry index of the impulses is 200 (right −
+    /// left)/(right + left), %.
     pub(super) fn feet(&mut self, stances: &Stances, cycle: &Cycle) {
         let words = self.words;
         let (weight, period) = (cycle.mass_kg * G, cycle.curve.period_s);

@@ -1,4 +1,4 @@
-//! A recording as JSON.
+//! JSON data of a recording.
 
 use serde_json::{Map, Value, json};
 
@@ -8,9 +8,10 @@ use gaitcam::force::{
 };
 use gaitcam::units::G;
 
-/// A recording as JSON; `cycle` is null without a mean cycle.
+/// JSON data of a recording; `cycle` is null without a mean cycle.
 ///
-/// `warnings` contains a code and data for every note; `notes` contains the notes as sentences. Times of contacts are as in the file.
+/// `warnings` contains each note as a code with data, `notes` contains the notes as sentences. The times of contacts are those of the
+/// file.
 pub fn json(
     understood: &Interpretation,
     recording: &Recording,
@@ -81,7 +82,7 @@ fn stride(s: &RecordedStride) -> Value {
     Value::Object(row)
 }
 
-/// Forces and positions of loading peak, valley and push-off peak.
+/// Forces, N, and positions of loading peak, valley and push-off peak.
 fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
     let names = ["p1", "valley", "p2"].into_iter().zip(points);
     let two = |(name, point): (&str, Option<Point>)| {
@@ -93,7 +94,7 @@ fn landmarks(points: [Option<Point>; 3]) -> Map<String, Value> {
     names.flat_map(two).collect()
 }
 
-/// A file that contains one cycle as JSON, with the keys of [`json()`].
+/// JSON data of a file that contains exactly one cycle. The keys are those of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
     let notes: Vec<String> = curve.notes.iter().map(Note::to_string).collect();
     json!({

@@ -1,4 +1,4 @@
-//! Results of reading recordings: tables as text, JSON for programs.
+//! Output for recordings: tables as text, and JSON for programs.
 
 mod feet;
 mod json;
@@ -11,14 +11,14 @@ pub use json::{cycle_json, json};
 pub use table::{cycle_table, table};
 pub use trials::{TrialRow, trials_json, trials_table};
 
-/// Catalogue of the table labels.
+/// Messages with the labels of the tables.
 const LABELS: Sentences = Sentences {
     files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
     as_typed: &["list"],
     ..Sentences::NONE
 };
 
-/// Labels together with the notes and names that the tables quote.
+/// Messages of the tables: labels, and the notes and names that appear in the tables.
 static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::SENTENCES,
     gaitcam::force::wording::SENTENCES,

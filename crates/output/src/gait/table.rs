@@ -1,4 +1,4 @@
-//! Table of a recording: channels, stances, mean cycle, warnings.
+//! Table of a recording: columns, stances, mean cycle, warnings.
 
 use std::fmt::{Display, Write as _};
 
@@ -12,8 +12,8 @@ use gaitcam::force::{
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Table of a recording. Without a mean cycle, `cycle` is the text of an error, or empty. Stances and rejected contacts are listed individually if
-/// `all` is set, or if there are no means of the feet.
+/// Table of a recording as text. If there is no mean cycle, `cycle` is the text of the error, which may be empty. Stances and rejected
+/// contacts are listed one by one if `all` is set, or if means of the feet cannot be computed.
 pub fn table(
     understood: &Interpretation,
     recording: &Recording,
@@ -41,7 +41,7 @@ pub fn table(
     out.text
 }
 
-/// Table of a file that contains one cycle.
+/// Table of a file that contains exactly one cycle, as text.
 pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     let mut out = Lines::new(language);
     let words = out.words;
@@ -65,7 +65,7 @@ pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     out.text
 }
 
-/// A table while it is written, line by line.
+/// Text of a table, to which lines are added.
 pub(super) struct Lines {
     pub text: String,
     pub words: &'static Messages,
@@ -85,7 +85,7 @@ impl Lines {
         let _ = writeln!(self.text, "{text}");
     }
 
-    /// Writes a line with its label, padded to the width of all labels.
+    /// Writes a line that begins with a label. The label is padded to nine characters.
     pub fn row(&mut self, key: &str, text: impl Display) {
         let label = self.words.text(key);
         self.line(format_args!("{label:<9} {text}"));
@@ -173,7 +173,7 @@ impl Lines {
         }
     }
 
-    /// Writes the number of rejected contacts for each reason.
+    /// Writes the reasons for rejection, each with the number of rejected contacts.
     fn reasons(&mut self, understood: &Interpretation) {
         let mut counts: Vec<(String, usize)> = Vec::new();
         for (_, reason) in self.rejections(understood) {
@@ -191,7 +191,7 @@ impl Lines {
         }
     }
 
-    /// Rejected contacts, each with its column and the reason.
+    /// Rejected contacts. The text of each contains its column and the reason.
     fn rejections<'a>(&self, understood: &'a Interpretation) -> Vec<(&'a Contact, String)> {
         let sentence = |c: &'a Contact| {
             let column = understood.columns.get(c.column);
@@ -226,7 +226,7 @@ impl Lines {
         self.variability(c.curve.walk.as_ref());
     }
 
-    /// Variability of consecutive strides, and a change of pace among them.
+    /// Writes the variability of consecutive strides and, if the pace changes, a warning.
     fn variability(&mut self, walk: Option<&Walk>) {
         let Some(walk) = walk else {
             return;
@@ -246,7 +246,8 @@ impl Lines {
         }
     }
 
-    /// Writes the open questions: those that cannot be accepted, and the keys that answer the others.
+    /// Writes the open questions: first those that cannot be accepted, then the others with the names under which the user can accept
+    /// them.
     fn open_questions(&mut self, understood: &Interpretation) {
         let questions = understood.doubts();
         let (others, refused): (Vec<_>, Vec<_>) =
@@ -299,7 +300,7 @@ impl Lines {
         self.row("gait-mean", format_args!("{newtons} N ({share} BW)"));
     }
 
-    /// Writes the step-to-step standard deviation and the repeatability of several cycles.
+    /// Writes the step-to-step standard deviation and the repeatability of the mean, if there are several cycles.
     pub fn spread(&mut self, curve: &ForceCurve, repeatability_n: Option<f64>, mass_kg: f64) {
         let (Some(spread), Some(repeat)) = (curve.spread_rms_n(), repeatability_n) else {
             return;
@@ -311,8 +312,8 @@ impl Lines {
     }
 }
 
-/// Number of columns that can be selected to exclude the clipped ones. It is zero for a C3D file, in which a plate may be the sum of several
-/// channels.
+/// Number of columns that the user can select so that clipped columns are excluded. It is zero for a C3D file, because a plate may be the
+/// sum of several channels.
 fn unclipped(understood: &Interpretation) -> usize {
     if matches!(understood.format, Format::C3d { .. }) {
         return 0;

@@ -1,4 +1,4 @@
-//! Several recordings, one line each, and their joint mean.
+//! Table of several recordings, with one line each, and their joint mean.
 
 use serde_json::{Value, json};
 
@@ -7,10 +7,10 @@ use gaitcam::error::Error;
 use gaitcam::force::{ForceCurve, Interpretation, JointMean, LeftOut, coded};
 use gaitcam::wording::{Language, Messages};
 
-/// Maximum width of a file name in the table.
+/// Maximum length of a file name in the table, characters.
 const NAME: usize = 40;
 
-/// One of several recordings in a table.
+/// One line in the table of several recordings.
 ///
 /// ```
 /// use gaitcam::force::{Feet, model};
@@ -26,17 +26,17 @@ const NAME: usize = 40;
 pub struct TrialRow<'a> {
     /// Path of the file, as given.
     pub name: &'a str,
-    /// Interpretation of the recording; `None` if it cannot be read or contains a single cycle.
+    /// Interpretation of the recording; `None` if it cannot be read or contains exactly one cycle.
     pub understood: Option<&'a Interpretation>,
-    /// Mean cycle of the recording, if it has one.
+    /// Mean cycle, or the only cycle of the file; `None` if the recording has no cycle.
     pub curve: Option<&'a ForceCurve>,
-    /// Error that prevented a cycle.
+    /// Error because of which the recording has no cycle.
     pub fault: Option<&'a Error>,
     /// Reason for the exclusion from the joint mean; `None` if the recording is included.
     pub left_out: Option<&'a LeftOut>,
 }
 
-/// Table of several recordings, with their joint mean below.
+/// Table of several recordings as text, with the joint mean at the end.
 pub fn trials_table(rows: &[TrialRow], joint: Option<&JointMean>, language: Language) -> String {
     let mut out = Lines::new(language);
     write_rows(&mut out, rows);
@@ -80,7 +80,7 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     cells
 }
 
-/// End of a long name, which distinguishes the files of a folder.
+/// The name, of which only the end is kept if it is too long. The end distinguishes the files of a folder.
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= NAME {
@@ -110,7 +110,7 @@ fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     ]
 }
 
-/// Text for the inclusion in the joint mean, or the reason for the exclusion.
+/// Text that the recording is included in the joint mean, or the reason for its exclusion.
 fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
         (Some(fault), _) => fault.what(words.language()),
@@ -139,7 +139,8 @@ fn write_joint(out: &mut Lines, joint: Option<&JointMean>) {
     out.spread(&joint.curve, joint.repeatability_n, joint.mass_kg);
 }
 
-/// Several recordings as JSON: each element of `objects` with `in_mean` and `left_out`, and the joint mean.
+/// JSON data of several recordings and of their joint mean. `objects` contains the data of each recording, to which `in_mean` and
+/// `left_out` are added.
 pub fn trials_json(rows: &[TrialRow], objects: Vec<Value>, joint: Option<&JointMean>) -> Value {
     let recordings: Vec<Value> = rows
         .iter()

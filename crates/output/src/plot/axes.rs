@@ -1,4 +1,4 @@
-//! Diagram over the cam angle: frame, grid, curves, marked extremes.
+//! Diagram over the cam angle or another quantity: frame, grid, curves, marked extremes.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,28 +11,28 @@ use crate::plot::sheet::{
 use crate::plot::text::text_width;
 use gaitcam::wording::{Language, fixed, number};
 
-/// A diagram with the cam angle in degrees, or another quantity, to the right and a quantity upwards.
+/// A diagram. The horizontal axis is the cam angle in degrees or another quantity, the vertical axis is a quantity.
 pub struct Panel<'a, 'c> {
     canvas: &'c Canvas<'a>,
     plane: Plane<'a>,
     frame: Frame,
     x: [f64; 2],
-    /// Positions of the vertical grid lines.
+    /// Positions of the vertical grid lines, in the unit of the horizontal axis.
     columns: Vec<f64>,
     y: [f64; 2],
-    /// Size of the lettering, points.
+    /// Font size, points.
     size: f64,
-    /// Power of ten by which the vertical ticks are divided.
+    /// Exponent of the power of ten by which the values of the vertical ticks are divided.
     power: i32,
     language: Language,
 }
 
-/// Distance between axis label and frame, in letter heights.
+/// Distance between the label of the vertical axis and the frame, em.
 pub const QUANTITY: f64 = 5.7;
-/// Maximum width of a tick label that leaves space for the axis label, in letter heights.
+/// Maximum width of a tick label beside which the label of the axis has enough space, em.
 const WIDEST_TICK: f64 = 4.3;
 
-/// About `count` round numbers within [low, high].
+/// Approximately `count` equally spaced round numbers in [low, high].
 pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
     let raw = (high - low) / count;
     if !(raw > 0.0 && raw.is_finite()) {
@@ -56,7 +56,7 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Ticks at eighths of a turn, or coarser for several turns.
+/// Multiples of the smallest step of 5°, 15°, 30°, 45°, 90° … for which there are at most nine intervals.
 pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
@@ -66,7 +66,7 @@ pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     multiples(x[0], x[1], step)
 }
 
-/// Text of a tick with the decimals that distinguish the ticks.
+/// Text of a tick. The number of decimals is just sufficient for the step between ticks.
 pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     let decimals = (0..9)
         .find(|&d| {
@@ -77,7 +77,7 @@ pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     fixed(language, value, decimals).replace('-', "−")
 }
 
-/// Power of ten, a multiple of 3, that shortens ticks that are too wide; usually 0.
+/// Exponent of the power of ten by which wide tick labels are divided. It is a multiple of 3, and 0 for labels of normal width.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
@@ -90,7 +90,7 @@ fn power(values: &[f64], step: f64) -> i32 {
     3 * (libm::log10(largest) / 3.0).floor() as i32
 }
 
-/// A power of ten in superscript digits.
+/// An exponent in superscript digits.
 fn raised(power: i32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let text = power.to_string();
@@ -99,7 +99,7 @@ fn raised(power: i32) -> String {
         .collect()
 }
 
-/// Range of `values`, extended by the fraction `share` at both ends; never empty.
+/// Range of `values`, extended at both ends by the fraction `share` of its length. The length is never zero.
 pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -117,13 +117,13 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     [low - share * span, high + share * span]
 }
 
-/// Draws the dashed line of a level between two positions on the sheet.
+/// Draws a dashed line between two positions on the sheet.
 pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
     dashed(canvas, ends, [7.0, 5.0], stroke(colour, 1.4))
 }
 
 impl<'a, 'c> Panel<'a, 'c> {
-    /// Draws frame, vertical grid lines at `columns`, and horizontal ticks of the quantity.
+    /// Draws the frame, vertical grid lines at `columns`, horizontal grid lines, and the ticks of the vertical axis.
     pub fn new(
         canvas: &'c Canvas<'a>,
         frame: Frame,
@@ -168,7 +168,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         Ok(panel)
     }
 
-    /// Writes the quantity ("force, N") vertically, left of the ticks.
+    /// Writes the label of the vertical axis ("force, N") to the left of the ticks.
     pub fn quantity(&self, text: &str) -> Drawn {
         let power = raised(self.power);
         let text = &match text.split_once(", ") {
@@ -184,7 +184,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, lettering)
     }
 
-    /// Writes the values of the grid below the frame, and their quantity below them.
+    /// Writes the values of the vertical grid lines and the label of the horizontal axis below the frame.
     pub fn across(&self, quantity: &str) -> Drawn {
         let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
         let step = match self.columns[..] {
@@ -204,7 +204,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, quantity, at, name)
     }
 
-    /// Draws a curve, clipped to the frame.
+    /// Draws a curve, clipped at the lower and upper edge of the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
         // Points slightly outside by rounding or interpolation still belong to the curve.
         let slack = 0.01 * (self.y[1] - self.y[0]);
@@ -239,13 +239,14 @@ impl<'a, 'c> Panel<'a, 'c> {
         each.try_for_each(|at| circle(self.canvas, at, radius, colour.filled()))
     }
 
-    /// Fills the area between two curves with the same angles.
+    /// Fills the area between two curves with the same horizontal positions.
     pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
         let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
         fill(&self.plane, &around, colour)
     }
 
-    /// Draws a dashed level. Its name, if any, is at the given end, on the side without `curve`.
+    /// Draws a dashed horizontal line at `value`. Its name, if any, is above (`Bottom`) or below (`Top`) the line, at the end that is
+    /// farther from `curve`.
     pub fn level(
         &self,
         value: f64,
@@ -286,7 +287,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, name, [x, right[1] + shift], lettering)
     }
 
-    /// Draws an arrow to the edge of the frame, labelled ∞ or −∞, at an angle at which the quantity is infinite.
+    /// Draws an arrow from zero to the edge of the frame, labelled ∞ or −∞, at an angle at which the quantity is infinite.
     pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
         let level = 0.0_f64.clamp(self.y[0], self.y[1]);
         let [x, from] = self.place(degrees, level);
@@ -314,8 +315,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    /// Draws a dot with its value above (maximum) or below (minimum), inside the frame. `ground` draws the value on a light rectangle, for diagrams
-    /// in which dashed levels cross the number.
+    /// Marks an extreme with a dot and its value. The value is above a maximum and below a minimum, if there is space inside the frame. If
+    /// `ground` is set, it has a light background, for diagrams in which dashed lines cross the number.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

@@ -1,4 +1,4 @@
-//! Layout of a figure, as a separate file or in the report: title, strips, key of the curves.
+//! Layout of figures, as separate files or in the report: title, frames, key of the curves.
 
 use plotters::prelude::*;
 
@@ -13,29 +13,29 @@ use gaitcam::wording::{Language, number};
 
 /// Size of figures that are separate files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
-/// Size of the lettering in separate figures, points.
+/// Font size in figures that are separate files, points.
 pub const LETTERS: f64 = 17.0;
 
-/// Layout of a figure: as a separate file, or in the report with a caption.
+/// Layout of a figure. A separate file contains the title; a figure in the report has no title.
 #[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// Width and height, points.
     pub size: (u32, u32),
-    /// Size of the lettering, points.
+    /// Font size, points.
     pub letters: f64,
     /// Whether the figure contains its title.
     pub title: bool,
 }
 
 impl Layout {
-    /// Layout of a separate file.
+    /// Layout of a figure that is a separate file.
     pub const ALONE: Layout = Layout {
         size: SIZE,
         letters: LETTERS,
         title: true,
     };
 
-    /// Layout of a figure in the report.
+    /// Layout of a figure of the given height, points, in the report.
     pub const fn figure(height: u32) -> Self {
         Layout {
             size: (FIGURE_WIDTH, height),
@@ -44,7 +44,7 @@ impl Layout {
         }
     }
 
-    /// A picture with this layout, with numbers in a language.
+    /// Draws a picture with this layout and with the number format of a language.
     pub fn picture(self, language: Language, draw: impl FnOnce(Figure) -> Drawn) -> Picture {
         let (layout, e) = (self, self.letters);
         let (width, height) = self.size;
@@ -70,23 +70,23 @@ impl Layout {
     }
 }
 
-/// Width of the figures of the report, points.
+/// Width of figures in the report, points.
 pub const FIGURE_WIDTH: u32 = 820;
 
-/// A figure while it is drawn.
+/// A figure while it is being drawn.
 #[derive(Clone, Copy)]
 pub struct Figure<'a, 'c> {
     /// Canvas on which the figure is drawn.
     pub canvas: &'c Canvas<'a>,
     /// Layout of the figure.
     pub layout: Layout,
-    /// Size of the lettering, points.
+    /// Font size, points; one em.
     pub e: f64,
     /// Language of the numbers.
     pub language: Language,
 }
 
-/// Grid lines over the cam angle in degrees, or over the travel in mm.
+/// Positions of vertical grid lines over the cam angle in degrees, or over another quantity.
 pub fn columns(x: [f64; 2], is_angle: bool) -> Vec<f64> {
     if is_angle {
         angle_ticks(x)
@@ -100,7 +100,7 @@ pub fn ends_of(synthesis: &Design) -> [f64; 2] {
     [start, start + length]
 }
 
-/// Splits a frame into strips with the given fractions, one above the other.
+/// Divides a frame into frames one above the other. Their heights are proportional to `shares`, with gaps of `gap` points.
 pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
     let total: f64 = shares.iter().sum();
     let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
@@ -120,16 +120,16 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
         .collect()
 }
 
-/// Length of a line sample in the key, with the gap to its name, em.
+/// Distance from the start of a line sample in the key to the start of its name, em.
 const SWATCH: f64 = 2.6;
 
-/// Length of an entry of the key, with the gap to the next one, em.
+/// Width of an entry of the key, including the gap to the next entry, em.
 pub fn key_width(name: &str) -> f64 {
     SWATCH + text_width(name) + 1.7
 }
 
 impl<'a, 'c> Figure<'a, 'c> {
-    /// A diagram of `y` over `x` with grid lines at `columns`.
+    /// Starts a diagram with the ranges `x` and `y` and vertical grid lines at `columns`.
     pub fn panel(
         &self,
         frame: Frame,
@@ -140,7 +140,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         Panel::new(self.canvas, frame, x, columns, y, self.e, self.language)
     }
 
-    /// A diagram over the whole law, in degrees or in mm of travel.
+    /// Starts a diagram over the whole range of the law, in degrees or in the unit of the travel.
     pub fn over_the_law(
         &self,
         synthesis: &Design,
@@ -157,7 +157,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         write(self.canvas, text, at, lettering)
     }
 
-    /// Writes the name of the design and the title.
+    /// Writes the name of the design and the title, if the layout includes them.
     pub fn title(&self, name: &str, what: &str) -> Drawn {
         if !self.layout.title {
             return Ok(());
@@ -171,12 +171,12 @@ impl<'a, 'c> Figure<'a, 'c> {
         self.write(what, [after, y], plain)
     }
 
-    /// Draws line samples of curves with their names, from the left.
+    /// Draws the key of the curves: a line sample and a name for each curve, from left to right.
     pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
         self.key_and_levels(place, size, entries, &[])
     }
 
-    /// Draws line samples of curves, followed by those of dashed levels ([`Panel::level`]).
+    /// Draws the key of the curves, followed by the key of dashed lines ([`Panel::level`]).
     pub fn key_and_levels(
         &self,
         [mut x, y]: [f64; 2],
@@ -200,7 +200,7 @@ impl<'a, 'c> Figure<'a, 'c> {
         Ok(())
     }
 
-    /// Draws a scale bar with a round length in mm, at most `room` points long.
+    /// Draws a scale bar with a round length in the displayed unit. It is at most `room` points long.
     pub fn scale_bar(&self, [x, y]: [f64; 2], per_mm: f64, room: f64) -> Drawn {
         let unit = Unit::length();
         let per_unit = per_mm * 1e3 / unit.factor;

@@ -1,4 +1,4 @@
-//! Drawing: shapes on a sheet, axes, conversion to SVG and PNG.
+//! Drawing: shapes on a sheet, axes, and conversion to SVG and PNG.
 
 pub mod axes;
 pub mod layout;

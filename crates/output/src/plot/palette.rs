@@ -1,4 +1,4 @@
-//! Colours on white that colour-blind people can distinguish (Okabe and Ito).
+//! Colours on a white background that colour-blind people can distinguish (Okabe and Ito).
 
 #![allow(missing_docs)] // the names are the documentation
 
@@ -19,7 +19,7 @@ pub const GREEN: RGBAColor = opaque(0, 158, 115);
 pub const PURPLE: RGBAColor = opaque(190, 95, 155);
 pub const RED: RGBAColor = opaque(213, 94, 0);
 
-/// Names of the colours in the style sheet of the page, which redefines them in dark mode.
+/// Names of the colours in the style sheet of the page. The page redefines the colours in dark mode.
 pub const NAMES: [(RGBAColor, &str); 10] = [
     (PAPER, "paper"),
     (INK, "ink"),
@@ -33,7 +33,7 @@ pub const NAMES: [(RGBAColor, &str); 10] = [
     (RED, "red"),
 ];
 
-/// Colour from low (dark blue) to high (yellow), in equal steps of lightness: five colours of viridis.
+/// Colour for `u` from 0 (dark blue) to 1 (yellow), interpolated between five colours of viridis. Lightness increases uniformly.
 pub fn shade(u: f64) -> RGBAColor {
     const STOPS: [[f64; 3]; 5] = [
         [68.0, 1.0, 84.0],

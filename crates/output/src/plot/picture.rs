@@ -1,4 +1,4 @@
-//! Figures as lists of shapes, and their conversion to SVG and PNG.
+//! Pictures as lists of shapes, and their conversion to SVG and PNG.
 
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
 use gaitcam_base::text::escaped;
 use gaitcam_base::text::{append, append_decimal};
 
-/// A finished figure on a white background.
+/// A finished picture on a white background.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     pub(crate) width: u32,
@@ -20,7 +20,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Draws on a sheet with a size in points (pixels of the PNG).
+    /// Creates a picture of the given size, points. `draw` draws its shapes. One point is one pixel of the PNG.
     pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
         let mut shapes = Vec::new();
         let canvas = Recorder {
@@ -39,7 +39,7 @@ impl Picture {
         }
     }
 
-    /// SVG for a separate file, with fixed colours on white.
+    /// SVG text for a separate file, with fixed colours on a white background.
     pub fn svg(&self) -> String {
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
@@ -52,8 +52,8 @@ impl Picture {
         out
     }
 
-    /// SVG for a part of a page. The colours are variables of the page (`--ink`, `--blue` …), without background. `attributes` are added to the
-    /// element unchanged.
+    /// SVG element for an HTML page. It has no background, and its colours are variables of the page (`--ink`, `--blue` …). `attributes`
+    /// are added to the element unchanged.
     pub(crate) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
         let mut out = format!(
             "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",
@@ -137,7 +137,7 @@ fn write_shape(out: &mut String, shape: &Shape, variables: bool) -> std::fmt::Re
     }
 }
 
-/// Path data, relative to the last point for brevity.
+/// SVG path data. Coordinates are relative to the previous point, which shortens the text.
 fn path(points: &[[f64; 2]]) -> String {
     let mut d = String::with_capacity(8 * points.len());
     let mut last = [0i64; 2];
@@ -152,7 +152,7 @@ fn path(points: &[[f64; 2]]) -> String {
     d
 }
 
-/// A number with at most two decimals, without trailing zeros.
+/// A number as text with at most two decimals, without trailing zeros.
 fn short(x: f64) -> String {
     let mut out = String::new();
     append(&mut out, x, 2);

@@ -4,7 +4,7 @@ use crate::raster::{Page, disc, outline, straightened};
 
 use super::sheet::{Ink, Shape};
 
-/// Shapes on a white page as an 8-bit RGB PNG.
+/// PNG (8-bit RGB) of shapes on a white page.
 pub fn png(width: usize, height: usize, shapes: &[Shape]) -> Vec<u8> {
     let mut page = Page::new(width, height);
     shapes.iter().for_each(|shape| draw(&mut page, shape));

@@ -1,6 +1,7 @@
-//! Sheet on which figures are drawn: a plotters backend that stores shapes instead of pixels.
+//! Sheet on which figures are drawn: a backend of the plotters library that stores shapes and not pixels.
 //!
-//! The same drawing is used for SVG and PNG. Plotters uses integer units, so a sheet has [`UNITS`] units per point, for smooth curves.
+//! The same drawing is used for SVG and PNG. Plotters uses integer coordinates. A sheet therefore has [`UNITS`] units per point, so that
+//! curves are smooth.
 
 use std::convert::Infallible;
 
@@ -18,12 +19,12 @@ use super::text::Line;
 
 /// Number of sheet units per point.
 pub const UNITS: f64 = 16.0;
-/// Name of the typeface in the SVG.
+/// Names of the fonts in the SVG.
 pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
-/// Height of the capital letters, em. Text is centred on them.
+/// Height of capital letters, em. Text is centred vertically on this height.
 const CAPITAL: f64 = 0.729;
 
-/// An opaque or translucent colour.
+/// A colour with opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ink {
     /// Red, green and blue components.
@@ -32,19 +33,19 @@ pub struct Ink {
     pub alpha: f64,
 }
 
-/// Shape on the sheet; lengths in points, y downwards.
+/// A shape on the sheet. Lengths are in points, y is downwards.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Shape {
-    /// An open line of given width.
+    /// An open polyline with the given line width.
     Line {
         points: Vec<[f64; 2]>,
         ink: Ink,
         width: f64,
     },
-    /// A polygon filled with one colour.
+    /// A filled polygon.
     Area { points: Vec<[f64; 2]>, ink: Ink },
-    /// A circle, filled or drawn with a line of given width.
+    /// A circle, filled or as a line of the given width.
     Circle {
         centre: [f64; 2],
         radius: f64,
@@ -55,7 +56,7 @@ pub enum Shape {
     Text { line: Line, ink: Ink },
 }
 
-/// Drawing backend of plotters that stores the shapes.
+/// Drawing backend of plotters that stores all shapes.
 pub struct Recorder<'a> {
     /// Shapes drawn so far, in order.
     pub shapes: &'a mut Vec<Shape>,
@@ -63,11 +64,11 @@ pub struct Recorder<'a> {
     pub size: (u32, u32),
 }
 
-/// A part of the sheet, in sheet units.
+/// Drawing area of plotters, with coordinates in sheet units.
 pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
-/// A part of the sheet with axes.
+/// Drawing area of plotters, with axes in the units of the drawn quantities.
 pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-/// Result of drawing. Only plotters itself can fail.
+/// Result of a drawing function. Errors can only come from plotters itself.
 pub type Drawn<T = ()> = Result<T, DrawingAreaErrorKind<Infallible>>;
 
 type Recorded = Result<(), DrawingErrorKind<Infallible>>;
@@ -215,16 +216,16 @@ pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
     Color::stroke_width(&colour, units(width).max(1) as u32)
 }
 
-/// Style of a text, and its anchor.
+/// Style and anchor of a text.
 #[derive(Clone, Copy)]
 pub struct Lettering {
-    /// Size of an em, points.
+    /// Font size (one em), points.
     pub size: f64,
     /// Colour of the text.
     pub colour: RGBAColor,
     /// Whether the text is bold.
     pub bold: bool,
-    /// Horizontal anchor of the text.
+    /// Horizontal anchor: left end, middle or right end of the text.
     pub h: HPos,
     /// Vertical anchor: top of the capitals, their middle, or the baseline.
     pub v: VPos,
@@ -233,7 +234,7 @@ pub struct Lettering {
 }
 
 impl Lettering {
-    /// Regular text that starts at its point, centred vertically.
+    /// Regular text that begins at its anchor point and is centred vertically on it.
     pub fn new(size: f64, colour: RGBAColor) -> Self {
         Lettering {
             size,
@@ -245,19 +246,19 @@ impl Lettering {
         }
     }
 
-    /// The text, written upwards.
+    /// The same style, written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// The text in bold letters.
+    /// The same style in bold letters.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
     }
 
-    /// The text with another anchor.
+    /// The same style with another anchor.
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self
@@ -283,7 +284,7 @@ impl Lettering {
     }
 }
 
-/// Writes `text` at a point of the canvas.
+/// Writes `text` at a point of the canvas, given in points.
 pub fn write(canvas: &Canvas, text: &str, [x, y]: [f64; 2], lettering: Lettering) -> Drawn {
     canvas.draw(&Text::new(
         text.to_string(),
@@ -292,13 +293,13 @@ pub fn write(canvas: &Canvas, text: &str, [x, y]: [f64; 2], lettering: Lettering
     ))
 }
 
-/// Draws a line through points of the canvas.
+/// Draws a polyline through points of the canvas, given in points.
 pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
     let path: Vec<(i32, i32)> = through.iter().map(|&[x, y]| (units(x), units(y))).collect();
     canvas.draw(&PathElement::new(path, style))
 }
 
-/// Draws a dashed line on the sheet; dashes and gaps in points.
+/// Draws a dashed line. Its ends and the lengths of dashes and gaps are in points.
 pub fn dashed(
     canvas: &Canvas,
     ends: [[f64; 2]; 2],
@@ -309,18 +310,18 @@ pub fn dashed(
     canvas.draw(&DashedPathElement::new(ends, units(on), units(off), style))
 }
 
-/// Draws a circle about a point of the canvas.
+/// Draws a circle on the canvas. Centre and radius are in points.
 pub fn circle(canvas: &Canvas, [x, y]: [f64; 2], radius: f64, style: ShapeStyle) -> Drawn {
     canvas.draw(&Circle::new((units(x), units(y)), units(radius), style))
 }
 
-/// Draws a rectangle between two corners on the canvas.
+/// Draws a rectangle between two corners on the canvas, given in points.
 pub fn rectangle(canvas: &Canvas, corners: [[f64; 2]; 2], style: ShapeStyle) -> Drawn {
     let corners = corners.map(|[x, y]| (units(x), units(y)));
     canvas.draw(&Rectangle::new(corners, style))
 }
 
-/// A part of the sheet, points.
+/// A rectangular part of the sheet, points.
 #[derive(Debug, Clone, Copy)]
 #[allow(missing_docs)] // the names are the documentation
 pub struct Frame {
@@ -331,13 +332,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Draws the edges of the part.
+    /// Draws the edges of the frame.
     pub fn border(&self, canvas: &Canvas) -> Drawn {
         let corners = [[self.left, self.top], [self.right, self.bottom]];
         rectangle(canvas, corners, stroke(palette::AXIS, 1.0))
     }
 
-    /// Axes over the part. `x` contains the values at left and right, `y` those at bottom and top.
+    /// Axes that fill the frame. `x` contains the values at the left and right edge, `y` the values at the bottom and top edge.
     pub fn plane<'a>(&self, canvas: &Canvas<'a>, x: [f64; 2], y: [f64; 2]) -> Plane<'a> {
         let across = units(self.left)..units(self.right);
         let up = units(self.bottom)..units(self.top);
@@ -345,7 +346,7 @@ impl Frame {
         canvas.apply_coord_spec(axes)
     }
 
-    /// Position of a value on these axes.
+    /// Position on the sheet, points, of the values (u, v) on axes with the ranges `x` and `y`.
     pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [
@@ -355,12 +356,12 @@ impl Frame {
     }
 }
 
-/// Draws a line on a plane.
+/// Draws a polyline in the coordinates of the axes.
 pub fn trace(plane: &Plane, points: impl Into<Vec<(f64, f64)>>, style: ShapeStyle) -> Drawn {
     plane.draw(&PathElement::new(points.into(), style))
 }
 
-/// Draws a filled polygon on a plane.
+/// Draws a filled polygon in the coordinates of the axes.
 pub fn fill(plane: &Plane, corners: &[(f64, f64)], colour: RGBAColor) -> Drawn {
     plane.draw(&Polygon::new(corners, colour.filled()))
 }

@@ -1,22 +1,22 @@
-//! Letters as outlines on a page.
+//! Text on a page: outlines and widths of letters.
 
 use std::ops::Range;
 
-/// Output of the build script: table of letters, and their outlines.
+/// Output of the build script: table of the letters, followed by their outlines.
 static LETTERS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin"));
-/// Number of bytes of the head of the table.
+/// Number of bytes before the first row of the table.
 const HEAD: usize = 4;
 const ROW: usize = 8;
 const CORNER: usize = 5;
 
-/// Shift, in em, at which a bold letter is drawn again to the right, in place of a bold typeface.
+/// Distance, em, by which a letter is shifted and drawn a second time to make it bold. There is no bold typeface.
 const EMBOLDENED: f64 = 0.06;
-/// Maximum distance between a curve and its chords, pixels.
+/// Maximum distance between a curve and the chords that replace it, pixels.
 const UNSEEN: f64 = 0.1;
 
 /// A letter of the typeface.
 struct Letter {
-    /// Distance to the next letter, em.
+    /// Distance from the start of this letter to the start of the next letter, em.
     advance: f64,
     contours: Range<usize>,
 }
@@ -30,7 +30,7 @@ fn em() -> f64 {
     f64::from(word(2))
 }
 
-/// Row of a letter in the table.
+/// Index of the row of a letter in the table; `None` if the letter is missing.
 fn row(c: char) -> Option<usize> {
     let code = u16::try_from(u32::from(c)).ok()?;
     let (mut low, mut high) = (0, usize::from(word(0)));
@@ -45,7 +45,7 @@ fn row(c: char) -> Option<usize> {
     None
 }
 
-/// The letter, or a replacement if it is missing.
+/// The letter `c`, or a replacement character if the table does not contain it.
 fn letter(c: char) -> Letter {
     let count = usize::from(word(0));
     let row = row(c).unwrap_or(0);
@@ -71,7 +71,7 @@ pub fn text_width(text: &str) -> f64 {
     text.chars().map(|c| letter(c).advance).sum()
 }
 
-/// Lines of at most `width` em, broken between words. A longer word has a separate line.
+/// Divides a text into lines of at most `width` em, broken between words. A word that is longer than `width` has its own line.
 pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words {
@@ -91,18 +91,18 @@ pub fn wrapped<'a>(words: impl Iterator<Item = &'a str>, width: f64) -> Vec<Stri
 #[allow(missing_docs)] // the names are the documentation
 pub struct Line {
     pub text: String,
-    /// Position of the baseline's start, middle or end, points.
+    /// Position of the start, middle or end of the baseline, points.
     pub at: [f64; 2],
     /// Height of an em, points.
     pub size: f64,
-    /// Anchor: 0 for the start, ½ for the middle, 1 for the end.
+    /// Part of the text that is at the position: 0 for the start, ½ for the middle, 1 for the end.
     pub anchor: f64,
     pub bold: bool,
     pub upwards: bool,
 }
 
 impl Line {
-    /// Outlines of the letters as polygons with the same orientation; coordinates in points (pt).
+    /// Outlines of the letters as polygons with equal orientation; coordinates in points.
     pub fn outline(&self) -> Vec<Vec<[f64; 2]>> {
         let shift = if self.bold { EMBOLDENED } else { 0.0 };
         let letters = || self.text.chars().map(letter);
@@ -128,7 +128,7 @@ impl Line {
     }
 }
 
-/// Adds the contours of a letter as polygons; `on_page` maps a point in em to the page.
+/// Adds the contours of a letter as polygons. `on_page` converts coordinates in em to positions on the page.
 fn contours(
     mut bytes: &[u8],
     on_page: impl Fn([f64; 2]) -> [f64; 2],
@@ -153,7 +153,7 @@ fn contours(
     }
 }
 
-/// Adds a quadratic Bézier curve as chords, without its first point.
+/// Adds a quadratic Bézier curve as a series of chords. The first point of the curve is not added.
 fn curve(from: [f64; 2], control: [f64; 2], to: [f64; 2], polygon: &mut Vec<[f64; 2]>) {
     // The distance of n chords is a quarter of the second difference over n².
     let bend = |k: usize| from[k] - 2.0 * control[k] + to[k];

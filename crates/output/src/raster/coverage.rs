@@ -1,18 +1,20 @@
-//! Pixel coverage of a shape: signed areas are stored at the edges and summed along the rows.
+//! Computes for each pixel the fraction that a shape covers. The changes of the covered area at the edges are stored and then summed along
+//! each row.
 //!
-//! Source: R. Levien, font-rs (2015). Each edge adds, per row, the area that it covers to its right; the running sum along the row is the coverage.
+//! Source: R. Levien, font-rs (2015). In each row, an edge adds the signed area to its right. The running sum along the row is the
+//! coverage.
 
 use std::ops::Range;
 
-/// Coverage below which it is a rounding error.
+/// Coverage below which a value counts as zero, because it is a rounding error.
 const NOTHING: f32 = 1e-3;
 
-/// Coverage of the pixels by a shape, accumulated from the edges of its polygons.
+/// Coverage of the pixels by a shape. It is accumulated from the edges of the polygons of the shape.
 pub struct Coverage {
     width: usize,
-    /// Per row: columns with the increments of coverage from the edges.
+    /// For each row: columns in which the coverage changes, and the changes.
     rows: Vec<Vec<(usize, f32)>>,
-    /// Range of rows with edges.
+    /// Range of rows that contain edges.
     touched: Range<usize>,
 }
 
@@ -26,7 +28,7 @@ impl Coverage {
         }
     }
 
-    /// Adds one edge of a polygon, clamped to the borders of the page.
+    /// Adds one edge of a polygon. Parts outside the page are moved to its border.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2]) {
         let down = from[1] < to[1];
         let [p, q] = if down { [from, to] } else { [to, from] };
@@ -48,7 +50,7 @@ impl Coverage {
         }
     }
 
-    /// Adds an edge within one row, from x = `a` to `b`, with the signed height `d`.
+    /// Adds the part of an edge within one row. It extends from x = `a` to `b` and has the signed height `d`.
     fn row(&mut self, row: usize, a: f64, b: f64, d: f64) {
         let most = self.width as f64;
         let (a, b) = (a.clamp(0.0, most), b.clamp(0.0, most));
@@ -75,7 +77,8 @@ impl Coverage {
         }
     }
 
-    /// Passes the parts of rows with equal coverage, row by row and from the left: row, columns, coverage 0 … 1. Removes the edges.
+    /// Calls `give` for each part of a row with constant coverage: row, columns, coverage 0 … 1. The order is row by row from the left.
+    /// All edges are removed.
     pub fn take(&mut self, mut give: impl FnMut(usize, Range<usize>, f32)) {
         let touched = std::mem::replace(&mut self.touched, self.rows.len()..0);
         for row in touched {

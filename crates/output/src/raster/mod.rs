@@ -1,4 +1,4 @@
-//! Conversion of polygons to pixels: exact area coverage on a white page, and conversion to PNG.
+//! Conversion of polygons to pixels on a white page with exact coverage, and conversion of the page to PNG.
 
 mod coverage;
 mod outline;
@@ -7,19 +7,19 @@ mod png;
 pub use coverage::Coverage;
 pub use outline::{disc, outline, straightened};
 
-/// Opacity above which the mixed colour equals the colour itself after rounding.
+/// Opacity above which the mixed colour equals the drawn colour after rounding.
 const OPAQUE: f32 = 1.0 - 1.0 / 1024.0;
 
-/// A page of pixels, initially white; x to the right, y downwards, one unit per pixel.
+/// A page of pixels. It is white initially. x is to the right, y is downwards, and the unit is one pixel.
 pub struct Page {
     width: usize,
-    /// Pixels row by row, from the top.
+    /// Colours of the pixels, row by row from the top.
     pixels: Vec<[u8; 3]>,
     coverage: Coverage,
 }
 
 impl Page {
-    /// Creates a white page.
+    /// Creates a white page; sizes in pixels.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Page {
         Page {
@@ -29,8 +29,8 @@ impl Page {
         }
     }
 
-    /// Fills the union of polygons with the same orientation in a colour of opacity `alpha`, 0 … 1. A polygon with a non-finite coordinate is not
-    /// filled.
+    /// Fills the union of several polygons of equal orientation with a colour of opacity `alpha`, 0 … 1. If a coordinate is not finite,
+    /// nothing is filled.
     pub fn fill(&mut self, polygons: &[Vec<[f64; 2]>], rgb: [u8; 3], alpha: f64) {
         if !polygons.iter().flatten().flatten().all(|x| x.is_finite()) {
             return;

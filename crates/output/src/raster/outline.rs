@@ -1,13 +1,13 @@
 //! Lines and circles as polygons.
 
-/// Number of corners of a round dot or of the round end of a line.
+/// Minimum number of corners of a circle.
 const CORNERS: usize = 24;
-/// Maximum distance between a removed point and the line, pixels. Coordinates are multiples of a sixteenth.
+/// Maximum distance between a removed point and the line, pixels. Coordinates are rounded to 1/16 pixel.
 const UNSEEN: f64 = 0.06;
-/// Sine of the angle between two segments above which their joint is round.
+/// Sine of the angle between two segments above which a disc is drawn at their joint.
 const SHARP: f64 = 0.1;
 
-/// A filled circle; the first corner is not repeated.
+/// Corners of a filled circle as a polygon of equal area. The first corner is not repeated at the end.
 pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     // Corners outside the radius compensate the area that the sides cut off.
     let corners = CORNERS.max((4.0 * radius) as usize);
@@ -21,7 +21,7 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The line without points that are collinear with their neighbours within 0.06 pixel.
+/// The line without the points that lie within 0.06 pixel of the line through the remaining points.
 pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     let Some((&first, rest)) = points.split_first() else {
@@ -65,7 +65,7 @@ fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// A line of given width as polygons with the same orientation: a rectangle per segment, a disc per sharp corner.
+/// A line of the given width as polygons of equal orientation: a rectangle for each segment, and a disc for each sharp corner.
 pub fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
     let half = 0.5 * width;
     let mut out = Vec::with_capacity(points.len());

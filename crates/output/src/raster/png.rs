@@ -4,11 +4,11 @@ use std::io;
 
 use fdeflate::Compressor;
 
-/// Filter of a row: differences from the pixel to the left.
+/// PNG filters of a row: `LEFT` stores differences from the pixel to the left, `UP` differences from the row above.
 const LEFT: u8 = 1;
 const UP: u8 = 2;
 
-/// PNG file from rows of `width` pixels, from the top.
+/// Content of a PNG file. `pixels` contains rows of `width` pixels from the top.
 pub fn png(width: usize, pixels: &[[u8; 3]]) -> Vec<u8> {
     let height = pixels.len() / width.max(1);
     let mut size = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();

@@ -1,4 +1,4 @@
-//! The cam in motion: a drawing whose parts the script of the page moves.
+//! Animation of the cam: a drawing whose parts are moved by the script of the page.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ use gaitcam_base::text::append;
 use gaitcam_base::text::escaped;
 
 const MM: f64 = 1000.0;
-/// Number of vertices of the outline.
+/// Number of vertices of the profile.
 const POINTS: usize = 720;
 
 /// CSS styles of the parts.
@@ -27,13 +27,13 @@ const BORE: &str =
     "style=\"fill:var(--paper);stroke:var(--ink)\" fill-opacity=\".6\" stroke-width=\"1.2\"";
 const FOLLOWER: &str = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
 
-/// Adds a path to the drawing.
+/// Adds an SVG path with a style to the drawing.
 fn shape(out: &mut String, d: &str, style: &str) {
     // Writing to a String cannot fail, here and below.
     let _ = write!(out, "<path d=\"{d}\" {style}/>");
 }
 
-/// Writes the drawing, its controls and the live values, of a simulation if there is one.
+/// Writes the drawing, its controls and the live values. If `running` is given, motion and values are those of the simulation.
 pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     out.push_str("<div class=\"stage\">\n");
     drawing(out, synthesis, running, words);
@@ -47,7 +47,8 @@ pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, wo
     );
 }
 
-/// Writes the drawing: parts with the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and `cam-contact`, in mm, y upwards.
+/// Writes the drawing as SVG in mm, y upwards. Its moving parts have the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and
+/// `cam-contact`.
 pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
@@ -91,7 +92,7 @@ pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, 
     );
 }
 
-/// Bounds of the parts over the whole turn, mm.
+/// Bounds of all parts of the drawing over a whole turn, mm.
 fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) -> Bounds {
     let mut room = Bounds::default();
     let cam = &synthesis.cam;
@@ -131,7 +132,7 @@ fn room(synthesis: &Design, running: Option<&Running>, reach: f64, stem: f64) ->
     room
 }
 
-/// A follower in the drawing. The second follower of a pair is rotated by half a turn.
+/// A follower in the drawing. The second follower of a conjugate pair is rotated by half a turn.
 struct Drawn<'a> {
     cam: &'a Cam,
     sign: f64,
@@ -154,7 +155,7 @@ fn followers(synthesis: &Design) -> Vec<Drawn<'_>> {
     all
 }
 
-/// Extent of the body of the cam, mm: from its centre, or upwards for a translating cam.
+/// Size of the cam in the drawing, mm: maximum distance from its centre or, for an unrolled cam, maximum height.
 fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
     let up = |p: &ProfilePoint| {
         if slide(cam) > 0.0 {
@@ -208,12 +209,13 @@ fn turning_body(
     }
 }
 
-/// A circle of the cam about its axis, with the name of the part.
+/// Draws a circle about the axis of the cam. `part` is the name of the part.
 fn circle(out: &mut String, part: &str, r: f64, style: &str) {
     let _ = write!(out, "<circle data-part=\"{part}\" r=\"{r:.4}\" {style}/>");
 }
 
-/// Draws a translating cam with its foot, or the unrolled groove of a barrel with both walls. A closed law is repeated on either side.
+/// Draws a translating cam with its foot, or the unrolled groove of a barrel cam with both walls. The profile of a closed law is repeated
+/// once on each side.
 fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     let travel = slide(cam) * cam.law.extent().1 / MM;
     let rounds: &[f64] = if cam.law.is_closed() {
@@ -245,7 +247,8 @@ fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     shape(out, &path(pitch.into_iter(), false), PITCH);
 }
 
-/// Draws the follower about its own origin: the foot of the stem, or the centre of the roller. An arm points along +x towards the pivot.
+/// Draws the follower relative to its origin: the foot of the stem, or the centre of the roller. An arm extends along +x towards the
+/// pivot.
 fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     let (cam, id) = (drawn.cam, drawn.id);
     let half = 0.04 * reach;
@@ -289,7 +292,7 @@ fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
     out.push_str("</g>\n");
 }
 
-/// Draws a flat face with its stem, or with the arm to its pivot.
+/// Draws a flat face with its stem, or a flat face with the arm to its pivot.
 fn draw_face(out: &mut String, cam: &Cam, reach: f64, stem: f64) {
     let pivot = cam.follower.pivot();
     let half = 0.04 * reach;
@@ -320,7 +323,7 @@ fn bearing(out: &mut String, [x, y]: [f64; 2], radius: f64) {
     );
 }
 
-/// Length of the arm, mm.
+/// Length of the arm, mm; 0 without an arm.
 fn arm(follower: &Follower) -> f64 {
     match *follower {
         Follower::RollerOscillating { arm, .. } | Follower::MushroomOscillating { arm, .. } => {
@@ -370,7 +373,7 @@ fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, wor
     out.push_str("</div>\n");
 }
 
-/// Live values: ids of their cells, keys of their names.
+/// Live values of the animation: ids of the cells, and message keys of the names.
 fn live_values(
     cam: &Cam,
     running: Option<&Running>,
@@ -401,7 +404,7 @@ fn live_values(
     rows
 }
 
-/// Path data in mm, y upwards as in the frame of the cam.
+/// SVG path data, mm, from points in m; y is upwards as in the coordinates of the cam.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {

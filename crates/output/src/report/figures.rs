@@ -1,4 +1,4 @@
-//! Diagrams on the page, with descriptions for readers who cannot see them.
+//! Diagrams of the report, with text descriptions for readers who cannot see them.
 
 use std::fmt::Write;
 
@@ -19,7 +19,7 @@ use gaitcam::synth::Design;
 use gaitcam::wording::{Language, fixed};
 use gaitcam_base::text::escaped;
 
-/// Writes the section of the diagrams.
+/// Writes the sections of the report that contain diagrams.
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     force(out, synthesis, words);
     recording(out, synthesis, words);
@@ -48,7 +48,8 @@ pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "geometry", Some(low.frame()), &alt, &picture, words);
 }
 
-/// Writes a figure that scrolls horizontally on a narrow page. With `frame`, the script marks the present angle.
+/// Writes a figure that can be scrolled horizontally on a narrow page. If `frame` is given, the script marks the current cam angle in the
+/// figure.
 pub fn figure(
     out: &mut String,
     id: &str,
@@ -66,7 +67,7 @@ pub fn figure(
     framed(out, &picture.svg_for_page(id, alt, &data), words);
 }
 
-/// Writes a scrolling figure for a drawing that is already part of a page.
+/// Writes a figure that can be scrolled horizontally, from an SVG element.
 pub fn framed(out: &mut String, drawing: &str, words: &Words) {
     let _ = writeln!(
         out,
@@ -92,7 +93,7 @@ fn force(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
 }
 
-/// Writes the figure of the recording of the target, with all contacts.
+/// Writes the figure of the recording from which the target was computed, with all contacts.
 fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     let target = synthesis.target();
     let Some(understood) = target.and_then(|t| t.recording.as_ref()) else {
@@ -110,7 +111,7 @@ fn recording(out: &mut String, synthesis: &Design, words: &Words) {
     figure(out, "recording", None, &alt, &picture, words);
 }
 
-/// Writes the response at resonance to the recorded walk and to the cam: sentence, picture and figures.
+/// Writes the responses at resonance to the recorded walk and to the cam: sentence, picture and table.
 fn resonance(out: &mut String, synthesis: &Design, words: &Words) {
     let Some((sentence, walker)) =
         facts::resonance(synthesis, words.language()).zip(synthesis.walker())
@@ -177,7 +178,7 @@ fn cam_words(synthesis: &Design, words: &Words) -> String {
     words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
 }
 
-/// Writes the force error, with the step-to-step variation of the recording if known.
+/// Writes the force error and, if known, the step-to-step variation of the recording.
 fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(target) = synthesis.target() else {
         return;
@@ -206,7 +207,7 @@ fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     paragraph(out, &text);
 }
 
-/// Name of a force with localised numbers; the name of a load model contains its values.
+/// Name of a force in which numbers have the decimal sign of the language. The names of load models contain numbers.
 fn name_in(name: &str, language: Language) -> String {
     let in_language = |word: &str| {
         let plain = word.trim_end_matches(',');

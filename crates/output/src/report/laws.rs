@@ -1,10 +1,10 @@
-//! Advice on each law of the catalogue of rises.
+//! Advice on when to use each law in the catalogue of rises.
 
 use crate::words;
 use gaitcam::law::Rise;
 use gaitcam::wording::Language;
 
-/// Advice on a law of the catalogue, in a language.
+/// Advice on when to use a law of the catalogue, in a language.
 pub fn advice(rise: &Rise, language: Language) -> String {
     words::words(language).text(&format!("laws-use-{}", rise.name()))
 }

@@ -1,4 +1,4 @@
-//! `report.html`: the design on one page, which needs no network connection and prints on A4.
+//! `report.html`: the design on one page. The page needs no network connection and can be printed on A4.
 
 mod animation;
 mod figures;
@@ -25,26 +25,26 @@ use gaitcam::wording::{Language, walker};
 use gaitcam_base::text::escaped;
 
 const STYLE: &str = include_str!("page.css");
-/// Script module for the positions of the moving parts, shared by the report and the studio.
+/// Script module that computes the positions of the moving parts. The report and the studio use the same module.
 pub const MOTION_SCRIPT: &str = include_str!("motion.js");
 const SCRIPT: &str = include_str!("page.js");
 
-/// Report of a design: verdict, force, law, cam in motion, checks, numbers, solution. For an infeasible design it contains the conflict and the
-/// suggested changes, without figures.
+/// Report of a design: verdict, force, law, animated cam, checks, numbers, solution. For an infeasible design, the report contains the
+/// conflict and the suggested changes, without figures.
 pub fn html(synthesis: &Design, time: Timing, language: Language) -> String {
     page(synthesis, time, None, language)
 }
 
-/// Data of a simulation in the report.
+/// Simulation that is shown in a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Running<'a> {
     /// Results of the simulation.
     pub outcome: &'a Outcome,
-    /// Angle by which a second, equal cam follows on the shaft, rad.
+    /// Angle by which a second, equal cam is behind the first cam on the shaft, rad; `None` without a second cam.
     pub second_cam: Option<f64>,
 }
 
-/// Report of a simulated design; the cam moves as in the simulation.
+/// Report of a design with a simulation. The animation shows the simulated motion.
 pub fn html_of_run(
     synthesis: &Design,
     time: Timing,
@@ -98,7 +98,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
     out
 }
 
-/// Writes the part of the page before its header.
+/// Writes the head of the page and opens its body.
 fn head(out: &mut String, title: &str, words: &Words) {
     let _ = write!(
         out,
@@ -118,7 +118,7 @@ fn paragraph(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p>{}</p>", escaped(text));
 }
 
-/// Writes traffic light, name, verdict and its reason.
+/// Writes the coloured mark of the verdict, the name, the verdict and its reason.
 fn headline(out: &mut String, synthesis: &Design, words: &Words) {
     let (light, verdict) = match (&synthesis.infeasible, synthesis.verdict) {
         (Some(_), _) => ("bad", "report-infeasible"),
@@ -186,7 +186,7 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     out.push_str("</ul>\n</div>\n");
 }
 
-/// A main figure: name, value, remark.
+/// Key figure of a report: name, value with unit, remark.
 pub type Card = (String, String, String);
 
 /// The text with a capital first letter.
@@ -244,7 +244,7 @@ fn cards_of(synthesis: &Design, words: &Words) -> Vec<Card> {
     all
 }
 
-/// Force errors below this part of the mean force, %, are rounding.
+/// Force error, % of the mean force, below which the error is a rounding error.
 const EXACT: f64 = 1e-4;
 
 fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {

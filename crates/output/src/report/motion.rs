@@ -1,4 +1,4 @@
-//! Data of the animation: one value per step; mm, N, degrees.
+//! Data of the animation, with one value per step; lengths in mm, forces in N, angles in degrees.
 
 use serde::Serialize;
 
@@ -10,12 +10,12 @@ use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
-/// Number of steps of one turn; the script interpolates linearly.
+/// Number of steps per turn. The script interpolates linearly between the steps.
 pub const STEPS: usize = 480;
-/// Maximum number of turns in a period.
+/// Maximum number of turns per period of the simulation that are shown.
 const MOST_TURNS: usize = 4;
 
-/// Data for the script. The lists repeat the last step's value at the end.
+/// Data for the script. Each list has one value per step and one value at the end.
 #[derive(Default, Serialize)]
 pub struct Motion {
     /// First angle of the cam in the displayed unit.
@@ -23,17 +23,17 @@ pub struct Motion {
     /// Length of one turn (or of the travel) in the displayed unit.
     length: f64,
     turns: usize,
-    /// Time of one turn, s.
+    /// Time of one turn (or of the travel), s.
     period: f64,
-    /// Travel of a translating cam, mm per unit of its angle; 0 for a rotating cam.
+    /// Travel of an unrolled cam, mm per displayed unit of its angle or travel; 0 for a rotating cam.
     slide: f64,
-    /// Whether the machine moves towards smaller angles.
+    /// Whether the cam moves in the direction of negative angles.
     back: bool,
     angle_unit: String,
     length_unit: &'static str,
     unit: &'static str,
     force_unit: &'static str,
-    /// Number of decimals of force and torque.
+    /// Numbers of decimals of force and torque.
     digits: [usize; 2],
     s: Vec<Option<f64>>,
     f: Vec<Option<f64>>,
@@ -51,7 +51,7 @@ pub struct Motion {
     qa: Vec<Option<f64>>,
 }
 
-/// Values that are shown next to the drawing and do not move its parts.
+/// Values that are displayed next to the drawing. They do not influence its parts.
 #[derive(Default, Serialize)]
 struct Readings {
     torque: Vec<Option<f64>>,
@@ -60,13 +60,13 @@ struct Readings {
     phi: Vec<Option<f64>>,
 }
 
-/// Unit of θ on the page as (factor from SI, name with a space before it, if any); for a translating cam the unit of the travel.
+/// Unit of θ on the page: factor from SI, and name as it is written after a number. For a translating cam, it is the unit of the travel.
 pub fn angle_unit(cam: &Cam) -> (f64, String) {
     let unit = cam.follower.measures().angle();
     (unit.factor, unit.after(""))
 }
 
-/// Travel of a translating cam, mm per rad (or m) of θ; 0 for a rotating cam.
+/// Travel of an unrolled cam, mm per rad (or m) of θ; 0 for a rotating cam.
 pub fn slide(cam: &Cam) -> f64 {
     match cam.follower {
         Follower::TranslatingCam { .. } => MM,
@@ -75,7 +75,7 @@ pub fn slide(cam: &Cam) -> f64 {
     }
 }
 
-/// Number of decimals with which values up to `most` have four digits.
+/// Number of decimals with which a value of magnitude `most` has four significant digits.
 fn decimals(most: f64) -> usize {
     if most > 0.0 && most.is_finite() {
         (3 - libm::log10(most).floor() as i32).clamp(0, 6) as usize
@@ -84,7 +84,7 @@ fn decimals(most: f64) -> usize {
     }
 }
 
-/// A number with four decimals (a tenth of a micrometre); non-finite numbers become null.
+/// A value rounded to four decimals (0.1 µm for a value in mm); non-finite numbers become null.
 fn rounded(x: f64) -> Option<f64> {
     to(x, 1e4)
 }
@@ -94,8 +94,8 @@ fn to(x: f64, places: f64) -> Option<f64> {
     x.is_finite().then(|| (x * places).round() / places)
 }
 
-/// Row of a simulation between two rows, by linear interpolation. If one of them is in flight, force and torque are those of the nearer row, so that
-/// the force of a landing does not appear in the flight.
+/// State of a simulation at the angle `theta`, interpolated linearly between two rows. If one of the rows is in flight, force and torque
+/// are those of the nearer row. The force of a landing then does not appear during the flight.
 fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     let n = rows.len();
     let x = (theta - rows[0].theta) / step;
@@ -120,7 +120,8 @@ fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     }
 }
 
-/// Position of the part of the follower with the contact: foot or centre, m, and its direction, degrees.
+/// Position, m, and direction, degrees, of the part of the follower that touches the cam. The position is the foot of the face or the
+/// centre of the roller.
 pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     match pose(cam, theta) {
         Pose::Face { at, angle } => (at, angle.to_degrees()),
@@ -133,7 +134,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     }
 }
 
-/// Motion of a design (its law and rigid force) or, after a simulation, of the simulated cam.
+/// Motion of a design: its law and rigid force or, with `running`, the simulated motion.
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
@@ -195,7 +196,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     out
 }
 
-/// Rigid machine at one point of the law.
+/// Row of the rigid machine at the angle `theta`: contact force, torque and lift.
 fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
     let force = synthesis.force_at(theta);
     Row {
@@ -207,7 +208,7 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
-    /// The motion for a drawing without values next to it.
+    /// The motion without the values next to the drawing.
     pub fn without_readings(mut self) -> Motion {
         self.readings = None;
         self

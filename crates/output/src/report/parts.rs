@@ -1,4 +1,4 @@
-//! Parts of the report for other pages: figures, tables, the cam in motion.
+//! Parts of the report for use in other pages: key figures, checks, animated cam.
 
 use serde::Serialize;
 
@@ -9,10 +9,10 @@ use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, unit};
 use gaitcam::wording::Language;
 
-/// A main number of the report.
+/// Key figure of the report: name, value with unit, and remark.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Figure {
-    /// Name of the number.
+    /// Name of the key figure.
     pub name: String,
     /// Value with its unit.
     pub value: String,
@@ -20,21 +20,21 @@ pub struct Figure {
     pub more: String,
 }
 
-/// Main numbers at the top: force error, force, stroke, base circle, minimum radius, speed.
+/// Key figures at the top of the report, such as force error, stroke, base radius, minimum radius of curvature and speed.
 pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
     let cards = cards_of(design, &words::words(language)).into_iter();
     let figure = |(name, value, more)| Figure { name, value, more };
     cards.map(figure).collect()
 }
 
-/// A check of the design in customary units.
+/// Result of a check of the design, in customary units.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Checked {
     /// Key of the criterion.
     pub key: &'static str,
     /// Name of the criterion.
     pub name: String,
-    /// `satisfied`, `at-limit` or `violated`.
+    /// State of the check: `satisfied`, `at-limit` or `violated`.
     pub state: &'static str,
     /// Worst value over the cycle.
     pub value: f64,
@@ -42,11 +42,11 @@ pub struct Checked {
     pub limit: Option<f64>,
     /// Unit of value and limit.
     pub unit: &'static str,
-    /// Position of the worst value, with its unit; empty for a value of the whole cycle.
+    /// Position of the worst value, with its unit; empty if the value applies to the whole cycle.
     pub place: String,
 }
 
-/// The checks of a design.
+/// Results of all checks of a design.
 pub fn checks(design: &Design, language: Language) -> Vec<Checked> {
     let measures = design.cam.follower.measures();
     let of = |check: &gaitcam::cam::Check| {
@@ -65,20 +65,20 @@ pub fn checks(design: &Design, language: Language) -> Vec<Checked> {
     design.checks.iter().map(of).collect()
 }
 
-/// The cam with its follower as SVG in mm, y upwards. Its moving parts have the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and
-/// `cam-contact`.
+/// The cam with its follower as SVG in mm, y upwards. The moving parts have the ids `cam-turning`, `cam-follower`, `cam-second`,
+/// `cam-push` and `cam-contact`.
 pub fn drawing(design: &Design, language: Language) -> String {
     let mut out = String::with_capacity(1 << 16);
     animation::drawing(&mut out, design, None, &words::words(language));
     out
 }
 
-/// Positions of these parts at equal steps of one turn, with the values there; mm, N, degrees.
+/// Positions of the moving parts of [`drawing`] at equal steps over one turn, with lift and force; mm, N, degrees.
 pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }
 
-/// Value of a limit in its common unit.
+/// Text of a value of a limit, in its customary unit.
 pub fn shown(design: &Design, limit: Criterion, value: f64, language: Language) -> String {
     let measures = design.cam.follower.measures();
     tables::shown(measures, limit, value, &words::words(language))

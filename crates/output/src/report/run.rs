@@ -1,4 +1,4 @@
-//! Simulation of the finished cam on the page: model, motion, force, torque and gap, impacts.
+//! Section of the report on a simulation: model, motion, force, torque, gap and impacts.
 
 use std::fmt::Write;
 
@@ -13,10 +13,10 @@ use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
-/// Maximum number of listed impacts; a decaying sequence of bounces has dozens.
+/// Maximum number of listed impacts. A decaying sequence of bounces consists of dozens of impacts.
 const LISTED: usize = 12;
 
-/// Writes the section of a simulation.
+/// Writes the section of the report on a simulation.
 pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &Words) {
     let outcome = running.outcome;
     heading(out, &words.text("report-simulation"));

@@ -1,4 +1,4 @@
-//! `report.html` of a sweep: parameters, best designs, figures; one page that needs no network connection.
+//! `report.html` of a sweep: parameters, best designs and figures on one page, which needs no network connection.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::words;
 use gaitcam::wording::Language;
 use gaitcam_base::text::escaped;
 
-/// Table of the report: header and rows of text.
+/// Table of the report: column names, and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// Names of the columns.
@@ -17,14 +17,14 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-/// Contents of the page.
+/// Contents of the report page.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Page<'a> {
-    /// Headline of the page.
+    /// Title of the page.
     pub title: String,
     /// Description of the sweep, in one or two sentences.
     pub words: String,
-    /// Main numbers: name, value, remark.
+    /// Key figures: name, value, remark.
     pub cards: Vec<Card>,
     /// Figures with their headings.
     pub pictures: Vec<(&'a str, &'a Picture)>,
@@ -32,7 +32,7 @@ pub struct Page<'a> {
     pub tables: Vec<(String, Table)>,
 }
 
-/// HTML text of the page.
+/// HTML text of the report page.
 pub fn html(page: &Page, language: Language) -> String {
     let words = words::words(language);
     let mut out = String::with_capacity(1 << 16);

@@ -1,4 +1,4 @@
-//! Section of the report for the manufacturer: concave parts and walls.
+//! Section of the report for the manufacturer: concave radii and wall thickness.
 
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
@@ -10,7 +10,7 @@ use crate::words::Words;
 /// Wall thickness between the bore and the profile below which the report warns, m.
 const LEAST_WALL: f64 = 0.003;
 
-/// Writes the section; nothing for a cam that does not rotate.
+/// Writes the section. It is omitted for a cam that does not rotate.
 pub fn section(out: &mut String, design: &Design, words: &Words) {
     if design.cam.follower.is_unrolled() {
         return;
@@ -50,7 +50,7 @@ fn cutting(design: &Design, words: &Words) -> Rows {
     rows
 }
 
-/// Minimum distance along a ray from the edge of the bore to the profile, m.
+/// Minimum wall thickness between bore and profile, m, measured radially.
 fn least_wall(design: &Design, bore: &Bore) -> f64 {
     let profile = design.cam.profile(7200);
     let walls = profile

@@ -1,4 +1,4 @@
-//! Headings, labels and captions of reports and figures, with one Fluent file per language.
+//! Headings, labels and captions of reports and figures. Each language has a Fluent file.
 
 use gaitcam::cam::{Measures, Unit};
 pub use gaitcam::wording::Words;
@@ -10,12 +10,12 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// Texts and number format of a language.
+/// Texts and number format in a language.
 pub fn words(language: Language) -> Words {
     Words::new(WORDS.of(language))
 }
 
-/// Label of the horizontal axis in the diagrams of a design: cam angle or travel.
+/// Label of the horizontal axis in the diagrams of a design: cam angle, or travel of a translating cam.
 pub fn across(words: &Words, measures: Measures) -> String {
     match measures {
         Measures::Straight => with_length_unit(words, "figure-travel"),
@@ -23,7 +23,7 @@ pub fn across(words: &Words, measures: Measures) -> String {
     }
 }
 
-/// A label with the unit of lengths in it.
+/// The label with the key `label`, which contains the displayed unit of length.
 pub fn with_length_unit(words: &Words, label: &str) -> String {
     words.fill(label, &[("unit", Unit::length().name)])
 }

@@ -1,4 +1,4 @@
-//! Scenes of the cams of a cover.
+//! Scene files for the cams of a cover.
 
 use super::CYCLES;
 use gaitcam::cover::Cover;
@@ -8,7 +8,7 @@ use gaitcam::scene::set_value;
 use gaitcam_app::design::{law_of_cam, scene_of_cover};
 use gaitcam_app::{Input, ResultFolder};
 
-/// Writes the scene of each cam, without the walkers assigned to other cams.
+/// Writes one scene per cam. Each scene excludes the walkers that are assigned to other cams.
 pub(super) fn write_scenes(
     folder: &ResultFolder,
     input: &mut Input,

@@ -1,4 +1,5 @@
-//! `gaitcam cover`: number of cams for a population, the cam of each walker, and the force error for other walkers.
+//! `gaitcam cover`: finds the number of cams for a population, assigns a cam to each walker, and estimates the force error for other
+//! walkers.
 
 mod files;
 mod shown;
@@ -33,7 +34,7 @@ const EXAMPLES: &str = "Examples:
   gaitcam cover --set 'gait.step_frequency=1.4 Hz:2.4 Hz:21' --out out/bridges
   gaitcam gait new.c3d --against out/cover";
 
-/// File name of the cycles of all walkers. Every cam is designed from this file.
+/// Name of the file with the force cycles of all walkers. Every cam is designed from this file.
 const CYCLES: &str = "cycles.csv";
 
 /// Arguments of `gaitcam cover`.
@@ -62,7 +63,7 @@ pub struct CoverArgs {
     pub json: bool,
 }
 
-/// Searches for the cams and writes them. The exit code is 3 if a cam violates its limits.
+/// Finds the cams and writes their scenes, tables and picture. The exit code is 3 if a cam violates its limits.
 pub fn run(args: &CoverArgs) -> Result<u8> {
     let numbers = numbers(&args.cams)?;
     let mut input = scene(args)?;
@@ -146,7 +147,7 @@ fn numbers(typed: &str) -> Result<(usize, usize)> {
     })
 }
 
-/// Scene with the walkers as its target.
+/// The given scene with the walkers as its target.
 fn scene(args: &CoverArgs) -> Result<Input> {
     let scene = SceneArgs {
         scene: args.scene.clone(),
@@ -164,7 +165,7 @@ fn scene(args: &CoverArgs) -> Result<Input> {
     Input::new(table, folder, file)
 }
 
-/// Rejects a results folder among the recordings, where the next run would read it.
+/// Rejects a results folder that is among the folders of recordings, because the next run would read its files as recordings.
 fn refuse_inside(out: &Path, walkers: &Path) -> Result<()> {
     // The folder for results need not exist yet.
     let whole = |path: &Path| {

@@ -1,4 +1,4 @@
-//! Output of a cover: table, picture and JSON.
+//! Output of a cover for the user: table, picture and JSON.
 
 use serde_json::{Value, json};
 
@@ -38,7 +38,7 @@ pub(super) fn fold_object(fold: &Fold, error: ErrorMeasure) -> Value {
     in_unit(out, &values, error)
 }
 
-/// JSON object with the given errors added. The names end in the unit of the error measure.
+/// The JSON object with the given errors added. The name of each error ends with the unit of the error measure.
 fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasure) -> Value {
     for (name, value) in values {
         object[format!("{name}_{}", error.suffix())] = json!(value);
@@ -46,14 +46,14 @@ fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasur
     object
 }
 
-/// Name of the largest component of an error.
+/// Name of the largest component of the force error of a walker.
 pub fn reason(of: &Assigned) -> String {
     let largest =
         (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
     words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
 }
 
-/// Table of the errors against the number of cams, with the worst walker and the errors for other walkers.
+/// Table of the errors for each number of cams, with the name of the worst walker and the errors of cross-validation.
 pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     let mut rows = vec![
         [
@@ -108,7 +108,7 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
-/// Key of a message for an error measure.
+/// Key of the variant of a message for an error measure: relative or in newtons.
 pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     match error {
         ErrorMeasure::Relative => message.to_string(),
@@ -116,7 +116,7 @@ pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     }
 }
 
-/// Picture of the error against the number of cams, for the walkers of the design and for others.
+/// Picture of the error as a function of the number of cams, for the walkers of the design and for other walkers.
 pub(super) fn picture(input: &Input, covers: &[Cover], folds: &[Fold]) -> Picture {
     let of = |value: fn(&Cover) -> Option<f64>| -> Vec<(f64, f64)> {
         let point = |c: &Cover| Some((c.cams.len() as f64, value(c)?));

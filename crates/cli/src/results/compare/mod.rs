@@ -21,7 +21,7 @@ use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 use gaitcam_output::sweep_report::{self, Page};
 use read::Design;
 
-/// Name of the files of a picture, its heading, and the picture.
+/// A picture as (file name without ending, heading, picture).
 type Drawn = (&'static str, String, Picture);
 
 const EXAMPLES: &str = "Examples:
@@ -46,7 +46,7 @@ pub struct CompareArgs {
     pub json: bool,
 }
 
-/// Prints the table and writes it with overlaid diagrams. The exit code is 3 if a design is unacceptable.
+/// Prints the table, and writes it together with overlaid diagrams. The exit code is 3 if a design is unacceptable.
 pub fn run(args: &CompareArgs) -> Result<u8> {
     args.lengths.units.display();
     let mut designs = args
@@ -84,7 +84,7 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
     Ok(if any { NO_SUCH_CAM } else { BUILT })
 }
 
-/// Page with the table and the diagrams.
+/// HTML page with the table and the diagrams.
 fn page(designs: &[Design], drawn: &[Drawn]) -> String {
     let names: Vec<&str> = designs.iter().map(|d| d.name.as_str()).collect();
     let title = words::fill("compare-title", &json!({"name": names.join(", ")}));
@@ -139,7 +139,7 @@ fn pictures(designs: &[Design]) -> [Drawn; 3] {
     ]
 }
 
-/// Diagram of the force of every cam and of every different target, with their names.
+/// Diagram with the forces of all cams and all different targets, and the names of the curves.
 fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
     let curve = |d: &Design, column| d.law.curve(column, d.across(), 1.0);
     let mut curves: Vec<_> = designs.iter().map(|d| curve(d, "force_n")).collect();
@@ -158,7 +158,7 @@ fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
     (strip, names)
 }
 
-/// Diagrams of lift, velocity, acceleration and jerk. Arms are plotted in degrees in the same diagrams.
+/// Diagrams of lift, velocity, acceleration and jerk. Lifts of oscillating followers are plotted in degrees in the same diagrams.
 fn laws(designs: &[Design]) -> Vec<Strip> {
     let length = Unit::length();
     let mixed = if designs.iter().any(Design::swings) {

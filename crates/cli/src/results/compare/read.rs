@@ -1,4 +1,4 @@
-//! Reading of a result folder.
+//! Reading of the files in a result folder.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use gaitcam_app::scene::not_json;
 
 /// Files of one result of `synth`.
 pub struct Design {
-    /// Name of the design, or of its folder if names repeat.
+    /// Name of the design. If several designs have the same name, it is replaced by the name of the folder.
     pub name: String,
     /// Path of the result folder.
     pub folder: PathBuf,
@@ -54,7 +54,7 @@ impl Design {
         self.law.names.iter().any(|n| n == "s_rad")
     }
 
-    /// Motion of follower and cam.
+    /// Kind of motion of follower and cam (straight, oscillating or translating); it determines the units.
     pub fn measures(&self) -> Measures {
         match (self.slides(), self.swings()) {
             (true, _) => Measures::Straight,
@@ -70,18 +70,18 @@ impl Design {
             .is_some_and(|mean| mean != 0.0)
     }
 
-    /// Factor from θ to the abscissa, in degrees or the unit of lengths.
+    /// Factor that converts θ to the unit of the horizontal axis: degrees, or the displayed unit of length.
     pub fn across(&self) -> f64 {
         self.measures().angle().factor
     }
 }
 
-/// Table of numbers by column. Empty fields are NaN.
+/// Table of numbers with named columns. Empty fields are NaN.
 #[derive(Default)]
 pub struct Columns {
     /// Names of the columns.
     pub names: Vec<String>,
-    /// Rows of the table.
+    /// Values of the table, row by row.
     pub rows: Vec<Vec<f64>>,
 }
 
@@ -106,7 +106,7 @@ impl Columns {
         Ok(Columns { names, rows })
     }
 
-    /// Points (θ times `across`, value times `factor`) of the column whose name starts with `prefix`.
+    /// Points of the column whose name starts with `prefix`: θ multiplied by `across`, and the value multiplied by `factor`.
     pub fn curve(&self, prefix: &str, across: f64, factor: f64) -> Vec<(f64, f64)> {
         let Some(k) = self.names.iter().position(|n| n.starts_with(prefix)) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Table of several results with one column each. Every cell has its unit.
+//! Comparison of several results in a table with one column per result. Every cell includes its unit.
 
 use serde_json::Value;
 
@@ -11,13 +11,13 @@ use gaitcam_output::sweep_report::Table;
 /// Content of a cell without a value.
 const NONE: &str = "—";
 
-/// Fraction of the maximum force below which a force is a rounding error.
+/// Fraction of the maximum force below which a force counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Function for the text of a cell.
+/// Function that returns the text of a cell for a design.
 type Cell = fn(&Design) -> String;
 
-/// Keys and cells of the rows that contain no numbers.
+/// Rows without numbers: key of the heading, and function for the cells.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -25,7 +25,8 @@ const WORDS: [(&str, Cell); 4] = [
     ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
 ];
 
-/// Quantities with two extremes in summary.json, which depend on the cam's motion: column, table, keys, order of the derivative.
+/// Quantities whose two extremes are in summary.json: column, table, keys of the extremes, order of the derivative. The extremes are
+/// derivatives with respect to the cam angle; with the speed of the cam they become time derivatives.
 const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     (
         "velocity_max_m_per_s",
@@ -53,7 +54,7 @@ const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     ),
 ];
 
-/// Headings with one cell per design. Quantities that no design has are left out.
+/// Rows of the table as (heading, one cell per design). A row is omitted if no design has the quantity.
 pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     let language = language::current();
     let words = WORDS.iter().map(|(heading, cell)| {
@@ -71,7 +72,7 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     words.chain(figures).filter(is_known).collect()
 }
 
-/// Value of a quantity in summary.json. A force has a value only with a target force.
+/// Value of a quantity in summary.json. Quantities of the force have a value only if there is a target force.
 fn value(figure: &Figure, d: &Design) -> Option<f64> {
     if let Some((_, section, keys, order)) = EXTREMES.iter().find(|row| row.0 == figure.column) {
         let ends = keys
@@ -106,7 +107,7 @@ fn outcome(value: &Value) -> String {
     }
 }
 
-/// Number in summary.json; `"inf"` is infinite.
+/// Converts a value of summary.json to a number; the strings `"inf"` and `"-inf"` become infinite.
 fn number(value: &Value) -> Option<f64> {
     match value.as_str() {
         Some("inf") => Some(f64::INFINITY),
@@ -135,7 +136,7 @@ pub fn markdown(designs: &[Design]) -> String {
     out
 }
 
-/// Table in columns, for the console.
+/// Table with aligned columns, for the console.
 pub fn text(designs: &[Design]) -> String {
     let Table { head, rows } = table(designs);
     let lines: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();

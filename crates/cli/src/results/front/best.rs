@@ -1,4 +1,4 @@
-//! Design of the best row of a sweep.
+//! Designs the best row of a sweep and writes its result.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use gaitcam_app::blocks::PLAN;
 use gaitcam_app::folder::Folder;
 use gaitcam_app::{read::read_bytes, scene::not_json};
 
-/// Designs the scene of a row, rebuilt from the description of the sweep and the cells of the row.
+/// Designs the scene of the best row. The scene is rebuilt from the description of the sweep and the cells of the row.
 pub(super) fn open_best(
     args: &FrontArgs,
     folder: &Folder,

@@ -1,4 +1,4 @@
-//! Rows of a table that are kept for its pictures.
+//! Sample of the rows of a table, from which its pictures are drawn.
 
 use super::read::{Columns, Row};
 use crate::console::language;
@@ -8,10 +8,10 @@ use gaitcam::sweep::{Key, Objective};
 use gaitcam::wording::limit_label;
 use gaitcam_output::sweep_plots::Quantity;
 
-/// Maximum number of rows kept for pictures.
+/// Maximum number of rows in the sample.
 const KEPT_ROWS: usize = 60_000;
 
-/// Values of one varied key in the rows kept.
+/// Values of one varied key in the sample.
 #[derive(Debug, Clone, Default)]
 pub struct Input {
     /// Index of the column in the table.
@@ -22,7 +22,8 @@ pub struct Input {
     is_number: bool,
 }
 
-/// Label of a key's axis: a limit or another key in words if there are any, else the column.
+/// Label of the axis for the column of a key: its name in the language of the output and its unit, or the column name if there is no such
+/// name.
 fn axis(column: &str) -> String {
     let typed = Key::of_column(column);
     let own = words::column(column);
@@ -38,12 +39,12 @@ fn axis(column: &str) -> String {
 }
 
 impl Input {
-    /// Whether the key has more than one value.
+    /// Whether the key has more than one value in the sample.
     pub fn varies(&self) -> bool {
         self.values.windows(2).any(|w| w[0] != w[1])
     }
 
-    /// Values of the key for a picture, with the label of the axis.
+    /// Values of the key in the sample, with the label of the axis.
     pub fn quantity(&self) -> Quantity {
         Quantity {
             label: axis(&self.name),
@@ -52,7 +53,7 @@ impl Input {
         }
     }
 
-    /// Position of a cell on the axis: its number, or the index of its word.
+    /// Position of a cell on the axis: its number, or the index of its word; NaN for an unknown word.
     pub fn place(&self, cell: &str) -> f64 {
         if self.is_number {
             return cell.parse().unwrap_or(f64::NAN);
@@ -81,24 +82,25 @@ impl Input {
     }
 }
 
-/// A sample of the rows: every k-th candidate, where k increases with the table.
+/// Sample of the rows of a table. It contains every k-th candidate, where k increases with the number of candidates. A candidate is a row
+/// whose design may be on the front.
 #[derive(Debug, Clone, Default)]
 pub struct Kept {
-    /// Number of rows of the table.
+    /// Number of rows read so far.
     pub seen: u64,
-    /// Number of rows whose design may be on the front, kept or not.
+    /// Number of candidates, in the sample or not.
     pub candidates: u64,
-    /// Numbers of the rows kept.
+    /// Row numbers of the sample.
     pub rows: Vec<u64>,
-    /// Varied keys of the sweep, each with its values in the kept rows.
+    /// Varied keys of the sweep, each with its values in the sample.
     pub inputs: Vec<Input>,
-    /// Objectives of the rows kept.
+    /// Values of the objectives: one list per objective, with one value per row of the sample.
     pub goals: Vec<Vec<f64>>,
     stride: u64,
 }
 
 impl Kept {
-    /// Takes the next row of the table into account. `good`: the row may be on the front.
+    /// Counts the next row of the table and adds it to the sample if required. `good`: the row is a candidate.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;
@@ -132,7 +134,7 @@ impl Kept {
         }
     }
 
-    /// Drops every second kept row.
+    /// Removes every second row from the sample.
     fn thin_out(&mut self) {
         self.stride *= 2;
         let mut i = 0;

@@ -1,4 +1,4 @@
-//! `gaitcam front`: best designs of the table of a sweep, with pictures, and the best one as a normal result.
+//! `gaitcam front`: computes the Pareto front of a sweep table, draws pictures, and writes the best design as a result of `synth`.
 
 mod best;
 mod kept;
@@ -62,24 +62,24 @@ pub struct FrontArgs {
     pub json: bool,
 }
 
-/// Maximum number of rows of the front in the output and on the page.
+/// Maximum number of front rows in the console output and on the page.
 const SHOWN: usize = 40;
-/// Maximum number of ranges of missing rows that are listed.
+/// Maximum number of listed ranges of missing rows.
 const SHOWN_GAPS: usize = 6;
 
-/// Designs of a table with their comparison by the objectives.
+/// Designs of a table, evaluated by the objectives.
 struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,
     kept: Kept,
-    /// Number of designs left out because they are not for high speed.
+    /// Number of designs omitted because they are not suitable for high speed.
     left_out: u64,
-    /// Missing rows of the folder of blocks.
+    /// Rows that are missing in the folder of blocks.
     missing: Vec<Range<u64>>,
     front: Front,
 }
 
-/// Finds the front and writes its files. The exit code is 3 if no design of the table qualifies.
+/// Computes the front and writes its files. The exit code is 3 if no design of the table is admissible.
 pub fn run(args: &FrontArgs) -> Result<u8> {
     let evaluated = gather(args)?;
     report_missing(&evaluated.missing);
@@ -140,7 +140,7 @@ fn report_missing(missing: &[Range<u64>]) {
     ));
 }
 
-/// Reports the number of designs left out because they are not for high speed.
+/// Reports the number of designs omitted because they are not suitable for high speed.
 fn report_left_out(evaluated: &Evaluation) {
     if evaluated.left_out > 0 {
         let count = json!({"count": evaluated.left_out});
@@ -148,7 +148,7 @@ fn report_left_out(evaluated: &Evaluation) {
     }
 }
 
-/// Reads the table once and collects the front and enough rows for pictures.
+/// Reads the table once. Computes the front and collects a sample of the rows for the pictures.
 fn gather(args: &FrontArgs) -> Result<Evaluation> {
     let mut front = Front::default();
     let mut objectives: Vec<Objective> = Vec::new();

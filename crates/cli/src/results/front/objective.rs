@@ -1,4 +1,4 @@
-//! Objectives: names in flags and for display.
+//! Objectives of a front: parsing of the flags, names and values for display.
 
 use crate::console::words;
 use crate::input::at_flag;
@@ -6,7 +6,8 @@ use gaitcam::error::Result;
 use gaitcam::sweep::Objective;
 use gaitcam_output::sweep_plots::unit_for_people;
 
-/// Objectives of both flags, or the default ones without flags.
+/// Objectives from the flags `--minimise` and `--maximise`, or the default objectives without these flags. `names` are the columns of the
+/// table.
 pub fn of_flags(
     minimise: Option<&str>,
     maximise: Option<&str>,
@@ -29,12 +30,12 @@ pub fn of_flags(
     Ok(out)
 }
 
-/// Name of an objective with its customary unit.
+/// Name of an objective with the unit in which it is displayed.
 pub fn label(objective: &Objective) -> String {
     unit_for_people(&words::column(&objective.name)).0
 }
 
-/// Cost in its customary unit as text.
+/// Value of an objective, computed from its cost, as text in the displayed unit.
 pub fn shown(objective: &Objective, cost: f64) -> String {
     let unit = unit_for_people(&words::column(&objective.name)).1;
     words::number(unit * objective.value(cost))

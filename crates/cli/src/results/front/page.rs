@@ -1,4 +1,4 @@
-//! Pictures of the front and their page.
+//! Pictures of a front, and the report page that contains them.
 
 use std::path::Path;
 
@@ -15,10 +15,10 @@ use gaitcam_output::Picture;
 use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
 use gaitcam_output::sweep_report;
 
-/// Maximum number of lines and dots in a picture.
+/// Maximum number of lines or dots in a picture.
 const DRAWN: usize = 3000;
 
-/// A picture with its file name and heading.
+/// A picture as (file name without ending, heading, picture).
 type Drawn = (&'static str, String, Picture);
 
 /// Writes the pictures and report.html.
@@ -41,14 +41,14 @@ pub fn write(
     folder.write("report.html", html.as_bytes())
 }
 
-/// Every k-th value, to limit the size of a picture.
+/// Every k-th value, so that a picture has at most [`DRAWN`] lines or dots.
 fn fewer(mut q: Quantity) -> Quantity {
     let step = q.values.len().div_ceil(DRAWN).max(1);
     q.values = q.values.into_iter().step_by(step).collect();
     q
 }
 
-/// Pictures: heat map for two parameters, parallel coordinates for more, front for two objectives.
+/// Pictures of the table: front for two or more objectives, heat map for exactly two varied keys, and parallel coordinates.
 fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) -> Vec<Drawn> {
     let kept = &evaluated.kept;
     let varied: Vec<usize> = (0..kept.inputs.len())
@@ -87,7 +87,7 @@ fn pictures(name: &str, evaluated: &Evaluation, front: &[&Point], best: &Point) 
     drawn
 }
 
-/// Picture of the first two objectives of all designs, with the front.
+/// Picture of the first two objectives for the sampled designs, with the front.
 fn plane(
     name: &str,
     evaluated: &Evaluation,
@@ -199,7 +199,7 @@ fn page<'a>(
     }
 }
 
-/// A cell of the table in customary units.
+/// A cell of the table as text; a number has the decimal sign of the language.
 fn read(cell: &str) -> String {
     let number = |x| gaitcam::wording::exact(language::current(), x);
     cell.parse().map_or_else(|_| cell.to_string(), number)

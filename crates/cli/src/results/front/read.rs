@@ -1,4 +1,4 @@
-//! Reading the table of a sweep row by row.
+//! Reads the table of a sweep row by row.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -12,12 +12,12 @@ use gaitcam::sweep::table::cell_text;
 use gaitcam_app::blocks;
 use gaitcam_app::read::open;
 
-/// Column indices of a table.
+/// Names and indices of the columns of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Columns {
     /// Names of all columns.
     pub names: Vec<String>,
-    /// Columns of the varied keys.
+    /// Indices of the columns of the varied keys.
     pub inputs: Vec<usize>,
     /// Index of the column `outcome`.
     pub outcome: usize,
@@ -44,7 +44,7 @@ impl Columns {
     }
 }
 
-/// Row of a CSV or Parquet table.
+/// Row of a table in a CSV or Parquet file.
 pub enum Row<'a> {
     /// Row of a CSV file.
     Csv(&'a csv::StringRecord),
@@ -68,7 +68,7 @@ impl Row<'_> {
         }
     }
 
-    /// Text in a column of the row.
+    /// Text in a column of the row, as a new string.
     pub fn word(&self, column: usize) -> String {
         self.text(column).into_owned()
     }
@@ -91,7 +91,7 @@ impl Row<'_> {
     }
 }
 
-/// Calls `each` for every row of the table, which is read once. A folder is read as all its blocks of rows.
+/// Calls `each` for every row of the table. The table is read once. For a folder, all its block files are read in order.
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
     if path.is_dir() {
         let mut columns = None;

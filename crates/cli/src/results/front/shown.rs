@@ -56,7 +56,7 @@ pub(super) fn object(
         "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
 }
 
-/// Label of a row: its recording if recordings vary, else its number.
+/// Label of a row: the name of its recording if recordings are varied, otherwise the row number.
 pub(super) fn row_name(columns: &Columns, point: &Point) -> String {
     let recording = columns.names.iter().position(|n| n == "gait.file");
     let file = recording.map(|c| Path::new(&point.cells[c]));

@@ -1,6 +1,7 @@
 //! `gaitcam init MACHINE`: writes a scene template in which a comment explains each key.
 //!
-//! There is one TOML file per machine; `#- key = value` is an optional key in a comment. The comments come from the key table, as in `gaitcam keys`.
+//! There is one TOML file per machine. A line `#- key = value` contains an optional key, which is written as a comment. The explanations
+//! are those of `gaitcam keys`.
 
 use std::path::{Path, PathBuf};
 
@@ -22,9 +23,9 @@ const EXAMPLES: &str = "Examples:
   gaitcam init shaker
   gaitcam init walk --out my_walk.toml";
 
-/// Maximum length of a comment line.
+/// Maximum length of a comment line, characters.
 const WIDTH: usize = 100;
-/// Prefix of an optional key in a template.
+/// Prefix that marks the line of an optional key in a template.
 const OFFERED: &str = "#- ";
 
 /// Arguments of `gaitcam init`.
@@ -38,7 +39,7 @@ pub struct InitArgs {
     out: Option<PathBuf>,
 }
 
-/// Machines with a template scene.
+/// Machines for which a template exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Machine {
     Shaker,
@@ -70,7 +71,7 @@ impl Machine {
     }
 }
 
-/// Writes the scene. An existing file is never replaced.
+/// Writes the template of a machine. An existing file is never replaced.
 pub fn run(args: &InitArgs) -> Result<u8> {
     let Some(machine) = args.machine else {
         for machine in Machine::value_variants() {
@@ -99,7 +100,7 @@ pub fn run(args: &InitArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-/// Template with the meaning of each key above it.
+/// Scene file made from a template, with the explanation of each key above its line.
 fn scene(heading: &str, template: &str, file: &Path, language: Language) -> String {
     let shown = if file == Path::new("-") {
         Path::new("scene.toml")
@@ -131,7 +132,7 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
     out
 }
 
-/// Row of the key table for the key in a line of a template.
+/// Row of the key table for the key in a line of the template; `None` for other lines.
 fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     let (key, _) = line.trim_start_matches(OFFERED).split_once(" = ")?;
     let path = if section.is_empty() {
@@ -143,7 +144,7 @@ fn row_of(section: &str, line: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.path == path || k.path == numbered)
 }
 
-/// Text as comment lines.
+/// Text wrapped into comment lines that begin with `before`.
 fn wrapped(text: &str, before: &str) -> String {
     let mut out = String::new();
     let mut line = before.to_string();

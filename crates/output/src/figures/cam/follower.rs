@@ -1,4 +1,4 @@
-//! Drawing of the follower in its pose: face or roller, stem or arm, pivot.
+//! Drawing of the follower at the start of the law: face or roller, stem or arm, pivot.
 
 use plotters::style::Color;
 
@@ -68,7 +68,7 @@ impl Scene<'_> {
         }
     }
 
-    /// Draws the part of a mushroom's arc that the contact uses, slightly extended, with its chord.
+    /// Draws a mushroom follower: the arc in contact with the cam, slightly extended, its chord, and the stem or arm.
     fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) -> Drawn {
         let cam = &self.synthesis.cam;
         let [nx, ny] = cam.motion(self.start);
@@ -106,7 +106,7 @@ impl Scene<'_> {
         Ok(())
     }
 
-    /// Draws a bar from the pivot, with the bearing of the pivot.
+    /// Draws an arm as a bar from `pivot` to `end`, with the bearing of the pivot.
     fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) -> Drawn {
         let (dx, dy) = (end[0] - pivot[0], end[1] - pivot[1]);
         let length = libm::hypot(dx, dy);
@@ -136,7 +136,7 @@ fn circle_about([x, y]: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
     points.map(|(u, v)| (x + u, y + v)).collect()
 }
 
-/// Draws a rod with the half width `half` along y, open at its ends.
+/// Draws a vertical rod at `x` with the half width `half`. Its ends are open.
 fn rod(plane: &Plane, half: f64, x: f64, [from, to]: [f64; 2]) -> Drawn {
     let side = |x: f64| [(x, from), (x, to)];
     let [left, right] = [side(x - half), side(x + half)];

@@ -1,4 +1,4 @@
-//! Figure of the cam with its follower, at true proportions.
+//! Figure of the cam with its follower, true to scale.
 
 mod follower;
 mod pressure;
@@ -26,16 +26,16 @@ use table::values_at;
 const MM: f64 = 1000.0;
 /// Number of vertices of the drawn curves.
 const POINTS: usize = 720;
-/// Dashes and gaps of the base circle, points.
+/// Length of the dashes and gaps of the base circle, points.
 const BASE: [f64; 2] = [7.0, 5.0];
 const PRIME: [f64; 2] = [13.0, 4.0];
 const PITCH: [f64; 2] = [4.0, 4.0];
-/// Width for the values next to the cam, em.
+/// Width of the column of values next to the cam, em.
 const VALUES: f64 = 12.2;
-/// Width of the empty margin around the cam, as a fraction of its size.
+/// Width of the empty margin around the drawing, as a fraction of its larger dimension.
 const MARGIN: f64 = 0.04;
 
-/// Figure of the cam at θ = 0 with base and prime circle, pitch curve, follower, and main dimensions.
+/// Figure of the cam at the start of the law, with base circle, prime circle, pitch curve, follower and main dimensions.
 pub fn cam(synthesis: &Design, language: Language) -> Picture {
     cam_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -71,19 +71,19 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
     })
 }
 
-/// Objects of the drawing and its bounds, mm.
+/// Objects of the drawing, and dimensions derived from them, mm.
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// Further edges to be cut: upper wall of a groove, or second cam of a pair, m.
+    /// Points of the other edges to be cut: upper wall of a groove, or second cam of a pair, m.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
-    /// Contact pressure at the points of `rows`, if it is drawn.
+    /// Contact pressure at the points of `rows`; `None` if it is not drawn.
     pressures: Option<Pressures>,
     pose: Pose,
     base: f64,
     prime: f64,
-    /// Maximum distance of the profile from the centre.
+    /// Maximum distance of the profile from the centre, mm.
     reach: f64,
 }
 
@@ -123,7 +123,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Whether the follower's face is an arc of limited length.
+    /// Whether the face of the follower is an arc of limited length.
     fn is_mushroom(&self) -> bool {
         self.synthesis.cam.follower.kind().is_mushroom()
     }
@@ -135,18 +135,18 @@ impl<'a> Scene<'a> {
         self.prime != self.base || matches!(self.synthesis.cam.follower, Follower::Barrel { .. })
     }
 
-    /// Whether the profile is drawn along a line: a translating cam, or an unrolled barrel.
+    /// Whether the profile is drawn along a straight line: translating cam or unrolled barrel cam.
     fn is_straight(&self) -> bool {
         self.synthesis.cam.follower.is_unrolled()
     }
 
-    /// Position of the pivot of the arm, mm.
+    /// Position of the pivot of the arm, mm; `None` for a translating follower.
     fn pivot(&self) -> Option<[f64; 2]> {
         let pivot = self.synthesis.cam.follower.pivot();
         pivot.map(|p| p.map(|x| MM * x))
     }
 
-    /// Bounds of all objects of the drawing.
+    /// Bounds of all objects of the drawing, mm.
     fn bounds(&self) -> Bounds {
         let round = if self.is_straight() {
             0.0
@@ -201,19 +201,19 @@ impl<'a> Scene<'a> {
         out
     }
 
-    /// Length of the drawn stem.
+    /// Length of the drawn stem, mm.
     fn stem(&self) -> f64 {
         0.38 * self.reach
     }
 
-    /// Ends of the face along x: the range of the contact, slightly extended.
+    /// Ends of the face along x, mm: the range of the contact, slightly extended.
     fn face(&self) -> (f64, f64) {
         let (low, high) = face_reach(&self.synthesis.cam).unwrap_or((0.0, 0.0));
         let more = 0.08 * self.reach;
         (MM * low - more, MM * high + more)
     }
 
-    /// Axes with the same scale in both directions, centred in the given area, and the number of points per mm.
+    /// Coordinate system with equal scales in both directions, centred in the frame, and its scale, points per mm.
     fn plane<'c>(&self, canvas: &Canvas<'c>, frame: Frame) -> (Plane<'c>, f64) {
         let Bounds { low, high } = self.bounds();
         let [w, h] = [0, 1].map(|k| high[k] - low[k]);
@@ -311,7 +311,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// Height of the foot of a translating cam in the drawing.
+    /// Vertical position of the foot of an unrolled cam in the drawing, mm.
     fn foot(&self) -> f64 {
         let heights = self.rows.iter().map(|p| MM * p.y);
         let low = heights.fold(f64::INFINITY, f64::min);
@@ -321,7 +321,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Closes the curve of a closed law.
+    /// The curve, with its first point repeated at the end if the profile is closed.
     fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
         if !self.is_straight() && self.synthesis.cam.law.is_closed() && !curve.is_empty() {
             curve.push(curve[0]);
@@ -366,7 +366,7 @@ impl<'a> Scene<'a> {
         fill(plane, &arrow, INK)
     }
 
-    /// Direction from the centre to the middle of the profile, rad; `None` if the cam is nearly circular.
+    /// Direction from the cam centre to the centroid of the profile points, rad; `None` if the cam is nearly circular about its centre.
     fn bulk(&self) -> Option<f64> {
         let n = self.rows.len().max(1) as f64;
         let (x, y) = self
@@ -396,7 +396,7 @@ fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f
     ))
 }
 
-/// Draws a part of the follower: an opaque area with its edge; `edge` is the line width, points.
+/// Draws a part of the follower as an opaque area with an outline. `edge` is the width of the outline, points.
 fn part(plane: &Plane, outline: Vec<(f64, f64)>, edge: f64) -> Drawn {
     fill(plane, &outline, PAPER)?;
     fill(plane, &outline, AXIS.mix(0.35))?;

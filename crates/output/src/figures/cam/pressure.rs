@@ -1,4 +1,4 @@
-//! Colours of the contact pressure along the profile, if the scene limits the pressure.
+//! Contact pressure along the profile, drawn as colour if the scene limits the pressure.
 
 use super::Scene;
 use crate::plot::layout::Figure;
@@ -9,21 +9,21 @@ use gaitcam::criterion::LimitKind;
 use gaitcam::synth::Design;
 use gaitcam::wording::range;
 
-/// Number of colours.
+/// Number of colours of the scale.
 const COLOURS: usize = 16;
 /// Width of the coloured profile, points.
 const WIDTH: f64 = 5.0;
 
 /// Contact pressure at the points of a profile.
 pub(super) struct Pressures {
-    /// Pa; NaN without contact.
+    /// Pressure at each point, Pa; NaN without contact.
     values: Vec<f64>,
     low: f64,
     high: f64,
 }
 
 impl Pressures {
-    /// Pressures at cam angles; `None` if the scene does not limit the pressure or there is no pressure.
+    /// Pressures at the given cam angles; `None` if the scene does not limit the pressure, or if no value is finite.
     pub(super) fn of(design: &Design, angles: impl Iterator<Item = f64>) -> Option<Pressures> {
         let checks = &design.checks;
         checks.iter().find(|c| c.name == LimitKind::HertzPressure)?;
@@ -41,7 +41,7 @@ impl Pressures {
         share.is_finite().then(|| index.min(COLOURS - 1))
     }
 
-    /// Draws the profile in the colours of the pressure.
+    /// Draws the profile with its colours.
     pub(super) fn draw(&self, plane: &Plane, outline: &[(f64, f64)]) -> Drawn {
         let points: Vec<usize> = (0..outline.len().saturating_sub(1)).collect();
         for part in points.chunk_by(|a, b| self.colour(*a) == self.colour(*b)) {
@@ -56,7 +56,7 @@ impl Pressures {
 }
 
 impl Scene<'_> {
-    /// Draws the scale of the pressure, if it is drawn. Returns the vertical position below it.
+    /// Draws the colour scale of the pressure, if the pressure is drawn. Returns the vertical position below the scale.
     pub(super) fn scale(&self, f: &Figure, [x, y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let Some(pressures) = &self.pressures else {
             return Ok(y);

@@ -1,4 +1,4 @@
-//! Key of the lines and main dimensions, next to the cam.
+//! Key of the lines, and main dimensions, in the figure of the cam.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -10,7 +10,7 @@ use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 
-/// Keys of the facts next to the cam. Base and prime radius are in the key of the lines.
+/// Keys of the facts that are written next to the cam. Base and prime radius are part of the key of the lines.
 const KEYS: [&str; 8] = [
     "stroke_m",
     "report-follower",
@@ -23,7 +23,7 @@ const KEYS: [&str; 8] = [
 ];
 
 impl Scene<'_> {
-    /// Draws the names of the lines. Returns the vertical position below them.
+    /// Draws the key of the lines. Returns the vertical position below the key.
     pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;
@@ -94,7 +94,7 @@ impl Scene<'_> {
     }
 }
 
-/// Horizontal position at which the values start, em.
+/// Horizontal position of the values relative to their names, em.
 pub(super) fn values_at(facts: &[(String, String)]) -> f64 {
     let ends = facts.iter().map(|f| text_width(&f.0) + 0.9);
     ends.fold(8.8, f64::max)

@@ -1,4 +1,4 @@
-//! Text above the figure of a recording: kind, stride, mass, counts, warnings.
+//! Text above the figure of a recording: kind of movement, stride time, mass, counts of contacts, warnings.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -15,7 +15,7 @@ const WARNINGS: usize = 3;
 /// Maximum number of lines of one warning.
 const LINES: usize = 2;
 
-/// Writes the facts from the top of the frame. Returns the position below them.
+/// Writes the facts at the top of the frame. Returns the vertical position below the text.
 pub(super) fn write_facts(
     f: &Figure,
     understood: &Interpretation,
@@ -50,7 +50,7 @@ pub(super) fn write_facts(
     Ok(y + 0.6 * e)
 }
 
-/// Displayed notes, with open questions first.
+/// Notes that are displayed. Open questions are first. At most [`WARNINGS`] notes are returned.
 fn worst(understood: &Interpretation) -> Vec<&Note> {
     let mut all: Vec<&Note> = understood.warnings.iter().collect();
     all.sort_by_key(|n| n.doubt().is_none());
@@ -58,7 +58,7 @@ fn worst(understood: &Interpretation) -> Vec<&Note> {
     all
 }
 
-/// Kind, stride time and mass with their sources, and number of used contacts.
+/// Facts about a recording: kind of movement, stride time and mass with their sources, and numbers of used and rejected contacts.
 fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     let library = catalogue(words.language());
     let name = |typed: &str| library.name(typed);
@@ -101,7 +101,7 @@ fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     parts
 }
 
-/// Lines of at most `room` letter heights, broken between parts. An ellipsis replaces the text after `most` lines.
+/// Lines of at most `room` em. A line is broken only between parts. If there are more than `most` lines, an ellipsis replaces the rest.
 fn shortened<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
     let mut lines = wrapped(parts, room);
     if lines.len() > most {

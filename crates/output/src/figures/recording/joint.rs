@@ -1,4 +1,4 @@
-//! Joint mean of several recordings: the cycle of each, their mean and its band.
+//! Figure of the joint mean of several recordings.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -11,9 +11,9 @@ use crate::words;
 use gaitcam::force::JointMean;
 use gaitcam::wording::{Language, catalogue};
 
-/// Figure with thin lines for the cycles of the recordings in a joint mean, with the mean and one standard deviation of all cycles.
+/// Figure of a joint mean: the cycle of each recording as a thin line, the mean of all cycles, and a band of one standard deviation.
 ///
-/// `files`: names of the recordings in the mean.
+/// `files` contains the names of the recordings in the mean.
 pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Picture {
     let words = &words::words(language);
     let layout = Layout {

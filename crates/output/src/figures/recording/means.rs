@@ -1,4 +1,5 @@
-//! Mean stance of each foot in a separate frame, with its stances, band, characteristic points and an axis in body weights.
+//! Mean stances in a figure of a recording. Each foot has a frame with its stances, their mean and band, characteristic points, and an
+//! axis in body weights.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -13,11 +14,11 @@ use crate::words::Words;
 use gaitcam::force::{Interpretation, MeanStanceCurve, Overlay, Point};
 use gaitcam::units::G;
 
-/// Opacity of a single stance, low enough for the mean to be visible among many.
+/// Opacity of the line of a single stance. It is low, so that the mean is visible among many stances.
 const THIN: f64 = 0.3;
 /// Opacity of the band of one standard deviation.
 const BAND: f64 = 0.25;
-/// Names of loading peak, valley and push-off peak.
+/// Names of the characteristic points: loading peak, valley, push-off peak.
 const LANDMARKS: [&str; 3] = ["P1", "V", "P2"];
 
 pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words: &Words) -> Drawn {
@@ -48,7 +49,7 @@ pub(super) fn draw(f: &Figure, frame: Frame, understood: &Interpretation, words:
     Ok(())
 }
 
-/// Frame `k` of several adjacent frames.
+/// Frame number `k` of `count` adjacent frames in a common frame.
 fn column(frame: Frame, k: usize, count: usize, e: f64) -> Frame {
     let gap = 8.6 * e;
     let width = (frame.right - frame.left - gap * (count as f64 - 1.0)) / count as f64;
@@ -130,7 +131,7 @@ fn up(frame: Frame, y: [f64; 2], force: f64) -> f64 {
     frame.bottom + (force - y[0]) / (y[1] - y[0]) * (frame.top - frame.bottom)
 }
 
-/// Draws an axis in body weights at the right of a frame.
+/// Draws an axis in body weights on the right side of a frame.
 pub(super) fn body_weights(
     f: &Figure,
     frame: Frame,

@@ -1,4 +1,4 @@
-//! Figure of a recording: all contacts, mean stance of each foot, mean cycle.
+//! Figure of a recording: all contacts, mean stance of each foot, and mean cycle.
 
 mod facts;
 mod joint;
@@ -22,15 +22,16 @@ use gaitcam::wording::Language;
 /// Points (x, y) of a curve.
 type Curve = Vec<(f64, f64)>;
 
-/// Layout as a figure of the report. Its height depends on the number of lanes of contacts.
+/// Layout of the figure in the report. The height depends on the number of rows with contacts.
 pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layout {
     let letters = Layout::figure(0).letters;
     let lanes = whole::height(understood, letters, words);
     Layout::figure(700 + lanes as u32)
 }
 
-/// Figure of the whole recording with its contacts, which are marked as used or rejected (with the reason). Below are the mean stances of the left
-/// and the right foot with loading peak, valley and push-off peak. The mean cycle is at the bottom, if there is one.
+/// Figure of a recording in three parts. The first part is the whole recording with its contacts, marked as used or as rejected with the
+/// reason. The second part contains the mean stance of each foot with loading peak, valley and push-off peak. The third part is the mean
+/// cycle, if there is one.
 pub fn recording(
     understood: &Interpretation,
     cycle: Option<&ForceCurve>,
@@ -93,7 +94,7 @@ pub(crate) fn recording_in(
     })
 }
 
-/// Draws a mean cycle with its band, and the single cycles if there are any.
+/// Draws a mean cycle with its band. `single` contains the cycles of single recordings, which are drawn as thin lines.
 fn draw_cycle(
     f: &Figure,
     frame: Frame,
@@ -143,13 +144,13 @@ fn draw_cycle(
     f.key_and_levels(place, f.e, &entries, &levels)
 }
 
-/// A cycle over time, with its first sample repeated at the end.
+/// Points of a cycle over time, s, with the first sample repeated at the end.
 fn closed(force: &[f64], period_s: f64) -> Curve {
     let around: Vec<f64> = force.iter().chain(force.first()).copied().collect();
     thinned(&around, |i, n| period_s * i as f64 / (n - 1) as f64)
 }
 
-/// Upper and lower edge of a band of one standard deviation.
+/// Upper and lower edge of a band of one standard deviation about the mean.
 fn edges(mean: &[f64], spread: &[f64]) -> [Vec<f64>; 2] {
     [1.0, -1.0].map(|sign| {
         let both = mean.iter().zip(spread);
@@ -173,10 +174,11 @@ fn foot_name(foot: Option<Foot>, words: &Words) -> String {
     })
 }
 
-/// Number of points that are drawn of a curve: one per two pixels of a wide figure.
+/// Maximum number of points that are drawn of a curve, approximately one per two pixels of the figure.
 const POINTS: usize = 512;
 
-/// Every n-th sample and the last one, with `across` applied to their positions.
+/// Every n-th sample and the last sample of a curve. `across` returns the horizontal position of a sample from its index and the number of
+/// samples.
 fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Curve {
     let n = force.len();
     if n < 2 {

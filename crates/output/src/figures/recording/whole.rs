@@ -1,4 +1,4 @@
-//! The whole recording: force of every column over time, and below it one lane per column with its contacts.
+//! The whole recording: force in every column over time. Below, each column has a row (lane) with its contacts.
 
 use std::collections::BTreeMap;
 
@@ -15,20 +15,20 @@ use crate::words::Words;
 use gaitcam::force::{Column, Interpretation, RejectReason};
 use gaitcam::wording::sentence;
 
-/// Maximum number of columns with a lane. Laboratories have up to about twelve plates, of which few are used.
+/// Maximum number of columns that are drawn. Laboratories have up to about twelve force plates, of which few are used.
 const LANES: usize = 8;
-/// Height of a lane, in letter heights.
+/// Height of a lane, em.
 const LANE: f64 = 1.35;
-/// Colours of columns with unknown feet.
+/// Colours of columns whose foot is unknown.
 const PLATES: [RGBAColor; 4] = [GREEN, PURPLE, QUIET, INK];
 
-/// Height of the lanes and of the key of reasons, points.
+/// Height of the lanes and of the list of reasons, points.
 pub(super) fn height(understood: &Interpretation, e: f64, words: &Words) -> f64 {
     let lanes = loaded(understood).len() as f64;
     (LANE * lanes + 1.6 * reasons(understood, words).len() as f64 + 0.8) * e
 }
 
-/// Columns with contacts, or at least with a load.
+/// Indices of the columns that are drawn: those with contacts or, if there are none, those that are loaded.
 fn loaded(understood: &Interpretation) -> Vec<usize> {
     let columns = understood.columns.iter().enumerate();
     let live = columns.filter(|(_, c)| c.idle.is_none()).map(|(i, _)| i);
@@ -41,7 +41,7 @@ fn loaded(understood: &Interpretation) -> Vec<usize> {
     }
 }
 
-/// Reasons for rejection, with their number and frequency.
+/// Reasons for rejection, each with its text and the number of contacts.
 fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, String)> {
     let mut counts: BTreeMap<RejectReason, usize> = BTreeMap::new();
     let rejected = understood.contacts.iter().filter_map(|c| c.rejected);
@@ -97,10 +97,10 @@ fn shortened(column: &Column, words: &Words) -> String {
     }
 }
 
-/// Maximum length of the name of a lane, letters.
+/// Maximum length of the name of a lane, characters.
 const LANE_NAME: usize = 9;
 
-/// Foot of a column; otherwise as many whole words of its name as fit.
+/// Name of a lane: the foot of its column. If the foot is unknown, it contains as many whole words of the column name as fit.
 fn lane_name(column: &Column, words: &Words) -> String {
     if column.foot.is_some() {
         return foot_name(column.foot, words);
@@ -120,7 +120,7 @@ fn lane_name(column: &Column, words: &Words) -> String {
     name
 }
 
-/// A line through the minimum and maximum force of each interval.
+/// Curve of a column through the minimum and maximum force of each time interval.
 fn trace(column: &Column, x: [f64; 2]) -> Curve {
     let n = column.envelope_n.len().max(1) as f64;
     let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
@@ -134,7 +134,8 @@ fn trace(column: &Column, x: [f64; 2]) -> Curve {
     curve
 }
 
-/// Draws a bar for each contact: filled in the colour of its foot if it is used, otherwise an outline with the number of the reason.
+/// Draws the lanes with a bar for each contact, and the list of reasons. The bar of a used contact is filled in the colour of its foot.
+/// The bar of a rejected contact has a red outline and the number of the reason.
 fn draw_lanes(
     f: &Figure,
     frame: Frame,

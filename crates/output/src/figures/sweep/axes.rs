@@ -1,4 +1,4 @@
-//! Axes of figures of many designs: names, ticks, frame.
+//! Axes of figures of many designs: names, ticks and frame.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -8,7 +8,7 @@ use crate::plot::palette::{GRID, INK, QUIET};
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, Plane, stroke, trace, write};
 use gaitcam::wording::Language;
 
-/// An axis: name, ends, and positions of the ticks with their texts.
+/// An axis: name, range of values, and positions and texts of the ticks.
 pub(super) struct Axis<'a> {
     pub(super) label: &'a str,
     pub(super) range: [f64; 2],
@@ -33,7 +33,7 @@ impl<'a> Axis<'a> {
     }
 }
 
-/// Draws title, frame, ticks and names of both axes.
+/// Draws the title, the ticks and the names of both axes. Returns the coordinate system.
 pub(super) fn axes<'a>(
     canvas: &Canvas<'a>,
     title: &str,
@@ -70,7 +70,7 @@ pub(super) fn axes<'a>(
     Ok(inner)
 }
 
-/// Positions of the ticks, with their texts.
+/// Positions and texts of the ticks: the words of the quantity, or about `count` round numbers.
 fn marks(q: &Quantity, range: [f64; 2], count: f64, language: Language) -> Vec<(f64, String)> {
     if !q.words.is_empty() {
         let all = q.words.iter().enumerate();

@@ -1,4 +1,4 @@
-//! Front of non-dominated designs.
+//! Figure of a Pareto front.
 
 use plotters::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::plot::text::text_width;
 use crate::words;
 use gaitcam::wording::Language;
 
-/// Figure with all designs as dots, the front as a line through its dots, and the best design marked by a ring.
+/// Figure of two objectives: all designs as dots, the front as a line with dots, and the best design with a ring.
 pub fn front(
     title: &str,
     x: &Quantity,

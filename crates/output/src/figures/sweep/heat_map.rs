@@ -1,4 +1,4 @@
-//! Best of many designs over two parameters, as a heat map.
+//! Heat map: best value of many designs as a function of two parameters.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,22 +11,22 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, fill, units, write};
 use gaitcam::wording::Language;
 
-/// Number of bins along an axis of a heat map for scattered points.
+/// Number of bins along an axis if the values do not form a grid.
 const BINS: usize = 40;
 
-/// Number of distinct values on an axis above which the values are scattered and do not form a grid.
+/// Maximum number of distinct values on an axis for which the values are treated as a grid.
 const GRID_VALUES: usize = 200;
 
-/// Selection among several designs in one cell of a heat map.
+/// Rule that selects one of the designs in a cell of a heat map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Best {
-    /// The design with the minimum value.
+    /// The design with the minimum value is selected.
     Least,
-    /// The design with the maximum value.
+    /// The design with the maximum value is selected.
     Largest,
 }
 
-/// Edges of the cells of an axis: in the middle between the values of a grid, or equal bins.
+/// Edges of the cells along an axis. For a grid, they are midway between adjacent values; otherwise the cells have equal width.
 fn edges(values: &[f64]) -> Vec<f64> {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -50,12 +50,12 @@ fn edges(values: &[f64]) -> Vec<f64> {
     }
 }
 
-/// Index of the cell that contains `v`.
+/// Index of the cell that contains the value `v`.
 fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
-/// Figure with the best value of `z` over two parameters as colour. Cells without a design are empty.
+/// Figure in which colour is the best value of `z` as a function of `x` and `y`. Cells without a design remain empty.
 pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: Language) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
@@ -92,7 +92,7 @@ pub fn heat_map(title: &str, [x, y, z]: [&Quantity; 3], best: Best, language: La
     })
 }
 
-/// Draws the colour scale to the right of a figure.
+/// Draws the colour scale at the right of the figure.
 fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str, language: Language) -> Drawn {
     let e = LETTERS;
     let (left, width) = (f.right + 1.2 * e, 1.3 * e);

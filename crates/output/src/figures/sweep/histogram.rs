@@ -1,4 +1,4 @@
-//! Frequency of each value.
+//! Histogram of a quantity over many designs.
 
 use plotters::style::Color;
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -15,7 +15,7 @@ use gaitcam::wording::Language;
 /// Number of bars of a histogram.
 const BARS: usize = 40;
 
-/// Histogram of the values of a quantity, with lines at given levels.
+/// Histogram of a quantity, with vertical lines at the given values, each with its name.
 pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: Language) -> Picture {
     let shown = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
     let range = padded(shown, 0.03);

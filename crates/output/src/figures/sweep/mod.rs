@@ -1,4 +1,4 @@
-//! Figures of many designs: heat map, parallel coordinates, fronts, histograms. The input is plain numbers.
+//! Figures of many designs: heat map, parallel coordinates, fronts, histograms. The input consists of plain numbers and labels.
 
 mod axes;
 mod front;
@@ -16,21 +16,22 @@ use gaitcam::wording::people;
 
 /// Size of the figures, points.
 const SIZE: (u32, u32) = (1100, 720);
-/// Size of the lettering, points.
+/// Font size, points.
 const LETTERS: f64 = 16.0;
 
-/// A column with its displayed name and unit.
+/// A column of a table of designs: label with unit, and values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     /// Label of the column, such as `limits.stroke, m`.
     pub label: String,
     /// One value per design; non-finite values are not drawn.
     pub values: Vec<f64>,
-    /// Names of the values 0, 1, 2 … if they are words.
+    /// If the values are words: names of the values 0, 1, 2 …; otherwise empty.
     pub words: Vec<String>,
 }
 
-/// Label with the common unit, and the factor from SI: `stroke, m` becomes `stroke, mm`.
+/// Label in which the SI unit is replaced by a customary unit, and the factor from SI. `stroke, m` becomes `stroke, mm` with the factor
+/// 1000.
 pub fn unit_for_people(label: &str) -> (String, f64) {
     match label.rsplit_once(", ") {
         Some((name, unit)) => {
@@ -45,7 +46,7 @@ pub fn unit_for_people(label: &str) -> (String, f64) {
 }
 
 impl Quantity {
-    /// The column in its common unit, and the factor to it.
+    /// The column in its customary unit, and the factor from SI.
     fn shown(&self) -> (Quantity, f64) {
         let (label, factor) = unit_for_people(&self.label);
         let shown = Quantity {
@@ -66,7 +67,7 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
-/// Several columns in common units, with the factors to them.
+/// Several columns in customary units, and their factors from SI.
 fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     let both = all.map(Quantity::shown);
     let factors = both.each_ref().map(|b| b.1);

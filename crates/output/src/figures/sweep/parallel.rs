@@ -1,4 +1,4 @@
-//! Parallel coordinates: one line per design.
+//! Parallel coordinates: each design is a line across several parallel axes.
 
 use plotters::style::{Color, WHITE};
 use plotters_backend::text_anchor::{HPos, VPos};
@@ -11,8 +11,8 @@ use crate::plot::sheet::{Canvas, Drawn, Frame, Lettering, line, rectangle, strok
 use crate::plot::text::text_width;
 use gaitcam::wording::{Language, number};
 
-/// Figure with one line per design over parallel axes, each from its minimum to its maximum value. Designs on the front are coloured, the best one is
-/// red.
+/// Figure with one line per design across parallel axes. Each axis extends from the minimum to the maximum value. Designs on the front are
+/// blue, and the best design is red.
 pub fn parallel(
     title: &str,
     quantities: &[Quantity],
@@ -75,7 +75,7 @@ pub fn parallel(
     })
 }
 
-/// Draws the name of an axis with its unit below. Adjacent names have different heights, so that long names do not overlap.
+/// Draws the name of an axis with its unit in parentheses. Adjacent names have different heights, so that long names do not overlap.
 fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) -> Drawn {
     let e = LETTERS;
     let (name, unit) = q.label.rsplit_once(", ").unwrap_or((&q.label, ""));

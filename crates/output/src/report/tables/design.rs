@@ -1,4 +1,4 @@
-//! The design in numbers: drive, law, cam, machine, load factors.
+//! Tables of the design: law, drive, cam, loads and load factors.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use gaitcam::drive::DriveKind;
 use gaitcam::synth::Design;
 use gaitcam_base::text::escaped;
 
-/// Writes drive, law and cam in numbers.
+/// Writes the tables of the design: law, drive, cam, loads and load factors.
 pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-data"));
     out.push_str("<div class=\"columns\">\n");
@@ -36,10 +36,10 @@ fn heading_of(group: Group) -> &'static str {
     }
 }
 
-/// Amplitude below which a factor is displayed as zero and has no phase.
+/// Load factor below which its phase is not displayed.
 const LEAST_FACTOR: f64 = 5e-5;
 
-/// Writes the harmonics of target and achieved force as fractions of the weight, as in codes for footbridges.
+/// Writes the harmonics of the target and the achieved force as fractions of the weight. Codes for footbridges use the same definition.
 fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     let all = synthesis.load_factors();
     if all.is_empty() {

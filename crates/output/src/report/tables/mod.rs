@@ -1,4 +1,4 @@
-//! Tables of the report: checks, active limits, data of the design, solution.
+//! Tables of the report: checks, active limits, numbers of the design, solution.
 
 mod design;
 mod solution;
@@ -15,10 +15,10 @@ use gaitcam::criterion::Criterion;
 use gaitcam::synth::{Design, unit};
 use gaitcam_base::text::escaped;
 
-/// Relative distance below which a limit counts as active.
+/// Distance from a limit, as a fraction of the limit, up to which a satisfied limit counts as reached.
 const ON_THE_LIMIT: f64 = 0.005;
 
-/// Value of a limit in its common unit; for an unknown limit in SI without a unit.
+/// Text of a value in the customary unit of its limit. For an unknown limit, it is in SI without a unit.
 pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
@@ -27,7 +27,8 @@ pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) ->
     unit.after(&words.number(value))
 }
 
-/// Distance of the worst value from its limit, as a fraction of the limit; negative if the limit is violated.
+/// Distance of the worst value from its limit, as a fraction of the limit; negative if the limit is violated, infinite if the limit is
+/// zero and not reached.
 fn margin(check: &Check) -> f64 {
     let gap = (check.worst - check.limit).abs();
     let share = if check.limit == 0.0 {
@@ -49,8 +50,8 @@ pub fn state(check: &Check) -> &'static str {
     }
 }
 
-/// Limit and position of the worst value, SI. The limit is `None` if it is a rounding tolerance, the position if the value applies to the whole
-/// cycle.
+/// Limit, and position of the worst value, in SI. The limit is `None` if it is only a rounding tolerance. The position is `None` if the
+/// value applies to the whole cycle.
 pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     let is_rounding = matches!(
         check.name,
@@ -63,7 +64,7 @@ pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     )
 }
 
-/// Opens a table. The columns from `numbers` on are aligned right.
+/// Opens a table. Columns with an index of at least `numbers` are aligned to the right.
 pub fn open(out: &mut String, columns: &[String], numbers: usize) {
     out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
     for (i, name) in columns.iter().enumerate() {
@@ -77,12 +78,12 @@ pub fn close(out: &mut String) {
     out.push_str("</tbody></table></div>\n");
 }
 
-/// Opens a row with its name.
+/// Opens a row and writes its name.
 pub fn row(out: &mut String, name: &str) {
     let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
 }
 
-/// Writes the numbers of a row and closes it.
+/// Writes the remaining cells of a row and closes the row.
 pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     for value in values {
         let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value.as_ref()));
@@ -90,7 +91,7 @@ pub fn cells(out: &mut String, values: &[impl AsRef<str>]) {
     out.push_str("</tr>\n");
 }
 
-/// Writes all checks with their status colours.
+/// Writes the table of all checks with coloured states.
 pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
@@ -135,7 +136,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// An active limit: name, maximum multiplier with its position, number of points.
+/// An active limit: criterion, multiplier with the maximum absolute value, its position, and number of active points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub struct ActiveLimit {
@@ -146,7 +147,7 @@ pub struct ActiveLimit {
 }
 
 impl ActiveLimit {
-    /// The active limits of a design, each once.
+    /// The active limits of a design. Each limit is listed once.
     pub fn all(design: &Design) -> Vec<ActiveLimit> {
         let mut all: Vec<ActiveLimit> = Vec::new();
         for b in &design.binding {
@@ -168,7 +169,7 @@ impl ActiveLimit {
     }
 }
 
-/// Writes the limits that determine the law.
+/// Writes the table of the active limits, which determine the law.
 pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-active-limits"));
     if synthesis.binding.is_empty() {
@@ -197,7 +198,7 @@ fn note(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
 }
 
-/// Writes the gain from relaxing each active limit by one percent.
+/// Writes for each active limit the predicted objective if this limit is relaxed by one percent.
 fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
@@ -225,10 +226,10 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// Rows of names and values.
+/// Rows of a table with two columns: name and value.
 pub(super) type Rows = Vec<(String, String)>;
 
-/// Writes a table of two columns below its name.
+/// Writes a table with the columns name and value below its heading.
 pub(super) fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
     let name = escaped(&words.text(name));
     let _ = write!(out, "<div><h3>{name}</h3><table>");

@@ -1,4 +1,4 @@
-//! Solution of a design: solver, certificate, notes.
+//! Section of the report on the solution: solver, certificate, notes.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::words::Words;
 use gaitcam::synth::{Design, Tier};
 use gaitcam_base::text::escaped;
 
-/// Writes solver, time and certificate of the result, and notes.
+/// Writes the solver, the computing time, the certificate and the notes of a design.
 pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
     let solver = &synthesis.solver;
     let how = match solver.tier {
@@ -70,7 +70,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
     }
 }
 
-/// A status as a separate sentence; empty for an empty status.
+/// A status as a separate sentence; empty if the status is empty.
 fn sentence(status: &str) -> String {
     match status.trim().trim_end_matches('.') {
         "" => String::new(),
