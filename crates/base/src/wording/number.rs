@@ -5,6 +5,13 @@ use std::sync::OnceLock;
 use super::Language;
 
 /// Unit in which lengths are displayed.
+///
+/// ```standalone_crate
+/// use gaitcam_base::wording::{Language, LengthUnit, display_lengths_in, quantity};
+///
+/// display_lengths_in(LengthUnit::Inch);
+/// assert_eq!(quantity(Language::En, 0.0254, "m"), "1 in");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthUnit {
     /// Millimetres, the default.
