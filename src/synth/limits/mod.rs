@@ -21,7 +21,7 @@ mod profile;
 mod size;
 mod slack;
 
-pub use diameter::is_nonconvex as diameter_is_nonconvex;
+pub use diameter::{check as diameter_check, is_nonconvex as diameter_is_nonconvex};
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
 pub use force::report as force_report;

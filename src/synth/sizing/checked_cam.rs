@@ -1,10 +1,10 @@
 //! A law on its cam, with force and checks; for every family, every iterate of a polydyne cam and the finished design.
 
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, PrimeCircle};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, PrimeCircle};
 use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
-use crate::synth::limits::{ENLARGED, Finished, force_report};
+use crate::synth::limits::{ENLARGED, Finished, diameter_check, force_report};
 use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
@@ -93,8 +93,8 @@ impl CheckedCam {
     }
 }
 
-/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is also tried, because the best offset for the
-/// pressure angle may not be the best offset for the curvature.
+/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is also tried: the best offset for the pressure
+/// angle may not be the best offset for the curvature, and a smaller prime radius may have a larger diameter.
 fn cam_about(
     problem: &Problem,
     law: Law,
@@ -105,11 +105,22 @@ fn cam_about(
     let radius = |cam: &Cam| cam.follower.prime_radius();
     // Radii that differ by less than the margin of the program are treated as equal.
     let smaller = (1.0 - ENLARGED) * radius(&own);
-    let Some(circle) = circle.filter(|circle| circle.radius < smaller) else {
+    let too_wide = is_too_wide(problem, &own);
+    let Some(circle) = circle.filter(|circle| circle.radius < smaller || too_wide) else {
         return Ok(own);
     };
     let other = sizing::cam(&problem.at_offset(circle.offset), law, pressing)?;
-    Ok(if radius(&other) < smaller { other } else { own })
+    let is_better = match (too_wide, is_too_wide(problem, &other)) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => radius(&other) < smaller,
+    };
+    Ok(if is_better { other } else { own })
+}
+
+/// Whether a cam violates the limit on the diameter.
+fn is_too_wide(problem: &Problem, cam: &Cam) -> bool {
+    diameter_check(problem, cam, LimitKind::Diameter).is_some_and(|check| !check.pass)
 }
 
 /// The law, shifted so that its minimum is on the base circle unless the drive or a condition determines the level.
