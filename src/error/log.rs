@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Errors in a log.
+/// Errors in the log of a running machine that prevent its evaluation.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -82,7 +82,7 @@ pub enum LogError {
     WrongSign,
     /// A log is given twice.
     Copy { other: String },
-    /// A parameter differs from that of another log.
+    /// A parameter of the machine differs between two logs.
     OtherMachine {
         key: String,
         value: Quantity,
