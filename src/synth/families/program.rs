@@ -1,4 +1,4 @@
-//! Programme family: segments of catalogue laws, joined as written.
+//! Programme family: segments of catalogue laws in the order of the scene.
 
 use super::solved::SolvedLaw;
 use crate::error::{Placed, Result};
@@ -10,7 +10,7 @@ use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 
-/// Law of the segments of a problem.
+/// Law that consists of the segments of a problem.
 ///
 /// # Errors
 ///

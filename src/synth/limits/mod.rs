@@ -1,7 +1,7 @@
 //! Limits of a problem, one file per limit or group.
 //!
-//! Each file contains the rows of its limit in a convex program, its nonconvex part, and its check on the finished design. The size is given, or it
-//! is among the variables.
+//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The size
+//! of the cam is given, or it is a variable of the program.
 
 mod curvature;
 mod diameter;

@@ -7,10 +7,10 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// Minimum radius of a sharp edge relative to the cam's. It keeps divisions finite.
+/// Minimum radius of curvature of a sharp edge, relative to the prime radius. It keeps divisions finite.
 pub const SHARP: f64 = 1e-6;
 
-/// Dimensions of a profile with nonconvex limits.
+/// Dimensions of a follower whose profile has nonconvex limits, m.
 #[derive(Debug, Clone, Copy)]
 pub enum Profile {
     /// Roller that translates along +y.
@@ -23,9 +23,9 @@ pub enum Profile {
         arm: f64,
         /// Radius of the prime circle.
         prime: f64,
-        /// Minimum allowed pitch radius.
+        /// Minimum permitted radius of curvature of the pitch curve.
         rho: f64,
-        /// Tangents of the allowed pressure angles on the rise and on the fall.
+        /// Tangents of the permitted pressure angles on rise and fall.
         tan: [Option<f64>; 2],
     },
     /// Flat face that oscillates about a pivot at distance c.
@@ -36,13 +36,13 @@ pub enum Profile {
         offset: f64,
         /// Radius of the base circle.
         base: f64,
-        /// Minimum allowed convex radius.
+        /// Minimum permitted convex radius of curvature.
         rho: f64,
     },
 }
 
 impl Profile {
-    /// Follower with the nonconvex limits of its profile; `None` if there are none, or if the size follows from the law.
+    /// Follower with the nonconvex limits of its profile. `None` if there are no such limits, or if the size is computed after the law.
     pub fn of(problem: &Problem) -> Option<Profile> {
         let (cam, limits) = (&problem.cam, &problem.limits);
         let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -133,7 +133,7 @@ impl Profile {
         }
     }
 
-    /// Size, if it may be among the variables.
+    /// Size of the cam in these limits, which may be a variable of the program.
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
@@ -150,7 +150,7 @@ impl Profile {
         }
     }
 
-    /// Limits that `kept` selects; `None` if it selects none.
+    /// The limits whose names `kept` selects; `None` if it selects none.
     pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
         let curved = kept(LimitKind::Curvature.into());
         match &mut self {
@@ -169,7 +169,7 @@ impl Profile {
         }
     }
 
-    /// Limits at another size.
+    /// The limits for a cam of another size.
     pub fn at_size(mut self, size: ProfileSize) -> Self {
         match &mut self {
             Profile::Roller(own) => {
@@ -186,20 +186,21 @@ impl Profile {
     }
 }
 
-/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
+/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the radius of the prime circle, from Rp² = A² + c² − 2Ac cos ξ.
 pub(super) fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
     let rest = libm::acos(cos.clamp(-1.0, 1.0));
     (rest, prime / (arm * pivot * libm::sin(rest)))
 }
 
-/// Face angle ξ on the base circle, rad, and its derivative with respect to the circle's radius: Rb = c sin ξ + offset.
+/// Face angle ξ on the base circle, rad, and its derivative with respect to the radius of the base circle, from Rb = c sin ξ + offset.
 pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     let rest = libm::asin(((base - offset) / pivot).clamp(-1.0, 1.0));
     (rest, 1.0 / (pivot * libm::cos(rest)))
 }
 
-/// Sets the derivatives with respect to the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.
+/// Sets the derivatives with respect to the radius of the prime or base circle. For an oscillating follower, the radius changes only the angle
+/// at rest, and ξ = rest + s. `by_radius` is the derivative of the angle at rest.
 fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
     for slack in &mut slacks {
         slack.by_radius = slack.by_lift * by_radius;
