@@ -213,7 +213,7 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
 }
 
 /// Minimum relaxation of one limit for which the other limits of the program are feasible, computed by minimising its bound. `None` for a limit
-/// that is not a value of the scene. The complete design may require a larger change; [`relaxation`](crate::synth::relaxation) starts from this
+/// that is not a value of the scene. The complete design may require a larger change; `relaxation` starts from this
 /// value.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
