@@ -45,7 +45,7 @@ impl Direction {
 pub enum DependsOn {
     /// The quantity depends on the cam only, not on speed or walker.
     Cam,
-    /// A time derivative of the lift of this order, proportional to this power of the speed.
+    /// The quantity is the time derivative of the lift of this order. It is proportional to this power of the speed.
     Motion(usize),
     /// The contact force. It is linear in the force at rest and in the dynamic factor β of the walker.
     Force,
@@ -126,7 +126,7 @@ pub enum Lines {
     BothSides,
     /// A line at the negative of the bound.
     AtNegative,
-    /// A line at the height of the bound above the minimum of the curve.
+    /// A line above the minimum of the curve, at the distance of the bound.
     AboveLowest,
 }
 

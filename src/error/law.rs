@@ -118,7 +118,7 @@ pub enum LawError {
     MotionFile { motion: String, file: String },
     /// A general polynomial has a degree other than 5 or 7.
     GeneralDegree { degree: usize },
-    /// The fractions of an SCCA law do not add to 1.
+    /// The fractions of an SCCA law do not add up to 1.
     SccaShares { b: f64, c: f64, d: f64 },
     /// The eccentric does not enclose its shaft.
     EccentricRatio { ratio: f64 },

@@ -76,7 +76,7 @@ pub enum LogError {
         found: Quantity,
         expected: Quantity,
     },
-    /// The magnitude of the force differs from the expected one.
+    /// The magnitude of the force differs from its expected value.
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,

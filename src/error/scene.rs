@@ -134,7 +134,7 @@ pub enum SceneError {
     SizeNotFree,
     /// The degree of a spline is outside its range.
     SplineDegree { typed: String },
-    /// The minimised derivative does not exist for laws of this degree.
+    /// The minimised derivative is zero between the knots for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
     /// A condition is given that only splines support.
     OnlySplines { family: &'static str },
@@ -188,7 +188,7 @@ pub enum SceneError {
     MotorLine,
     /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
-    /// A unit was given for points for Fusion, which always reads centimetres.
+    /// A unit is given for points in the Fusion format, which always uses centimetres.
     PointsOfFusion,
     /// A nameplate lacks the rated torque or the rated speed.
     HalfNameplate,

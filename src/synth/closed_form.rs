@@ -16,7 +16,7 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// Relative difference between a mean force and the mean target below which both are equal.
+/// Relative difference between mean force and mean target below which the two count as equal.
 const SAME: f64 = 1e-13;
 /// Fraction of the mean below which a permitted error is a rounding error, for which there is no closed form.
 const ROUNDING: f64 = 1e-5;

@@ -40,10 +40,10 @@
 //! where R is minimised or bounded. For a flat face, the limit is R + s + a ≥ ρ instead. Clarabel solves the program, and rows are exchanged as
 //! for the QP.
 //!
-//! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. These are the curvature of a roller cam, curvature and pressure angle of
-//! followers on an arm, the shaft torque F v and its rate F′v + F a, and the pressure between a roller and its cam. The limits are linearised at
-//! the minima of h, and the convex program is solved. The step is halved until h ≥ 0 over the whole turn. Every iterate is feasible, and every
-//! step improves the objective.
+//! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. Those of the profile are the curvature of a roller cam, and curvature and
+//! pressure angle of followers on an arm. Those of the loads are the shaft torque F v, its rate F′v + F a, and the pressure between a roller and
+//! its cam. The limits are linearised at the minima of h, and the convex program is solved. The step is halved until h ≥ 0 over the whole turn.
+//! Every iterate is feasible, and every step improves the objective.
 //!
 //! **Polydyne.** For a compliant follower, the law y of its end is optimised. The law of the cam is s = y + x, where the deflection x follows
 //! from x + (c₁ω/k₁) x′ = F(y)/k₁. The limits for the end are changed until the cam reaches its limits.
@@ -149,7 +149,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// Errors of the scene; a force that its drive cannot produce.
+    /// Errors of the scene. The drive cannot produce the force.
     pub fn design_for(&self, force: &ForceCurve) -> Result<Design> {
         synthesise(self, Some(force))
     }

@@ -49,7 +49,7 @@ impl Words {
         number(self.language(), value)
     }
 
-    /// A number for display; rounding errors relative to `scale` become 0.
+    /// A number for display. A value below 1e-9 of `scale` is a rounding error and is displayed as 0.
     ///
     /// ```
     /// use gaitcam::wording::{Language, Words, catalogue};

@@ -6,7 +6,7 @@
 use super::Design;
 use crate::cam::{Cam, Wall};
 
-/// An edge to be cut.
+/// Edge of the workpiece that is cut, as a function of the cam angle.
 ///
 /// ```
 /// use gaitcam::scene::built_in;

@@ -23,8 +23,8 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// Input of a simulation: the emitted profile instead of its law, in a machine with this drive. The contact pressure is computed for the
-    /// materials of cam and follower and the thickness of the plate.
+    /// Input of a simulation, in a machine with this drive. The emitted profile is simulated, not the law from which it was computed. The
+    /// contact pressure is computed for the materials of cam and follower and the thickness of the plate.
     ///
     /// # Errors
     ///

@@ -118,7 +118,7 @@ pub struct Figure {
     pub limit: Option<Limit>,
     /// Name of the figure as an objective in a trade-off with the force error.
     pub trade: Option<&'static str>,
-    /// Key of the scene that the figure determines if its value is `auto`.
+    /// Key of the scene for which the figure is the computed value if the scene contains `auto`.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
     /// Displayed unit, if it depends on the kind of follower or cam.
@@ -164,7 +164,7 @@ impl Figure {
         self.named_for("other", language)
     }
 
-    /// Displayed name for this follower.
+    /// Displayed name of the figure for this kind of follower.
     pub fn label_on(&self, follower: &Follower, language: Language) -> String {
         let movement = match (follower, follower.measures()) {
             (Follower::Barrel { .. }, _) => "barrel",

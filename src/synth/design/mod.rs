@@ -68,7 +68,7 @@ pub struct Design {
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
-    /// End of the flexible follower for which a polydyne cam is designed; `None` for other cams.
+    /// End of the compliant follower for which a polydyne cam is designed; `None` for other cams.
     pub end: Option<End>,
     /// Cam and second cam of a conjugate pair; `None` without a pair.
     pub conjugate: Option<Conjugate>,
@@ -95,7 +95,7 @@ pub struct Design {
     pub easing: Vec<Easing>,
     /// Solution method and certificate.
     pub solver: SolverReport,
-    /// Whether a search was stopped early; the design is then the best one so far.
+    /// Whether the search was stopped early. The design is then the best design found until then.
     pub out_of_time: bool,
     /// Notes in addition to the verdict.
     pub notes: Vec<Note>,
@@ -127,12 +127,12 @@ impl Design {
         self.notes.iter().map(said).collect()
     }
 
-    /// Target force over the cam angle, in phase with the cam: θ = 2π·i/n. `None` for classical programmes.
+    /// Target force as a function of the cam angle, with sample i of n at θ = 2π·i/n. `None` for a design without a target force.
     pub fn target(&self) -> Option<&ForceCurve> {
         self.problem.target_at_cam()
     }
 
-    /// Minimum and maximum force of the band that replaces the target.
+    /// Minimum and maximum force of the band that replaces the target; `None` without a band.
     pub fn band(&self) -> Option<&[ForceCurve; 2]> {
         self.problem.band_in_time()
     }
@@ -220,7 +220,7 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// Target over one period of time, N, in phase with cam angle 0.
+    /// Target force over one period of time, N, which begins at cam angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }

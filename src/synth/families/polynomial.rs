@@ -1,4 +1,4 @@
-//! Polynomial family: one polynomial through the points, with a dwell before and after.
+//! Polynomial family: one polynomial through all points, with dwells before the first and after the last point.
 
 use std::f64::consts::TAU;
 

@@ -49,7 +49,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Programme over the extent of its cam: one or several turns, a length, or the half turn of a constant-breadth cam.
+/// Law of the segments over the extent of the cam: one or several turns, a length, or the half turn of a constant-breadth cam.
 fn assembled(problem: &Problem, segments: &[Segment]) -> Result<Law> {
     let cam = &problem.cam;
     let total: f64 = segments.iter().map(|s| s.angle).sum();

@@ -108,7 +108,7 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
     Ok(spans)
 }
 
-/// Next trial number of spans or harmonics.
+/// Next larger trial number of spans or harmonics.
 pub fn larger(size: usize) -> usize {
     let next = (size as f64 * GROWTH) as usize;
     next.max(size + 1).min(MOST_AUTO_SPANS)
@@ -225,8 +225,8 @@ mod tests {
     use crate::cam::LimitKind;
     use crate::scene::built_in;
 
-    /// With a stroke of 20 mm the error exceeds the usual accuracy. A search for passing designs detects this by the lower bound. With a larger
-    /// stroke there is a law.
+    /// With a stroke of 20 mm, the force error exceeds the default accuracy. A search for passing designs detects this by the lower bound of the
+    /// error. With a larger stroke, a law exists.
     #[test]
     fn a_search_for_passing_designs_refuses_an_accuracy_that_no_law_reaches() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

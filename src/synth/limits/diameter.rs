@@ -156,7 +156,7 @@ impl Diameter {
         }
     }
 
-    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius.
+    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius of the prime circle.
     fn at_rest(&self, prime: f64) -> (f64, f64) {
         match *self {
             Diameter::Line { .. } => (0.0, 0.0),
@@ -202,12 +202,12 @@ impl Diameter {
     }
 }
 
-/// Whether a problem has a limit on the diameter that its convex program cannot contain.
+/// Whether the limit of a problem on the diameter is not a row of its convex program.
 pub fn is_nonconvex(problem: &Problem) -> bool {
     Diameter::of(problem).is_some()
 }
 
-/// Check of the diameter of a finished cam.
+/// Check of the diameter of a finished cam; `None` without a limit on the diameter.
 pub fn check(problem: &Problem, cam: &Cam, name: impl Into<Criterion>) -> Option<Check> {
     let limit = problem.limits[LimitKind::Diameter]?;
     let [_, most] = cam.radii()?;

@@ -15,7 +15,7 @@ use crate::poly::{Extreme, Peak, gauss_legendre};
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
-/// Relative excess below which a limit counts as satisfied.
+/// Relative violation below which the limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 /// Fraction of the deflections that is the minimum scale of a violation. The vibration is a difference of deflections and contains their
 /// rounding errors.

@@ -15,7 +15,7 @@ pub const GEOMETRY: f64 = 1e-8;
 pub struct Finished<'a> {
     /// Problem of the design.
     pub problem: &'a Problem,
-    /// Cam to check.
+    /// Cam whose limits are checked.
     pub cam: &'a Cam,
     /// Second cam of a conjugate pair, if any.
     pub second: Option<&'a Cam>,

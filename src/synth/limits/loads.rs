@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit the shaft torque, its rate and its power,
-//! and the pressure of a roller.
+//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit torque, torque rate and power of the
+//! shaft, and the Hertz pressure under a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -13,10 +13,10 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
 
-/// Relative excess below which a limit counts as satisfied.
+/// Relative violation below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem; `None` means no limit.
+/// Nonconvex load limits of a problem. A field is `None` without the corresponding limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
     /// Drive, which relates lift and force.

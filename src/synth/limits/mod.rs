@@ -46,8 +46,8 @@ use crate::scene::Minimise;
 /// Adds the convex limits of a problem to a program. These are the limits over the whole turn, the limits on root mean squares, and the limits
 /// on a size that is a variable. A law of harmonics has no conditions, and its only objective is the force error.
 ///
-/// If no condition determines the level of the law, limits on the profile measure the lift from the lift at the touching angle on the base
-/// circle. A varying shaft speed or a moving floor changes a limited quantity by a function of the angle, by which the bound is then reduced.
+/// If no condition determines the level of the law, limits on the profile subtract the lift at the touching angle on the base circle from the
+/// lift. A varying shaft speed or a moving floor changes a limited quantity by a function of the angle, by which the bound is then reduced.
 /// `force_error` computes half the mean square of the force error.
 pub fn constrain(
     problem: &Problem,

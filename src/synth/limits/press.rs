@@ -27,7 +27,7 @@ pub struct Press<'a> {
     pub modulus: f64,
     /// Law that determines the force.
     pub law: &'a Law,
-    /// Force added by a varying speed or a floor, N.
+    /// Force added by a varying speed or a floor, N; `None` for a rigid machine at constant speed.
     pub extra: Option<&'a PiecewisePoly>,
 }
 

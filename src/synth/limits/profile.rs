@@ -15,7 +15,7 @@ pub const SHARP: f64 = 1e-6;
 pub enum Profile {
     /// Roller that translates along +y.
     Roller(ProfileSize),
-    /// Roller on an arm: pivot at distance c, arm A.
+    /// Roller on an arm of length A, with the pivot at distance c from the cam centre.
     Arm {
         /// Distance c of the pivot from the cam centre.
         pivot: f64,
@@ -225,13 +225,13 @@ mod tests {
         program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
     }
 
-    /// Minimum of h/w over the law.
+    /// Minimum of the clearance h/w over the law and over all limits.
     fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
         let all = clearances(law, limits).into_iter();
         all.fold(f64::INFINITY, f64::min)
     }
 
-    /// Central differences of h compared with the stated derivatives at many kinds of points.
+    /// Compares the derivatives of h with central differences, for many points and followers.
     #[test]
     fn derivatives_of_every_limit_agree_with_differences() {
         let roller = Profile::Roller(ProfileSize {
@@ -268,7 +268,7 @@ mod tests {
         }
     }
 
-    /// Asserts the derivatives of limit `k` by lift, velocity, acceleration and radius, with steps of `d`.
+    /// Asserts the derivatives of limit `k` with respect to lift, velocity, acceleration and radius, by differences with steps `d`.
     fn agrees_with_differences(follower: &Profile, at: Svaj, k: usize, d: f64) {
         let h = |at: Svaj| follower.slacks(at)[k].h;
         let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
@@ -309,7 +309,7 @@ mod tests {
         }
     }
 
-    /// h is zero exactly if the finished cam has the allowed radius or pressure angle.
+    /// h is zero if and only if the finished cam has the permitted radius of curvature or pressure angle.
     #[test]
     fn limits_of_arms_are_those_of_the_cam() {
         let law = law(0.3);

@@ -157,7 +157,7 @@ mod tests {
 
     const LIMITS: &str = "velocity = \"1 m/s\"\nacceleration = \"10 m/s^2\"\njerk = \"300 m/s^3\"";
 
-    /// A law of one wave on a shaft with constant speed that differs from the speed of the drive.
+    /// State for a harmonic law on a shaft with a constant speed that differs from the speed of the drive.
     fn added(part: f64) -> (Problem, Law, Extra, Vec<f64>) {
         let problem = one_wave(FLAT, LIMITS);
         let a = amplitude(&problem);
@@ -170,7 +170,7 @@ mod tests {
         (problem, law, extra, phases)
     }
 
-    /// With d/dt = w d/dθ, velocity, acceleration and jerk are proportional to w, w² and w³; the force follows the acceleration.
+    /// With d/dt = w d/dθ, velocity, acceleration and jerk are proportional to w, w² and w³. The force is linear in the acceleration.
     #[test]
     fn another_speed_adds_its_powers() {
         let part = 1.2;

@@ -394,7 +394,7 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     sum / all
 }
 
-/// Start of the iteration.
+/// Initial law and machine motion of the iteration.
 #[derive(Clone, Copy)]
 enum Begin<'a> {
     /// The law for constant speed on a rigid floor, and the machine motion of this law.

@@ -26,8 +26,9 @@ const NEAR: f64 = 1e-4;
 
 /// Designs the law of the follower's end and the cam that produces it.
 ///
-/// The limits of the program apply to the law of the end. The law of the cam differs from it by the deflection of the follower. If the cam
-/// violates a limit, or does not reach a limit that is active for the end, the limit for the end is changed and the law is computed again.
+/// The limits of the program apply to the law of the end. The law of the cam differs from it by the deflection of the follower. The cam may
+/// therefore violate a limit, or not reach a limit that is active for the end. The limit for the end is then changed, and the law is computed
+/// again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {
@@ -114,7 +115,7 @@ mod tests {
     use super::*;
     use crate::scene::built_in;
 
-    /// Without damping s = y + F(y)/k. For one harmonic the stroke of the cam is 1 − (ω/ωₙ)² times the stroke of the end.
+    /// Without damping, s = y + F(y)/k. For one harmonic, the stroke of the cam is 1 − (ω/ωₙ)² times the stroke of the follower's end.
     #[test]
     fn the_cam_of_one_wave_has_the_stroke_of_its_end_less_what_the_follower_gives() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

@@ -14,7 +14,7 @@ const DEVIATION: f64 = 0.1;
 pub struct Sensitivity {
     /// Key of the varied value.
     pub key: &'static str,
-    /// Force error with the value decreased and increased by 10 %, in percent of the mean.
+    /// Force errors with the value decreased and increased by 10 %, in percent of the mean; `None` without a steady motion.
     pub percent: [Option<f64>; 2],
 }
 

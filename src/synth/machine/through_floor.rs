@@ -36,7 +36,7 @@ pub struct FloorResponse {
     least: f64,
     /// Unit of h, in units of the objective per N.
     unit: f64,
-    /// Unit of the constant of the objective, in the units of the objective.
+    /// Scale of the objective, by which the constant in a state is divided.
     objective: f64,
 }
 

@@ -12,7 +12,7 @@ pub const RELAXED: f64 = 0.01;
 /// First-order effect of relaxing one limit by 1 % on the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sensitivity {
-    /// Name of the limit, or key of the scene if they differ.
+    /// Limit, or given value of the scene, that is relaxed.
     limit: Criterion,
     /// Present value of the limit, in SI units.
     from: f64,

@@ -11,7 +11,7 @@ pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
 /// A program without a solution, and the reason.
 pub struct Refusal {
-    /// The infeasible program.
+    /// The program that has no solution.
     pub program: Program,
     /// Reason why the solver found no solution.
     pub failure: Failure,

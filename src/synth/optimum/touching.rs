@@ -112,7 +112,7 @@ struct Node {
     dual: f64,
     /// Factor ν: sum of the multipliers, weighted with −w₀.
     multiplier: f64,
-    /// Level s_c(c) of the law at its touching angle.
+    /// Lift s_c(c) of the law at its touching angle, m.
     level: f64,
     /// Local minima of the law, sorted by angle: angle, rad, and lift, m.
     lows: Vec<(f64, f64)>,

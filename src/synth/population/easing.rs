@@ -8,7 +8,7 @@ use crate::synth::optimum::easing::RELAXED;
 use crate::synth::report::limited::{Easing, Minimised};
 
 /// Gain for all walkers from relaxing a limit. `square` is the mean square error of all walkers. `None` if another measure than the mean is
-/// minimised, because the weights then change, and if the relaxation would reduce the error of the mean curve to zero.
+/// minimised, because the weights then change. The result is also `None` if the relaxation would reduce the error of the mean curve to zero.
 pub fn of_all(
     easing: &Easing,
     problem: &Problem,

@@ -40,7 +40,7 @@ const ROUNDS: usize = 80;
 /// Maximum number of designs with successively tightened load limits.
 const LOAD_ROUNDS: usize = 12;
 const LOAD_ROOM: f64 = 1e-6;
-/// Maximum number of alternations between laws and phases.
+/// Maximum number of alternating optimisations of law and phases.
 const PHASE_ROUNDS: usize = 30;
 const PHASE_SETTLED: f64 = 1e-7;
 /// Relative tolerance of the check of the required accuracy.

@@ -32,8 +32,8 @@ pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
 
-/// Jerk, in units of the typical lift per rad³, whose mean square has the same cost as a radius of one typical lift if the size is minimised. It
-/// is so large that it does not affect the size, and small enough to keep the law smooth.
+/// Jerk, in units of the typical lift per rad³. If the size is minimised, the mean square of this jerk has the same cost as a radius of one
+/// typical lift. It is so large that it does not affect the size, and small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
 
 /// Weight μ of the term ½ μ mean(j²), which keeps the law of the smallest cam smooth. `length` is the typical lift, m.

@@ -89,7 +89,7 @@ mod tests {
         program
     }
 
-    /// A program with Rp of at most 5 and a cone.
+    /// A program with a limit of 5 on Rp and with the cone of the sizes.
     fn limited() -> Program {
         let mut program = program();
         let mut most = Limit::on(Criterion::BaseCircle, [0.0; 5]).at_most(5.0);

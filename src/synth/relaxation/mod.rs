@@ -30,7 +30,8 @@ use relaxable::{Relaxable, relaxables};
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
 /// Relative margins beyond a value that is sufficient for one motion of the machine, because this motion changes with the cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
-/// Factor between old and new value above which a change is not suggested.
+/// Factor between old and new value above which a change counts as unreasonably large. It is also the largest common relative change of
+/// several limits that is tried.
 const FAR: f64 = 10.0;
 /// Relative change of several limits that is tried first.
 const SMALL: f64 = 0.01;
@@ -247,8 +248,8 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, for which the optimum itself passes. `to` was found with other laws: for non-convex limits or many
-    /// walkers, the search ends at the first passing law, and for a limited force error this error is minimised.
+    /// The value, or a slightly weaker one, for which the optimum itself passes. The value `to` was found with other laws. For non-convex limits
+    /// or many walkers, the search ended at the first passing law. For a limited force error, this error was minimised.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
         let problem = self.problem;
         let is_same = NonconvexLimits::of(problem).is_none()
@@ -455,7 +456,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// Whether a change is too large to be suggested.
+    /// Whether a change is unreasonably large (by a factor above `FAR`).
     fn is_far(&self, relaxation: &Relaxation) -> bool {
         let from = relaxation.from.abs();
         let to = relaxation.to.map_or(from, f64::abs);

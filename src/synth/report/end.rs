@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::problem::Note;
 use crate::units::{Dimension, Quantity};
 
-/// Motion of the end of a flexible follower with a polydyne cam (`law.polydyne`).
+/// Motion of the end of a compliant follower with a polydyne cam (`law.polydyne`).
 ///
 /// ```
 /// use gaitcam::scene;

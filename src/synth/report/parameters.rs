@@ -36,8 +36,8 @@ pub enum Functions {
         #[serde(rename = "range_rad")]
         range: [f64; 2],
     },
-    /// Five parameters of a double harmonic instead of basis functions: level and lift, m, then start of the rise, angle of the rise and angle
-    /// of the fall, rad.
+    /// Parameters of a double harmonic instead of basis functions. Their order is level and lift, m, then start of the rise, angle of the rise
+    /// and angle of the fall, rad.
     DoubleHarmonic,
     /// Lifts of the segments of a programme, m (rad for an arm), instead of coefficients of basis functions.
     Segments,

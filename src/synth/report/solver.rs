@@ -94,8 +94,8 @@ pub struct SolverReport {
     pub passed_over: Option<PassedOver>,
     /// Total number of iterations of all programs.
     pub iterations: usize,
-    /// Whether the law is proved optimal: the limits hold for the continuous law, and no law of the family improves the objective by more than
-    /// 1e-6 of its value.
+    /// Whether the law is proved optimal. The limits then hold for the continuous law, and no law of the family improves the objective by more
+    /// than 1e-6 of its value.
     pub certified: bool,
     /// Reason why the law is not certified; `None` for a certified law.
     pub doubt: Option<Doubt>,

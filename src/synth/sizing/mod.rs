@@ -345,7 +345,7 @@ mod tests {
         cam(problem, law.clone(), &law).unwrap()
     }
 
-    /// tan φ = A sin θ/(D + A − A cos θ) is maximum for D = A (1/sin φ − 1).
+    /// The tangent of the pressure angle is A sin θ/(D + A − A cos θ). The maximum pressure angle is φ for D = A (1/sin φ − 1).
     #[test]
     fn the_smallest_roller_cam_of_one_wave_has_the_pressure_angle_that_is_allowed() {
         let follower =

@@ -45,7 +45,8 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on a base circle that is too small for the steel shaft that the torque requires, or on a given bore that is much too large for it.
+/// Note on a base circle that is too small for the steel shaft that the torque requires. If a bore is given, the note is on a bore that is much
+/// larger than this shaft.
 fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;

@@ -36,7 +36,7 @@ const ROUGH: u64 = 25;
 /// Number of candidates for which the search is continued. Two are needed because a law without a dwell is found twice, with rise and fall
 /// exchanged.
 const FINALISTS: usize = 2;
-/// Number of iterations of the continued searches.
+/// Number of iterations of each continued search.
 const ITERATIONS: u64 = 60;
 /// Number of parts of a turn to which the angles are rounded. One part is 6 µrad. This is more than the rounding errors of the search and less
 /// than the accuracy of manufacturing.
@@ -220,7 +220,7 @@ mod tests {
     use crate::force::{Feet, ForceCurve, model};
     use crate::scene::built_in;
 
-    /// Problem for the machine of the footbridge, whose force depends on the acceleration, or of the heel tester, whose force depends on the lift.
+    /// Problem for one of two machines. On the footbridge the force depends on the acceleration, and in the heel tester on the lift.
     fn problem(machine: &str, force: impl Fn(&Drive, f64) -> f64) -> Problem {
         let scene = built_in(machine).unwrap().scene().unwrap();
         let scene = scene.with("law.family", "double-harmonic").unwrap();
@@ -273,8 +273,8 @@ mod tests {
         }
     }
 
-    /// Mean square difference from a force at equal angles: without a spring by the normal equation; with a spring for the best of many levels, with
-    /// the law above its base circle.
+    /// Mean square difference between the force of a law and given forces at equally spaced angles. Without a spring, the lift follows from the
+    /// normal equation. With a spring, the best of many levels is used, with the law above its base circle.
     fn distance(problem: &Problem, wanted: &[f64], shape: &Law, ahead: usize) -> f64 {
         let w = problem.drive.weights();
         let n = wanted.len();

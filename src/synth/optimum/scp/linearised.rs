@@ -151,7 +151,7 @@ fn grid(program: &Program) -> Vec<Peak> {
     out
 }
 
-/// A row that does not belong to a limit of the program.
+/// Row of a program that does not come from one of its limits.
 fn row(
     program: &Program,
     name: Criterion,
