@@ -47,7 +47,7 @@ pub enum DependsOn {
     Cam,
     /// The quantity is the time derivative of the lift of this order. It is proportional to this power of the speed.
     Motion(usize),
-    /// The contact force. It is linear in the force at rest and in the dynamic factor β of the walker.
+    /// The contact force. It is linear in the force at rest and in the factor β of the walker.
     Force,
     /// The quantity depends on force and cam together. Its values for two walkers do not differ by a common factor.
     Load,

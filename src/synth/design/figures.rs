@@ -118,7 +118,7 @@ pub struct Figure {
     pub limit: Option<Limit>,
     /// Name of the figure as an objective in a trade-off with the force error.
     pub trade: Option<&'static str>,
-    /// Key of the scene for which the figure is the computed value if the scene contains `auto`.
+    /// Key of the scene whose value `auto` is computed as this figure.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
     /// Displayed unit, if it depends on the kind of follower or cam.

@@ -159,7 +159,7 @@ fn while_worthwhile(
     }
 }
 
-/// Optimum with the minimum number of spans, from `spans` to `most`, for which a law is feasible. If no number is feasible, the refusal at the
+/// Optimum with the minimum number of spans, from `spans` to `most`, for which a law is feasible. If no number is feasible, the reason for the
 /// last number is returned. Only a force band or an accuracy can become feasible with more spans.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {

@@ -13,7 +13,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference relative to the prime radius that counts as a rounding error.
 const TOUCH: f64 = 1e-6;
-/// Weights of s, v, a, j and a further term for −(s + a). The radius of curvature under a flat face is Rb + s + a (theory §6).
+/// Weights of a limit on −(s + a). The radius of curvature under a flat face is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
 /// Limit Rb + s + a ≥ ρ for a flat face. The base radius Rb is given, or it is a variable of the program (`is_sized`).

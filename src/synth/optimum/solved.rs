@@ -95,7 +95,7 @@ impl Optimum {
         }
     }
 
-    /// Certificate of the law, and the reason why it is not a proof, if it is not one.
+    /// Certificate of the law, and the reason if it does not prove that the law is optimal.
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();

@@ -7,8 +7,8 @@ use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
-/// The problem for the reference machine, whose limits on motion and force ensure that the machine of every walker satisfies its limits. `loads`
-/// is the fraction of the load limits that the reference machine may use.
+/// The problem for the reference machine. Its limits on motion and force are tightened, so that the machine of every walker satisfies the limits
+/// of the scene. `loads` is the fraction of the load limits that the reference machine may use.
 pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     let (drive, mut limits) = (problem.drive, problem.limits.clone());
     let fastest = walkers

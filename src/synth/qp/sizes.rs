@@ -10,7 +10,7 @@ pub const RISE: Variable = Variable::nth(2);
 pub const OFFSET: Variable = Variable::nth(3);
 /// Minimum lift, m, from which the stroke is measured if the level of the law is determined.
 pub const LOWEST: Variable = Variable::nth(4);
-/// Minimum velocity, m/rad. The contact on a flat face of limited length ranges from this value.
+/// Minimum velocity, m/rad, at which the range of the contact on a flat face of limited length begins.
 pub const FACE_END: Variable = Variable::nth(5);
 /// Variables for the size of the cam, which form the cone Rp ≥ ‖(D, e)‖.
 pub const SIZES: [Variable; 3] = [RADIUS, RISE, OFFSET];

@@ -75,8 +75,7 @@ pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     out
 }
 
-/// Fixed rows of the program, followed by the linearised limits h₀ + ∇h·step ≥ margin·w. These are the points where h can become zero in one
-/// step.
+/// Fixed rows of the program, followed by the linearised limits h₀ + ∇h·step ≥ margin·w at the points where h can become zero in one step.
 pub fn linearised(
     program: &Program,
     current: &Solution,
