@@ -32,7 +32,7 @@ def line(text, position):
 
 
 def comments(name, text):
-    text = re.split(r"(?m)^\s*#\[cfg\(test\)\]", text)[0]
+    text = re.split(r"(?m)^\s*#\[cfg\(test\)\]\s*mod \w+ \{", text)[0]
     for block in re.finditer(r"(?m)(?:^[ \t]*//[/!](?!/).*\n)+", text):
         words = re.sub(r"(?m)^[ \t]*//[/!] ?", "", block[0])
         words = blank(words, r"(?ms)^```.*?^```").strip()

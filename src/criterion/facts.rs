@@ -1,4 +1,4 @@
-//! Properties of the limits, by limit.
+//! Types for the properties of a limit: direction, dependence on speed and walker, diagram, severity.
 
 /// Side of the bound on which values are permitted.
 ///
@@ -26,7 +26,7 @@ impl Direction {
         }
     }
 
-    /// Distance of a value beyond a bound; negative if it satisfies the bound.
+    /// Amount by which a value violates a bound, in the unit of both; negative or zero if the bound is satisfied.
     pub fn excess(self, value: f64, bound: f64) -> f64 {
         self.sign() * (value - bound)
     }
@@ -45,13 +45,13 @@ impl Direction {
 pub enum DependsOn {
     /// The quantity depends on the cam only, not on speed or walker.
     Cam,
-    /// A time derivative of the lift of this order, proportional to this power of the speed.
+    /// The quantity is the time derivative of the lift of this order. It is proportional to this power of the speed.
     Motion(usize),
-    /// The contact force, linear in the force at rest and in the walker's factor.
+    /// The contact force. It is linear in the force at rest and in the factor β of the walker.
     Force,
-    /// Force and cam together. No factor relates the values of two walkers.
+    /// The quantity depends on force and cam together. Its values for two walkers do not differ by a common factor.
     Load,
-    /// Vibration of a compliant follower at constant speed. It is checked for every walker.
+    /// The vibration of a compliant follower at constant speed. It is checked for every walker.
     Vibration,
 }
 
@@ -78,17 +78,17 @@ pub enum Diagram {
     Force,
     /// Diagram of the lift.
     Lift,
-    /// Diagram of the velocity in time.
+    /// Diagram of the velocity with respect to time.
     Velocity,
-    /// Diagram of the acceleration in time.
+    /// Diagram of the acceleration with respect to time.
     Acceleration,
-    /// Diagram of the jerk in time.
+    /// Diagram of the jerk with respect to time.
     Jerk,
     /// Diagram of the radius of curvature.
     Radius,
     /// Diagram of the pressure angle.
     PressureAngle,
-    /// Position of the contact on a flat face.
+    /// Diagram of the contact position on a flat face.
     Contact,
     /// Diagram of the shaft torque.
     Torque,
@@ -126,12 +126,12 @@ pub enum Lines {
     BothSides,
     /// A line at the negative of the bound.
     AtNegative,
-    /// A line at the height of the bound above the minimum of the curve.
+    /// A line above the minimum of the curve, at the distance of the bound.
     AboveLowest,
 }
 
 impl Lines {
-    /// Heights of the lines of a bound in the diagram of a curve with the minimum `lowest`.
+    /// Ordinates of the lines that represent a bound in a diagram. `lowest` is the minimum of the curve.
     pub fn heights(self, bound: f64, lowest: f64) -> Vec<f64> {
         match self {
             Lines::AtBound => vec![bound],
@@ -141,7 +141,7 @@ impl Lines {
         }
     }
 
-    /// Height from which the bound is measured to its line; `None` if the line is at the bound.
+    /// Ordinate from which the bound is measured to its line; `None` if the line is at the bound.
     pub fn origin(self, lowest: f64) -> Option<f64> {
         match self {
             Lines::AtBound => None,
@@ -151,7 +151,7 @@ impl Lines {
     }
 }
 
-/// Rank of a failed check among the reasons of a verdict, the most serious first.
+/// Severity of a failed check. The reasons for a verdict are in this order, the most severe first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The profile cannot be manufactured.
@@ -176,11 +176,11 @@ pub struct LimitFacts {
     pub direction: Direction,
     /// Dependence of the quantity on speed and walker.
     pub depends_on: DependsOn,
-    /// Whether a change of the limit for the end of a compliant follower moves the cam's own value towards its bound.
+    /// Whether changing the limit for the end of a polydyne follower can bring the value of the cam to its bound.
     pub moves_with_end: bool,
-    /// Diagram of the quantity, and the lines of its bound.
+    /// Diagram of the quantity, and the lines that represent its bound; `None` without a diagram.
     pub diagram: Option<(Diagram, Lines)>,
-    /// Rank of the failed check among the reasons of a verdict.
+    /// Severity of a failed check of the limit.
     pub severity: Severity,
 }
 

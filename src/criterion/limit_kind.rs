@@ -1,10 +1,10 @@
-//! Limits of a cam, one row each, with all properties that differ between limits.
+//! Limits of a cam, in a table with one row for each limit and its properties.
 
 use serde::Serialize;
 
 use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severity};
 
-/// Every limit of a scene.
+/// Kind of limit in a scene.
 ///
 /// ```
 /// use gaitcam::criterion::LimitKind;
@@ -20,11 +20,11 @@ use super::{Criterion, DependsOn, Diagram, Direction, LimitFacts, Lines, Severit
 pub enum LimitKind {
     /// Maximum stroke of the follower.
     Stroke,
-    /// Maximum velocity in time.
+    /// Maximum |velocity| with respect to time.
     Velocity,
-    /// Maximum acceleration in time.
+    /// Maximum |acceleration| with respect to time.
     Acceleration,
-    /// Maximum jerk in time.
+    /// Maximum |jerk| with respect to time.
     Jerk,
     /// Minimum contact force over the turn.
     ForceMin,
@@ -67,19 +67,19 @@ impl LimitKind {
         self.into()
     }
 
-    /// The limit with this name.
+    /// The limit with this name; `None` for an unknown name.
     pub fn named(name: &str) -> Option<LimitKind> {
         name.parse().ok()
     }
 
-    /// Whether a check of a design measures this limit. A common limit of both pressure angles is measured on rise and fall.
+    /// Whether a check of a design measures this limit. If rise and fall have the same pressure-angle limit, the check of each side measures it.
     pub fn is_measured_by(self, check: Criterion) -> bool {
         let side =
             [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(Criterion::Limit);
         check == self || self == LimitKind::PressureAngle && side.contains(&check)
     }
 
-    /// Properties of the limit.
+    /// Properties of the limit: direction, dependence on speed and walker, diagram, severity.
     #[rustfmt::skip]
     pub const fn facts(self) -> LimitFacts {
         use DependsOn::{Cam, Force, Load, Motion, Vibration};

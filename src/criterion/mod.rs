@@ -53,7 +53,7 @@ pub enum Criterion {
     LowerWall,
     /// A flank on which the lift only rises or only falls.
     Monotone,
-    /// Maximum of the minimised quantity.
+    /// Maximum of the quantity whose peak is minimised.
     Peak,
     /// Diameter of the second cam of a pair.
     SecondDiameter,
@@ -70,7 +70,7 @@ pub enum Criterion {
 }
 
 impl Criterion {
-    /// Name of the criterion in `summary.json`; for a given value, the key of the scene.
+    /// Name of the criterion in `summary.json`. For a value given in the scene, it is the key of this value.
     pub fn name(self) -> &'static str {
         match self {
             Criterion::Limit(kind) => kind.name(),
@@ -98,7 +98,7 @@ impl Criterion {
         }
     }
 
-    /// The corresponding criterion for the second cam of a pair. A criterion that does not apply there is returned unchanged.
+    /// The corresponding criterion for the second cam of a pair. Criteria that a second cam does not have are returned unchanged.
     #[must_use]
     pub fn of_second_cam(self) -> Criterion {
         match self {
@@ -140,7 +140,7 @@ impl Criterion {
         }
     }
 
-    /// Rank of the failed check among the reasons of a verdict.
+    /// Severity of a failed check, which determines the order of the reasons for a verdict.
     pub fn severity(self) -> Severity {
         match self {
             Criterion::Limit(kind) => kind.facts().severity,

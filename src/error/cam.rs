@@ -48,7 +48,7 @@ pub enum CamError {
         rise: Quantity,
         fall: Quantity,
     },
-    /// The arm of a flat face turns as fast as the cam.
+    /// The arm of a flat face turns at least as fast as the cam.
     FaceSpeed { at: Quantity, speed: f64 },
     /// The pivot lies inside the cam.
     PivotInside {
@@ -58,7 +58,7 @@ pub enum CamError {
     },
     /// The second cam of a pair does not exist. `because` is the serialised error of the second cam.
     SecondCam { because: Value },
-    /// No second cam closes the pair at this dimension.
+    /// No second cam exists for this total distance or angle of the pair.
     NoConjugate {
         total: Quantity,
         reach: Quantity,
@@ -106,7 +106,7 @@ pub enum CamInputError {
     SlidesByAngle,
     /// There is no conjugate cam for this kind of follower.
     NoConjugateOf { follower: &'static str },
-    /// The base height of a translating cam has no minimum.
+    /// The base height of a translating cam has no minimum, because curvature and pressure angle do not depend on it.
     TranslatingHeight,
     /// There are too few measured points.
     MeasuredFew { points: usize, least: usize },

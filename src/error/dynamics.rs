@@ -39,7 +39,7 @@ pub enum DynamicsError {
     Restitution { restitution: f64 },
     /// The profile has too few points.
     FewRows { rows: usize },
-    /// The angle of a profile point deviates from its equal step.
+    /// A profile point is not at its equally spaced angle.
     RowAngle {
         row: usize,
         at: Quantity,
@@ -51,25 +51,25 @@ pub enum DynamicsError {
     Concave { at: Quantity, radius: Quantity },
     /// The natural frequency or the damping ratio is invalid.
     Frequency { frequency: f64, ratio: f64 },
-    /// A natural frequency is given, but the mass is zero; a column of fluid has no mass.
+    /// A natural frequency is given, but the mass is zero, as for a column of fluid (`fluid`).
     FrequencyWithoutMass { fluid: bool },
     /// The stiffness or the damping is invalid.
     Train,
-    /// An undamped natural frequency equals a harmonic.
+    /// The natural frequency of an undamped follower equals a harmonic of the cam's rotation.
     Resonance { cycles: f64 },
     /// The flexible model requires a stiffness.
     NoTrain,
     /// An open law has no steady vibration.
     OpenVibration,
-    /// The groove constrains the roller from both sides, so it cannot lift off.
+    /// The groove constrains the roller from both sides, so the roller cannot lift off.
     HeldByGroove,
-    /// The conjugate pair constrains the follower from both sides, so it cannot lift off.
+    /// The conjugate pair constrains the follower from both sides, so the follower cannot lift off.
     HeldByPair,
-    /// The contact model requires a law of one turn.
+    /// The contact model requires a cam that turns once per cycle.
     NotOneTurn,
     /// Motor data are out of range.
     Motor,
-    /// A motor supports only one cam with a law of one turn.
+    /// A motor can drive only one cam, with a law of one turn.
     MotorTurns,
     /// The shaft stops within a turn.
     Stalls { inertia: Quantity, needed: Quantity },
@@ -87,11 +87,11 @@ pub enum DynamicsError {
     ProgrammeRow { row: usize },
     /// A speed programme requires a rotating cam.
     ProgrammeTurns,
-    /// No programme satisfies the limit of the acceleration.
+    /// No speed programme satisfies the limit on the acceleration.
     ProgrammeAcceleration { most: Quantity },
     /// The follower loses contact, or the force is below its limit, at any speed of the programme.
     ProgrammeContact { least: Quantity, limit: Quantity },
-    /// The motor does not reach a torque at a speed.
+    /// The motor cannot deliver the required torque at a speed of the programme.
     ProgrammeMotor {
         torque: Quantity,
         speed: Quantity,

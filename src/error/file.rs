@@ -19,9 +19,9 @@ use strum::VariantNames;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum FileError {
-    /// The file cannot be read: `missing`, `denied`, or the text of the operating system.
+    /// The file cannot be read. `fault` is `missing`, `denied`, or the text of the operating system.
     CannotRead { fault: String },
-    /// A file that a scene names does not exist.
+    /// A file named in the scene does not exist.
     Missing { file: String },
     /// The operating system cannot move the files into place.
     CannotPlace { fault: String },
@@ -55,7 +55,7 @@ pub enum FileError {
     AnotherSweep { differences: String },
     /// The folder contains files that are not blocks of a sweep.
     NotSweepFolder { file: String },
-    /// Some cycles cannot be used in the population, by file or walker.
+    /// Some cycles cannot be used in the population. The fields list their files or walkers, one field for each reason.
     Walkers {
         count: usize,
         unreadable: Option<InLanguages>,
@@ -65,9 +65,9 @@ pub enum FileError {
         kind: Option<String>,
         cycle: Option<String>,
     },
-    /// The file for the curve of a motor or the rows of a motion contains no table of numbers; `start` is its first text.
+    /// The file with the torque curve of a motor or with a motion contains no table of numbers. `start` is the beginning of the file.
     NoTable { start: String, purpose: String },
-    /// The curve of a motor lacks a column.
+    /// The torque curve of a motor lacks a column.
     MotorColumn { column: String, columns: String },
     /// A motion lacks a column.
     MotionColumn {
@@ -83,7 +83,7 @@ pub enum FileError {
     MotionOrder { column: String, x: f64, before: f64 },
     /// A motion has too many rows.
     MotionManyRows { most: usize },
-    /// Length or lift of the segment differ from its file.
+    /// The length or the lift of a segment differs from the values in its file.
     MotionDiffers {
         column: String,
         covered: f64,

@@ -85,13 +85,13 @@ pub enum LawError {
         start: Quantity,
         end: Quantity,
     },
-    /// A condition fixes a derivative above the degree.
+    /// A condition prescribes a derivative of a higher order than the degree.
     ConditionOrder {
         condition: usize,
         order: usize,
         degree: usize,
     },
-    /// Two conditions fix the same derivative at the same angle.
+    /// Two conditions prescribe the same derivative at the same angle.
     ConditionTwice {
         first: usize,
         second: usize,
@@ -118,7 +118,7 @@ pub enum LawError {
     MotionFile { motion: String, file: String },
     /// A general polynomial has a degree other than 5 or 7.
     GeneralDegree { degree: usize },
-    /// The fractions of an SCCA law do not add to 1.
+    /// The fractions of an SCCA law do not add up to 1.
     SccaShares { b: f64, c: f64, d: f64 },
     /// The eccentric does not enclose its shaft.
     EccentricRatio { ratio: f64 },
@@ -182,7 +182,7 @@ pub enum JoinError {
         depth: Quantity,
         at: Quantity,
     },
-    /// The spline through a table is below the base circle between two rows, by more than half a unit of their last decimal.
+    /// The spline through a table is below the base circle between two rows, by more than half a unit of the last decimal of the lifts.
     TableBelowBaseCircle {
         segment: SegmentName,
         first: usize,
@@ -192,7 +192,7 @@ pub enum JoinError {
     },
 }
 
-/// Segment of a programme, named in a message.
+/// Segment of a programme, as named in messages.
 ///
 /// ```
 /// use gaitcam::error::LawError;

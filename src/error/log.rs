@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Errors in a log.
+/// Errors in the log of a running machine that prevent its evaluation.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -76,13 +76,13 @@ pub enum LogError {
         found: Quantity,
         expected: Quantity,
     },
-    /// The magnitude of the force differs from the expected one.
+    /// The magnitude of the force differs from its expected value.
     OtherSize { found: Quantity, expected: Quantity },
     /// The force has the opposite sign.
     WrongSign,
     /// A log is given twice.
     Copy { other: String },
-    /// A parameter differs from that of another log.
+    /// A parameter of the machine differs between two logs.
     OtherMachine {
         key: String,
         value: Quantity,

@@ -1,6 +1,10 @@
-//! Errors in the input: message, location and suggested change. An error is data: a location and a fault with fields. Each area of the library has a
-//! file here with its faults. Their messages are in `wording/en/AREA.ftl`, the suggested change in the attribute `.help`. A bad cam is not an error
-//! but a [`Verdict`](crate::cam::Verdict). An impossible cam is an [`Infeasible`](crate::synth::Infeasible) result. A panic is an internal error.
+//! Errors in the input, each with message, location and suggested change.
+//!
+//! An error contains its location and a variant of an enum with fields. Each file of this folder contains the enum of one subject (area), such
+//! as the cam or the law. The messages of an area are in `wording/en/AREA.ftl`, the suggested changes in the attribute `.help`.
+//!
+//! A bad cam is not an error but a [`Verdict`](crate::cam::Verdict). An impossible cam is an [`Infeasible`](crate::synth::Infeasible) result. A
+//! panic is an internal error.
 
 mod cam;
 mod dynamics;
@@ -29,7 +33,7 @@ pub(crate) use synth::NoDesignError;
 pub use synth::SynthError;
 pub use write::WriteError;
 
-/// Areas of faults with their enums. For each area: whether its faults mean that no cam satisfies the scene.
+/// Implements [`Fault`] for the error enums. Each row contains the area, the enum, and whether its errors mean that no cam satisfies the scene.
 macro_rules! faults {
     ($($area:literal => $fault:ty, $answer:literal);* $(;)?) => {
         $(impl Fault for $fault {

@@ -27,7 +27,7 @@ pub enum SceneError {
     NotToml { line: usize, fault: String },
     /// The name is not valid for an output folder.
     OutputName { typed: String },
-    /// A key is unknown; with the nearest known key.
+    /// A key is unknown. The error contains the most similar key and all known keys.
     NoSuchKey {
         nearest: Option<String>,
         known: String,
@@ -68,7 +68,7 @@ pub enum SceneError {
     },
     /// The value is not a number with its unit.
     NotQuantity { typed: String, example: String },
-    /// A word is unknown; with the nearest known word.
+    /// A word is unknown. The error contains the most similar word and all known words.
     UnknownWord {
         word: String,
         nearest: Option<String>,
@@ -134,7 +134,7 @@ pub enum SceneError {
     SizeNotFree,
     /// The degree of a spline is outside its range.
     SplineDegree { typed: String },
-    /// The minimised derivative does not exist for laws of this degree.
+    /// The minimised derivative is zero between the knots for laws of this degree.
     DegreeBelowObjective { degree: usize, order: usize },
     /// A condition is given that only splines support.
     OnlySplines { family: &'static str },
@@ -142,7 +142,7 @@ pub enum SceneError {
     ProgramWithoutSegments,
     /// A polynomial has no points.
     PolynomialWithoutPoints,
-    /// The scene has no requirement for the law.
+    /// The scene gives neither a target force nor points nor segments for the law.
     NothingAsked,
     /// The speed is automatic, but the scene has no force cycle.
     NoSpeed,
@@ -188,7 +188,7 @@ pub enum SceneError {
     MotorLine,
     /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
-    /// A unit was given for points for Fusion, which always reads centimetres.
+    /// A unit is given for points in the Fusion format, which always uses centimetres.
     PointsOfFusion,
     /// A nameplate lacks the rated torque or the rated speed.
     HalfNameplate,
@@ -198,7 +198,7 @@ pub enum SceneError {
     MotorCurve,
     /// A motor is given without the inertia of its shaft.
     MotorWithoutInertia,
-    /// A mode of the floor lacks a number.
+    /// A mode of the floor lacks its mass, frequency or damping ratio.
     FloorLacks { example: String },
     /// Both a single mode of the floor and a list of modes are given.
     FloorTwice,
@@ -232,7 +232,7 @@ pub enum SceneError {
         follower: &'static str,
         drive: &'static str,
     },
-    /// The name of a built-in scene is unknown; with a similar name.
+    /// The name of a built-in scene is unknown. The error contains the most similar name and all known names.
     NoSuchScene {
         typed: String,
         nearest: Option<String>,

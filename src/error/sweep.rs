@@ -22,11 +22,11 @@ pub enum SweepError {
     NoAssignment { typed: String },
     /// An axis has no values.
     NoValues,
-    /// A range to be sampled has a count.
+    /// A range has a number of values, although its values are sampled.
     SampledCount,
-    /// A range of a grid has no count.
+    /// A range of a grid has no number of values.
     NoCount,
-    /// The count of a range is not a whole number.
+    /// The number of values of a range is not a whole number.
     NotCount { typed: String },
     /// The ends of a range have different units.
     DifferentUnits { first: String, last: String },
@@ -34,7 +34,7 @@ pub enum SweepError {
     NotNumber { typed: String },
     /// A plan has no rows.
     NoRows,
-    /// The number of rows exceeds the range of row numbers.
+    /// The number of rows exceeds the maximum row number.
     TooManyRows { rows: String },
     /// The columns of a list differ in length.
     ListLengths {
@@ -44,7 +44,7 @@ pub enum SweepError {
     },
     /// A recording is not stored with the sweep.
     NotCarried,
-    /// Tolerances are combined with several scenes or values.
+    /// Tolerances are combined with another variation, although tolerances apply to one design only.
     ScatterAlone,
     /// There is no cam for which manufacturing errors could be sampled.
     NoDesign,
@@ -62,7 +62,7 @@ pub enum SweepError {
     NoScene { scene: usize },
     /// A tolerance has no `=`.
     NoToleranceValue { typed: String },
-    /// A part of the tolerances has no value.
+    /// The name of a part is unknown or has no tolerance.
     NoTolerance { typed: String },
     /// A tolerance is negative.
     NegativeTolerance { part: String, typed: String },
@@ -72,7 +72,7 @@ pub enum SweepError {
     ScatterOfArm,
     /// A front over lift-off speed requires a moving axis.
     FrontWithoutMovingAxis,
-    /// A front requires a base or prime radius here.
+    /// A front requires a given base or prime radius if the pressure determines the size of the cam.
     FrontWithoutSize,
     /// No numeric column has this name.
     NoColumn {

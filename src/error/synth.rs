@@ -55,11 +55,11 @@ pub enum SynthError {
         ripple: Quantity,
         calm: Quantity,
     },
-    /// A given value would have to be adjusted for each walker.
+    /// A value is given in the scene, although it is adjusted for each walker.
     AdjustsGiven { key: String },
     /// The mass of this drive does not depend on the weight of a walker.
     MassNotAdjustable,
-    /// The force at another speed is not a multiple of the force at the reference speed.
+    /// The force of this drive does not scale with the speed. Its spring, damping and inertia forces depend on the speed in different ways.
     SpeedNotAdjustable,
     /// The setting is not supported for several walkers.
     NotOfPopulation,
@@ -93,9 +93,9 @@ pub enum SynthError {
     },
     /// The number of conditions exceeds the maximum.
     ManyDemands { given: usize, most: usize },
-    /// The law does not close.
+    /// The law is not closed: its last lift differs from its first lift.
     LawOpen { rise: Quantity },
-    /// The drive does not relate force and lift.
+    /// With this drive, a force does not determine a lift.
     ForceGivesNoLift,
     /// The points contain no condition.
     PointsEmpty,

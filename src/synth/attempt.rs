@@ -1,7 +1,7 @@
-//! A law on a cam for one problem, or the reason for which its limits are infeasible.
+//! Law on its cam for one problem, or the reason why the limits are infeasible.
 //!
-//! For a rigid machine at constant speed and a single force, this is the whole design. For a machine whose motion depends on the cam, a compliant
-//! follower or a population, several such problems are derived and solved.
+//! For a rigid machine at constant speed and a single force, this is the whole design. For a machine whose motion depends on the cam, a
+//! compliant follower or a population, several such problems are derived and solved.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::error::{Placed, Result};
 use crate::problem::Problem;
 use crate::scene::{LawSpec, Minimise};
 
-/// A law with its cam.
+/// A law with its cam, force and checks.
 #[derive(Clone)]
 pub struct Attempt {
     /// Best law within the limits, or without them if they are infeasible. Its minimum is on the base circle unless the drive or a condition
@@ -25,15 +25,16 @@ pub struct Attempt {
     pub law: SolvedLaw,
     /// Cam of the law, with force and checks.
     pub cam: CheckedCam,
-    /// Reason why the limits are infeasible.
+    /// Reason why the limits are infeasible; `None` if the law satisfies them.
     pub refusal: Option<Arc<Refusal>>,
 }
 
-/// Law within the limits of a problem on the given or the smallest cam. If the limits are infeasible: the best law without them, and the refusal.
+/// Law within the limits of a problem, on the given or the smallest cam. If the limits are infeasible, the result contains the best law without
+/// them and the reason.
 ///
 /// # Errors
 ///
-/// Errors of the input; conditions that no law satisfies even without limits.
+/// Errors of the input, and conditions that no law satisfies even without limits.
 pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     let refusal = match under_limits(problem, search)? {
         Ok(attempt) => return Ok(attempt),
@@ -52,7 +53,7 @@ pub fn attempt(problem: &Problem, search: &Search) -> Result<Attempt> {
     }
 }
 
-/// Law within the limits of a problem on the given or the smallest cam.
+/// Law within the limits of a problem, on the given or the smallest cam.
 ///
 /// # Errors
 ///
@@ -64,8 +65,8 @@ pub fn under_limits(problem: &Problem, search: &Search) -> Sought<Attempt> {
     on_cam(problem, families::law(problem, search)?)
 }
 
-/// The law without a nonconvex limit on the diameter, if it satisfies this limit. It is then also the optimum with the limit, and the sequence of
-/// convex programs is not needed.
+/// Law computed without a nonconvex limit on the diameter; `None` if the law violates this limit. A law that satisfies the limit is also the
+/// optimum with it, so the sequence of convex programs is not needed.
 fn within_diameter(problem: &Problem, search: &Search) -> Result<Option<Attempt>> {
     if !limits::diameter_is_nonconvex(problem) {
         return Ok(None);
@@ -92,7 +93,7 @@ fn on_cam(
 }
 
 impl Attempt {
-    /// Combines a law with its cam. The law is raised if the cam requires a higher lift.
+    /// Combines a law with its cam. The coefficients of the law are raised by the shift that places it on the base circle.
     pub fn of(mut law: SolvedLaw, cam: CheckedCam) -> Attempt {
         law.functions.raise(&mut law.coefficients, cam.raised);
         law.law = cam.pressing().clone();
@@ -104,8 +105,9 @@ impl Attempt {
     }
 }
 
-/// Best law without the accuracy if the other limits are feasible; otherwise without any limit, and finally without the base circle. If the accuracy
-/// is a limit and the objective is not the force, the best law has the minimum force error.
+/// Best law without some limits. If only the accuracy makes the limits infeasible, the law is computed without the accuracy. Otherwise it is
+/// computed without any limit, and if this fails, without the base circle too. If the force error is limited but is not the objective, the law
+/// minimises the force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
@@ -151,7 +153,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
     on_cam(problem, law.map(unproved))
 }
 
-/// The problem with an objective that leads to a closed form or a least-squares problem.
+/// The problem with an objective for which the law is in closed form or the solution of a least-squares problem.
 fn quick(problem: &Problem) -> Problem {
     match problem.objective() {
         Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),

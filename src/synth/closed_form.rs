@@ -1,7 +1,8 @@
-//! Figures of a plain design in closed form, for many problems with the same force (theory §1).
+//! Figures of a design in closed form, without a complete synthesis, for many problems with the same force (theory §1). They apply to a rigid
+//! machine at constant speed.
 //!
-//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force and
-//! flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the design to 1e-9.
+//! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force
+//! and flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the design to 1e-9.
 
 use std::f64::consts::PI;
 
@@ -15,13 +16,13 @@ use crate::synth::design::machine::MachineReport;
 use crate::synth::limits::GEOMETRY;
 use crate::synth::report::force::ForceReport;
 
-/// Relative difference between a mean force and the mean target below which both are equal.
+/// Relative difference between mean force and mean target below which the two count as equal.
 const SAME: f64 = 1e-13;
-/// Fraction of the mean below which errors are rounding errors, which are not compared.
+/// Fraction of the mean below which a permitted error is a rounding error, for which there is no closed form.
 const ROUNDING: f64 = 1e-5;
 
-/// Figures of the design of a plain problem in closed form: harmonics under a translating flat face. `None` for other laws, or if a limit may be
-/// violated; the full synthesis is then necessary.
+/// Figures of the design in closed form, for harmonics under a translating flat face. `None` for other problems, and if a limit may be violated.
+/// These require the complete synthesis.
 pub fn figures(problem: &Problem) -> Option<Figures> {
     let is_closed = problem.is_plain()
         && problem.law.family == Family::Harmonic
@@ -69,19 +70,19 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
     passes(problem, &figures).then_some(figures)
 }
 
-/// A law as a factor times a shape, plus a constant.
+/// A law as the product of a shape and a factor, plus a constant level.
 struct Motion<'a> {
     shape: &'a Shape,
-    /// Factor between the series and the force.
+    /// Factor by which the series is multiplied to obtain the target force.
     scale: f64,
     factor: f64,
     level: f64,
-    /// Ranges of the lift without the constant, and of its derivatives.
+    /// Minimum and maximum of the lift without its level, m, and of its first three derivatives.
     svaj: [[f64; 2]; 4],
 }
 
 impl Motion<'_> {
-    /// Figures for the cam of the problem. `error` is the error of the series.
+    /// Figures for the cam of the problem. `error` is the RMS and the maximum error of the series.
     fn figures(&self, problem: &Problem, error: [f64; 2]) -> Figures {
         let (drive, mean, scale) = (&problem.drive, problem.target_mean(), self.scale);
         let [rms_error_n, max_error_n] = error.map(|error| scale * error);
@@ -137,7 +138,7 @@ impl Motion<'_> {
         }
     }
 
-    /// Lift-off speed: F = M(g + ω²a) is zero for ω² = g/(−a).
+    /// Lift-off speed, rad/s; `None` if the follower does not lift off. Without spring and damping, F = M(g + ω²a) is zero for ω² = g/(−a).
     fn liftoff(&self, drive: &Drive) -> Option<f64> {
         if drive.spring_rate != 0.0 || drive.damping != 0.0 {
             let law = self.shape.law.scaled(self.factor).raised(self.level);
@@ -148,8 +149,8 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius, and minimum radius of curvature on it, from the minimum of s + a and the maximum lift. The base radius is given, or it is the minimum
-/// for curvature and bore.
+/// Base radius and minimum radius of curvature, m. `bent` is the minimum of s + a, and `highest` the maximum lift. If no base radius is given,
+/// it is the minimum that curvature and bore permit.
 fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {
@@ -162,7 +163,7 @@ fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     (base, (base + bent).max(wanted))
 }
 
-/// Whether every limit for which there is a figure is satisfied, including default bounds; `false` if there is any other limit.
+/// Whether the figures satisfy all limits, including default bounds. The result is `false` if there is a limit without a figure.
 fn passes(problem: &Problem, figures: &Figures) -> bool {
     let (limits, force) = (&problem.limits, &figures.force);
     let keeps = |kind: LimitKind| {

@@ -1,4 +1,4 @@
-//! Finished design: a law on its cam with verdict and notes, and the reports of machine and population.
+//! Finished design: a law on its cam with verdict and notes, and the reports on machine and population.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::cam::{Check, LimitKind, Verdict};
 use crate::dynamics::FloorMotion;
 use crate::problem::{Note, Problem};
 
-/// Reports that a compliant follower, a motor, a moving floor and a population add to a design.
+/// Reports for a compliant follower, a motor, a moving floor or a population, added to a design.
 #[derive(Default)]
 pub struct Reports {
     pub end: Option<End>,
@@ -27,7 +27,7 @@ pub struct Reports {
     pub relaxations: Vec<Relaxation>,
 }
 
-/// Finished design of a problem.
+/// Finished design: the law on its cam, with verdict, infeasible limits, notes and reports.
 pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;

@@ -1,7 +1,7 @@
 //! Design: from a target force to a law, its certificate and its cam.
 //!
-//! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in the law, and so is every limit
-//! on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
+//! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in the law. Limits on lift,
+//! velocity, acceleration, jerk, force and flat-face curvature are linear in the law too. The problem
 //!
 //! ```text
 //! minimise   mean over the turn of (F(θ) − F*(θ))²      (or the energy or peak of a derivative)
@@ -9,26 +9,27 @@
 //!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
 //! ```
 //!
-//! is convex. It is solved by the simplest method that is sufficient; the next one is used only when a limit is violated or cannot be expressed.
-//! Below, T is the turn, and W = (k, cω, mω²) are the weights of the force.
+//! is therefore convex. It is solved by the simplest sufficient method of the following ones. The next method is used only if a limit is
+//! violated or cannot be expressed. Below, T is the turn, and W = (k, cω, mω²) are the weights of the force.
 //!
-//! **Spectral.** For harmonics n = 1 … N without active limits, the least-squares problem is diagonal: ŝₙ = F̂ₙ / (k − mω²n² + i cωn), one division
-//! per harmonic.
+//! **Spectral.** For harmonics n = 1 … N without active limits, the least-squares problem is diagonal. Its solution ŝₙ = F̂ₙ / (k − mω²n² + i
+//! cωn) is one division per harmonic.
 //!
-//! **Equality.** B-splines of degree p on N spans, coefficients x:
+//! **Equality.** The law consists of B-splines of degree p on N spans with the coefficients x. Without limits, the problem is
 //!
 //! ```text
 //! minimise  ½ xᵀHx + gᵀx      H = (1/T) ∫ φφᵀ,  g = −(1/T) ∫ φ (F* − F₀),  φ = W·(B, B′, B″)
 //! such that E x = e           demands at points, dwells
 //! ```
 //!
-//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force does not
-//! determine the level (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
+//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force does
+//! not determine the level (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
 //!
-//! **QP.** In addition a(θ)ᵀx ≤ b(θ) for every θ: acceleration, jerk, stroke, force, flat-face curvature, a band about the target. Starting from the
-//! optimum without limits, the exact worst points of the law (roots in Bernstein form) become rows of a dual active-set method. When all contacts are
-//! known, Newton's method moves them to the points where a(θ)ᵀx touches b(θ) with equal slope. The method ends when no limit is exceeded at any angle
-//! by more than 4·10⁻¹⁰ of its size. Clarabel replaces the active-set method if there are many rows or if it does not converge.
+//! **QP.** Limits a(θ)ᵀx ≤ b(θ) for every θ are added: acceleration, jerk, stroke, force, flat-face curvature, or a band about the target. The
+//! method starts from the optimum without limits. The points of maximum violation, computed as roots in Bernstein form, become rows of a dual
+//! active-set method. When all active points are known, Newton's method moves these points to the angles at which a(θ)ᵀx touches b(θ) with equal
+//! slope. The method ends when no limit is exceeded at any angle by more than 4·10⁻¹⁰ of its scale. Clarabel replaces the active-set method if
+//! there are many rows or if it does not converge.
 //!
 //! **SOCP.** Prime radius R, height D and offset e are further variables (theory §6):
 //!
@@ -36,24 +37,27 @@
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! with R minimised or bounded; for a flat face R + s + a ≥ ρ instead. Clarabel solves the program, with an exchange of rows.
+//! where R is minimised or bounded. For a flat face, the limit is R + s + a ≥ ρ instead. Clarabel solves the program, and rows are exchanged as
+//! for the QP.
 //!
-//! **SCP.** For non-convex limits h(s, v, a, j, D, e) ≥ 0: the curvature of a roller cam, curvature and pressure angle of followers on an arm, the
-//! shaft torque F v and its rate F′v + F a, and the pressure between a roller and its cam. The limits are linearised at the minima of h, the convex
-//! program is solved, and the step is halved until h ≥ 0 over the whole turn. Every iterate is feasible, and every step improves the objective.
+//! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. Those of the profile are the curvature of a roller cam, and curvature and
+//! pressure angle of followers on an arm. Those of the loads are the shaft torque F v, its rate F′v + F a, and the pressure between a roller and
+//! its cam. The limits are linearised at the minima of h, and the convex program is solved. The step is halved until h ≥ 0 over the whole turn.
+//! Every iterate is feasible, and every step improves the objective.
 //!
-//! **Polydyne.** With a compliant follower, the law of its end y is optimised. The law of the cam is s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. The
-//! limits for the end are changed until the cam reaches its limits.
+//! **Polydyne.** For a compliant follower, the law y of its end is optimised. The law of the cam is s = y + x, where the deflection x follows
+//! from x + (c₁ω/k₁) x′ = F(y)/k₁. The limits for the end are changed until the cam reaches its limits.
 //!
-//! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half its square is added to the objective,
-//! with the weight for which the limit is active. If a peak is minimised, the force error is minimised instead, with the peak limited to the value
-//! for which the force error is e.
+//! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half the square of the left side is
+//! added to the objective, with the weight for which the limit is active. If a peak is minimised, the program minimises the force error under a
+//! limit on the peak. This limit is changed until the force error is e.
 //!
-//! **Certificate.** The multipliers λ of the active rows prove a lower bound. The gap between objective and bound is Σ λ(b − aᵀx) + xᵀr, with the
-//! gradient r of the Lagrangian. λ times 1 % of a limit is the gain from relaxing it by 1 %.
+//! **Certificate.** The multipliers λ of the active rows prove a lower bound. The gap between objective and bound is Σ λ(b − aᵀx) + xᵀr, with
+//! the gradient r of the Lagrangian. The product of λ and 1 % of a limit is the gain from relaxing this limit by 1 %.
 //!
-//! **Infeasible.** If there is no solution, a deletion filter finds an irreducible infeasible set of limits. For each of them, minimising its bound
-//! gives a first relaxation. `relaxed` designs the whole cam with each value and changes it until every check passes.
+//! **Infeasible.** If there is no solution, a deletion filter finds an irreducible infeasible set of limits. For each limit of the set,
+//! minimising its bound gives a first relaxed value. `relaxed` designs the complete cam with this value, and changes the value until every check
+//! passes.
 
 mod attempt;
 pub(crate) mod closed_form;
@@ -108,8 +112,8 @@ use crate::scene::Scene;
 
 /// Designs the cam for a scene. `force` is one cycle of the target force, if the scene has one.
 ///
-/// The result is complete even if a check fails or the limits are infeasible. Then `infeasible` or the verdict states this, and the design is the
-/// best one without the limits.
+/// The result is complete even if a check fails, which its verdict states. If the limits are infeasible, `infeasible` contains the reason, and
+/// the design is the best design without the limits.
 ///
 /// # Errors
 ///
@@ -123,7 +127,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Errors of the scene; a force that has to be read from a file, for which [`Scene::design_for`] is necessary.
+    /// Errors of the scene. The force has to be read from a file, which requires [`Scene::design_for`].
     pub fn design(&self) -> Result<Design> {
         synthesise(self, self.model_force()?.as_ref())
     }
@@ -145,7 +149,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// Errors of the scene; a force that its drive cannot produce.
+    /// Errors of the scene. The drive cannot produce the force.
     pub fn design_for(&self, force: &ForceCurve) -> Result<Design> {
         synthesise(self, Some(force))
     }

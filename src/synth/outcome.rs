@@ -1,4 +1,4 @@
-//! Result for a scene.
+//! Outcome for a scene: a design, or the reason why there is no cam.
 
 use super::{Design, Search, design};
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
 
-/// Result for a scene: a design, or the reason for which no cam can be shown.
+/// Outcome for a scene: a design, or the reason why there is no cam.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -21,9 +21,9 @@ use crate::scene::Scene;
 /// ```
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// A design. Its verdict states whether it satisfies the limits. If they are infeasible, it is the best design without them.
+    /// A design. Its verdict states whether the design satisfies the limits. If the limits are infeasible, it is the best design without them.
     Built(Box<Design>),
-    /// No cam can be shown, with the reason.
+    /// There is no cam. The error contains the reason.
     NoCam(Error),
 }
 
@@ -38,7 +38,7 @@ pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Res
 }
 
 impl Outcome {
-    /// Converts the result of a synthesis to an outcome.
+    /// Outcome for the result of a synthesis. An error that means that no cam satisfies the scene becomes `NoCam`.
     ///
     /// # Errors
     ///
@@ -63,7 +63,7 @@ impl Outcome {
         }
     }
 
-    /// Adds suggested changes of violated limits to the design.
+    /// Adds suggested changes to a design that fails.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Outcome {
         match self {

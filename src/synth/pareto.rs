@@ -1,5 +1,6 @@
-//! Trade-off fronts: minimum force error for each size of the cam, or for each jerk, acceleration or stroke. Each of these quantities has a convex
-//! limit, so minimising the force error for each value gives every point of the front.
+//! Trade-off fronts: minimum force error as a function of another quantity, such as the size of the cam, the jerk, the acceleration or the
+//! stroke. The limit on each of these quantities is convex, so minimising the force error for each permitted value gives every point of the
+//! front.
 
 use super::design::Design;
 use super::design::figures::{FIGURES, Figure, Figures};
@@ -11,7 +12,7 @@ use crate::error::{Placed, Result, SweepError, SynthError};
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 
-/// Point of the trade-off front.
+/// Point of a trade-off front.
 ///
 /// ```
 /// use gaitcam::synth::{Search, trade, traded};
@@ -30,27 +31,27 @@ use crate::scene::{Family, LawSpec, LimitKind, Minimise};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Trade {
-    /// Permitted value of the second quantity, in SI units.
+    /// Permitted value of the quantity other than the force error, in SI units.
     pub allowed: f64,
-    /// Design with the minimum force error.
+    /// Design with the minimum force error for the permitted value.
     pub design: Design,
 }
 
-/// Force error at the end of the front, relative to the mean force or to the minimum error.
+/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger, it replaces this value.
 const WORST: f64 = 0.1;
-/// Number of bisection steps to find the end of the front.
+/// Number of bisection steps that find the tightest value of the front.
 const HALVINGS: usize = 14;
-/// Ratio of the value at the other end of the front and that of the unlimited law. It is below 1, so that the limit is active.
+/// Ratio of the weakest value of the front and the value of the unlimited law. It is below 1, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Factor between the number of spans of a law on the front and that of the unlimited law.
+/// Ratio of the number of spans of the laws on the front and the number of spans of the first design.
 const MORE_SPANS: usize = 2;
 /// Maximum automatic number of spans of a law on the front.
 const MOST_SPANS: usize = 64;
 
-/// The figure in a pair such as `force_error:prime_radius`, in either order.
+/// The figure that is combined with the force error in a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
-/// Other words; the error contains the known ones.
+/// The pair is incomplete, lacks the force error, or contains an unknown figure. The error contains the known figures.
 ///
 /// ```
 /// use gaitcam::synth::traded;
@@ -88,12 +89,12 @@ pub fn traded(pair: &str) -> Result<&'static Figure> {
     })
 }
 
-/// Limit that bounds a figure in a problem.
+/// Limit by which a figure is bounded in a problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Bound {
     /// The limit of the figure in the scene.
     Limit(LimitKind),
-    /// Lift-off speed: a minimum force at the speed of the machine.
+    /// Lift-off speed, bounded by a minimum force at the speed of the machine.
     LiftoffSpeed,
 }
 
@@ -102,7 +103,7 @@ impl Bound {
         figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// Converts a value to a minimised quantity, and back: the inverse for a lift-off speed, otherwise the value itself.
+    /// Converts a value to a quantity to be minimised, or back: the inverse for a lift-off speed, otherwise the value itself.
     fn turned(self, value: f64) -> f64 {
         match self {
             Bound::LiftoffSpeed => 1.0 / value,
@@ -110,7 +111,7 @@ impl Bound {
         }
     }
 
-    /// Rejects problems without a front, and figures without a limit.
+    /// Rejects problems for which the front is not defined, and figures whose limit is not possible.
     fn check(self, problem: &Problem) -> Result<()> {
         if problem.target.is_none() {
             return Err(SynthError::NoTarget.at_key("gait"));
@@ -133,7 +134,7 @@ impl Bound {
         }
     }
 
-    /// The problem with a bound on the figure.
+    /// The problem with the figure bounded by `value`.
     fn held(self, problem: &Problem, value: f64) -> Problem {
         match self {
             Bound::LiftoffSpeed => {
@@ -152,13 +153,13 @@ impl Bound {
     }
 }
 
-/// Whether a word is the name of a column or the beginning of the name.
+/// Whether a word is the name of a column or its beginning, up to an underscore.
 fn names(column: &str, word: &str) -> bool {
     let rest = column.strip_prefix(word);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
 }
 
-/// The problem with only the bound of a point of the front: a spline with minimum force error.
+/// The problem on which all points of the front are based: a spline with minimum force error, without a limit on this error.
 fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     let mut law = LawSpec {
         family: Family::Spline,
@@ -174,12 +175,12 @@ fn unlimited(problem: &Problem, search: &Search) -> Result<Problem> {
     Ok(problem.with_law(law).without_accuracy())
 }
 
-/// Front between force error and another quantity, in equal steps from the tightest value to that of the unlimited law. It has fewer points if the
-/// search was stopped.
+/// Trade-off front between the force error and another quantity. The permitted values have equal steps, from the tightest value to the value of
+/// the unlimited law. If the search is stopped, the front has fewer points.
 ///
 /// # Errors
 ///
-/// A problem without a force; a family other than splines; a given size; a law that is infeasible without the limit.
+/// The problem has no target force, another family than splines, or a given size, or is infeasible without the limit.
 pub fn trade(
     problem: &Problem,
     against: &Figure,

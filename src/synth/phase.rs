@@ -1,5 +1,5 @@
-//! Free phase between force cycle and cam angle, for laws with conditions at cam angles (points, dwells, a programme). The error over the phase has
-//! several minima. A grid finds the best one, and Brent's method refines it. The result is deterministic.
+//! Free phase between force cycle and cam angle, for laws with conditions at cam angles (points, dwells, a programme). The force error as a
+//! function of the phase has several minima. The best phase on a grid is therefore refined by Brent's method. The result is deterministic.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -14,23 +14,23 @@ use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 
-/// Number of phases evaluated before the search.
+/// Number of phases on the grid.
 const VISITED: usize = 36;
 /// Tolerance of the phase, rad.
 const RESOLVED: f64 = 1e-6;
-/// Maximum number of steps of the search.
+/// Maximum number of iterations of Brent's method.
 const STEPS: u64 = 60;
 
-/// The problem at the phase of minimum force error if its phase is free; otherwise unchanged.
+/// The problem at the phase of minimum force error. A problem with a given phase is returned unchanged.
 ///
 /// # Errors
 ///
-/// No phase is feasible, and at some phases the input is invalid.
+/// No phase is feasible, and the input is invalid at some phases.
 pub fn best<'p>(problem: &'p Problem, search: &Search) -> Result<Cow<'p, Problem>> {
     deepest(problem, |at| least_error(&at, search))
 }
 
-/// RMS force error of the best law within the limits of a problem, N; `None` if infeasible.
+/// RMS force error, N, of the law with the smallest error within the limits of a problem; `None` if the limits are infeasible.
 fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     let of_force = problem.limited_error().is_some() && !problem.is_weighed();
     let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));
@@ -39,7 +39,7 @@ fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     Ok(found.map(|found| force_report(problem, &found.law).rms_error_n))
 }
 
-/// The problem at the phase of the minimum error.
+/// The problem at the phase for which `error` is minimum.
 fn deepest(
     problem: &Problem,
     error: impl Fn(Problem) -> Result<Option<f64>>,
@@ -85,7 +85,7 @@ fn deepest(
     Ok(Cow::Owned(problem.at_phase(found)))
 }
 
-/// The force error as a function of the phase.
+/// Force error as a function of the phase, for Brent's method.
 struct Phases<F>(F);
 
 impl<F: Fn(f64) -> Result<Option<f64>>> CostFunction for Phases<F> {

@@ -1,10 +1,10 @@
-//! Small problems for which law and cam are known in closed form.
+//! Small problems whose law and cam are known in closed form, for tests.
 
 use crate::problem::Problem;
 use crate::units::G;
 
-/// Problem with a force of one harmonic, 0.3 of the weight at 2 Hz, on a moving axis. Its law has three numbers. `cam` and `limits` are the lines of
-/// these tables of the scene.
+/// Problem with a force of one harmonic, 0.3 of the weight at 2 Hz, on a moving axis. Its law has three coefficients (constant, cosine, sine).
+/// `cam` and `limits` are the TOML lines of the tables `[cam]` and `[limits]`.
 pub fn one_wave(cam: &str, limits: &str) -> Problem {
     let text = format!(
         "[gait]\nharmonics = [\"0.3\"]\nstep_frequency = \"2 Hz\"\n[drive]\nkind = \"moving-axis\"\n\
@@ -14,10 +14,10 @@ pub fn one_wave(cam: &str, limits: &str) -> Problem {
     Problem::resolve(&scene, scene.model_force().unwrap().as_ref()).unwrap()
 }
 
-/// Table `cam` with a flat face of automatic size.
+/// TOML line of the table `[cam]` for a flat face of automatic size.
 pub const FLAT: &str = "follower = \"flat-translating\"";
 
-/// Half the stroke, m, that produces the whole force: 0.3 g/ω².
+/// Amplitude of the lift, m, that produces the complete alternating force: 0.3 g/ω².
 pub fn amplitude(problem: &Problem) -> f64 {
     0.3 * G / problem.drive.speed.powi(2)
 }

@@ -1,4 +1,4 @@
-//! Conditions of a search: stop condition, and usable results.
+//! Options of a search: stop condition, and results that are useful.
 
 use crate::halt::Halt;
 
@@ -18,13 +18,13 @@ use crate::halt::Halt;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Search {
-    /// Stop condition of the search.
+    /// Stop condition, which is polled during the search.
     pub(crate) halt: Halt,
-    /// Whether only a passing design is usable. A design that cannot reach the accuracy is then not completed.
+    /// Whether only a passing design is useful. A design that is proved not to reach the accuracy is then not completed.
     pub(super) only_passing: bool,
-    /// Whether the law may be below the base circle, to diagnose conditions without a cam.
+    /// Whether the law may be below the base circle. This is used to diagnose conditions that no cam satisfies.
     pub(super) below_base_circle: bool,
-    /// Initial number of spans, from the design of a similar problem.
+    /// Minimum number of spans in the search for an automatic number, from the design of a similar problem.
     pub(super) least_spans: usize,
 }
 
@@ -38,7 +38,7 @@ impl Search {
         }
     }
 
-    /// The search with another stop condition.
+    /// The same search with another stop condition.
     #[must_use]
     pub fn ended_by(&self, halt: &Halt) -> Search {
         Search {
@@ -47,7 +47,7 @@ impl Search {
         }
     }
 
-    /// The search, with laws that may be below the base circle.
+    /// The same search, with laws that may be below the base circle.
     pub(super) fn below_base_circle(&self) -> Search {
         Search {
             below_base_circle: true,
@@ -55,7 +55,7 @@ impl Search {
         }
     }
 
-    /// The search, with only passing designs as results.
+    /// The same search, for which only passing designs are useful.
     pub(super) fn for_passing_designs(&self) -> Search {
         Search {
             only_passing: true,

@@ -1,4 +1,4 @@
-//! Design of a problem: for one force or many walkers, and for a plain machine or one whose motion depends on the cam.
+//! Design of a problem, for one force or many walkers, and for a plain machine or a machine whose motion depends on the cam.
 
 use super::attempt::{attempt, under_limits};
 use super::design::Design;
@@ -12,7 +12,7 @@ use crate::cam::Verdict;
 use crate::error::Result;
 use crate::problem::Problem;
 
-/// Design of a problem, even if its limits are infeasible.
+/// Design of a problem. If the limits are infeasible, it is the best design without them.
 ///
 /// # Errors
 ///
@@ -32,7 +32,7 @@ pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
     Ok(finished(problem, search, plain, Reports::default()))
 }
 
-/// A feasible design that need not be optimal, fast enough for interactive use; `None` if no feasible design is found.
+/// A design that passes every check but need not be optimal. It is fast enough for interactive use. `None` if no such design is found.
 ///
 /// ```
 /// use gaitcam::synth::{Search, passing};
@@ -54,7 +54,7 @@ pub fn passing(problem: &Problem, search: &Search) -> Result<Option<Design>> {
     kept(problem, &search.for_passing_designs())
 }
 
-/// Design of a problem if it satisfies every limit; `None` otherwise, without diagnosing infeasibility.
+/// Design of a problem if its verdict is not unacceptable; otherwise `None`, without a diagnosis of infeasibility.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Verdict on a finished cam and its reasons (docs/verdict.md).
+//! Verdict on a finished cam, with its reasons (docs/verdict.md).
 
 use super::limits::{GEOMETRY, is_usual, usual_pressure_angle};
 use super::sizing::smallest_without_undercut;
@@ -11,10 +11,10 @@ use crate::synth::report::force::ForceReport;
 use crate::synth::report::reason::{Reason, place, quantity};
 use crate::units::{Dimension, Quantity};
 
-/// Relative difference below which two angles are equal.
+/// Relative difference below which two pressure angles count as equal.
 const SAME_ANGLE: f64 = 1e-9;
 
-/// Verdict on the cam and all reasons for it, the worst first.
+/// Verdict on the cam and all reasons for it, the most serious first.
 pub fn verdict(
     problem: &Problem,
     cam: &Cam,
@@ -49,7 +49,7 @@ pub fn verdict(
     (class, bad)
 }
 
-/// Reason for a mean force that differs from M·g, the mean force of every law on a moving axis (theory §1).
+/// Reason for a mean target force that differs from M·g, which is the mean force of every law on a moving axis (theory §1).
 pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     problem.mean_force_gap().map(|gap| Reason::MeanForce {
         mean: Quantity::force(force.target_mean_n),
@@ -58,7 +58,7 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     })
 }
 
-/// Reason for an open question about the recording.
+/// Reason for a property of the recording that is uncertain.
 fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     let mut keys: Vec<&'static str> = Vec::new();
     for key in because.iter().flat_map(|note| note.settled_by()) {
@@ -74,7 +74,7 @@ fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     }
 }
 
-/// Reason for the first jump of a derivative.
+/// Reason for the first jump of the derivative of this order; `None` without a jump.
 fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     let at = place(cam.follower.measures(), cam.first_jump(order)?);
     Some(match order {
@@ -84,7 +84,7 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     })
 }
 
-/// Reason for loss of contact: the contact force would have to be negative.
+/// Reason for loss of contact, where the contact force would have to be negative.
 fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> Reason {
     let drive = &problem.drive;
     let measures = cam.follower.measures();
@@ -107,7 +107,8 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
 }
 
-/// Preload of a spring and minimum target force, if the preload exceeds this minimum. A spring alone cannot produce a force below its preload.
+/// Preload of a spring and minimum target force, N, if the preload exceeds this minimum; otherwise `None`. The force of a spring cannot be less
+/// than its preload.
 fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     let drive = &problem.drive;
     let [least, _] = problem.target.as_ref()?.range_n();
@@ -115,7 +116,7 @@ fn preload_above(problem: &Problem) -> Option<[f64; 2]> {
     (held && drive.rest_force - least > problem.wanted_error()).then_some([drive.rest_force, least])
 }
 
-/// Reason for a pressure angle above the usual one, on a side without a limit.
+/// Reason for a pressure angle above the default bound for any machine, on a side without a limit in the scene.
 fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let [usual, _] = usual_pressure_angle(problem)?;
     let angles = checks.iter().filter(|c| is_usual(problem, c.name));
@@ -127,7 +128,7 @@ fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// Reason for a profile with a cusp, without a limit on its curvature.
+/// Reason for a cusp of the profile, if the scene has no limit on its curvature.
 fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let convex = checks.iter().find(|c| c.name == LimitKind::Curvature)?;
     let prime = cam.follower.prime_radius();
@@ -139,7 +140,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     })
 }
 
-/// Suggested change of the base circle (or travel) if the radius of curvature of the profile is too small.
+/// Suggested change of the base circle, or of the travel, if a radius of curvature of the profile is too small.
 fn larger(problem: &Problem, cam: &Cam) -> Reason {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
         return Reason::LengthenTravel;
@@ -152,7 +153,7 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
     }
 }
 
-/// Reason for a convex radius that is too small: of the profile, of the second cam or of a wall of a groove.
+/// Reason for a convex radius of curvature that is too small, on the profile, the second cam or a wall of a groove.
 fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -> Reason {
     match check.name {
         Criterion::SecondCurvature => Reason::SecondTooSharp {
@@ -174,7 +175,7 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
     }
 }
 
-/// Whether a pressure angle is the maximum among the checks with the same limit; of equal angles the first.
+/// Whether a pressure angle is the largest one among the checks with the same limit. Of equal angles, the first one counts.
 fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     let angles = checks
         .iter()
@@ -184,7 +185,7 @@ fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     largest.is_none_or(|o| o.name == check.name)
 }
 
-/// Reason for another failed check, with a suggestion if known.
+/// Reasons for a failed check, with a suggestion if one is known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);

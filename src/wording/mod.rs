@@ -66,14 +66,14 @@ const SENTENCES: Sentences = Sentences {
     ],
 };
 
-/// Messages of the library and of the crates below it.
+/// Messages of the library, and of the crates on which it depends.
 pub(crate) static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::SENTENCES,
     gaitcam_gait::wording::SENTENCES,
     SENTENCES,
 ]);
 
-/// Spanish words for values of a scene, in addition to their names in the messages.
+/// Additional Spanish words for values of a scene. The messages contain the other Spanish names.
 const SPANISH: [(&str, &str); 6] = [
     ("reposo", "dwell"),
     ("rodillo", "roller-translating"),
@@ -83,14 +83,14 @@ const SPANISH: [(&str, &str); 6] = [
     ("trapecio modificado", "modified-trapezoid"),
 ];
 
-/// The word that has this Spanish name, ignoring accents and capitals.
+/// The word of the scene with this Spanish name, without regard to accents and capitals; `None` for an unknown name.
 pub(crate) fn called_in_spanish(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     let typed = without_accents(typed);
     let mut names = spanish_names(known).into_iter();
     names.find_map(|(name, word)| (name == typed).then_some(word))
 }
 
-/// Spanish names of the given words, in lower case without accents, each with its word.
+/// Pairs of a Spanish name, in lower case without accents, and its word in the scene, for the given words.
 fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     let name = |word: &&'static str| (without_accents(&catalogue(Language::Es).name(word)), *word);
     let others = SPANISH.iter().filter(|(_, word)| known.contains(word));
@@ -98,7 +98,8 @@ fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     known.iter().map(name).chain(others).collect()
 }
 
-/// The word whose name is nearest to a typed one. The name itself is compared first, then its parts in both languages, then the Spanish name.
+/// The known word with the name that is most similar to a typed name; `None` without a similar name. First the words are compared, then the
+/// parts of their names in both languages, then the complete names.
 pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some(word) = nearest(typed, known.iter().copied()) {
         return Some(word);
@@ -130,7 +131,7 @@ pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Optio
         .map(|(_, word)| word)
 }
 
-/// Parts of a name that distinguish it.
+/// Parts of a name, separated by spaces, hyphens or underscores, that are long enough to distinguish it.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
     let apart = name.split([' ', '-', '_']);
     apart.filter(|part| part.chars().count() > 4)
@@ -155,22 +156,22 @@ pub fn catalogue(language: Language) -> &'static Messages {
     WORDS.of(language)
 }
 
-/// Description of a key of the scene file; `path` as in the key table.
+/// Description of a key of the scene file. `path` is the path of the key in the key table.
 pub fn key_doc(language: Language, path: &str) -> String {
     catalogue(language).text(&format!("key-{}", path.replace('.', "-")))
 }
 
-/// Label of the field that sets a limit; `path` as in the key table.
+/// Label of the input field for a limit. `path` is the path of the key in the key table.
 pub fn limit_label(language: Language, path: &str) -> String {
     catalogue(language).text(&format!("label-{}", path.replace('.', "-")))
 }
 
-/// Description of a built-in scene.
+/// Description of the built-in scene with this name.
 pub fn scene_doc(language: Language, name: &str) -> String {
     catalogue(language).text(&format!("built-in-{name}"))
 }
 
-/// Text of a message of the library.
+/// Text of a message of the library. `area` is its Fluent file, and `message` contains its key and arguments.
 pub fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
     catalogue(language).sentence(area, message)
 }

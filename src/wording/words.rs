@@ -16,7 +16,7 @@ use super::{Language, Messages, catalogue, degrees, number, quantity, range};
 pub struct Words(&'static Messages);
 
 impl Words {
-    /// Creates the words of a catalogue.
+    /// Gives access to the messages of one catalogue.
     pub fn new(own: &'static Messages) -> Self {
         Words(own)
     }
@@ -26,7 +26,7 @@ impl Words {
         self.0.language()
     }
 
-    /// The tag of the language, for `html lang`.
+    /// Tag of the language, such as `en`, for the attribute `lang` of an HTML page.
     pub fn tag(&self) -> &'static str {
         self.language().tag()
     }
@@ -44,12 +44,12 @@ impl Words {
         self.0.fixed(value, decimals)
     }
 
-    /// A number for display: at most four significant digits.
+    /// A number for display, with at most four significant digits.
     pub fn number(&self, value: f64) -> String {
         number(self.language(), value)
     }
 
-    /// A number for display; rounding errors relative to `scale` become 0.
+    /// A number for display. A value below 1e-9 of `scale` is a rounding error and is displayed as 0.
     ///
     /// ```
     /// use gaitcam::wording::{Language, Words, catalogue};
@@ -62,7 +62,7 @@ impl Words {
         self.number(if is_rounding { 0.0 } else { value })
     }
 
-    /// A range "low … high" for display.
+    /// Range "low … high" for display.
     pub fn range(&self, low: f64, high: f64) -> String {
         range(self.language(), low, high)
     }
@@ -78,12 +78,12 @@ impl Words {
         degrees(self.language(), theta)
     }
 
-    /// A heading or label.
+    /// Text of a heading or label with this key.
     pub fn text(&self, key: &str) -> String {
         self.0.text(key)
     }
 
-    /// A text with its arguments, which are inserted unchanged.
+    /// Text of the message `key` with these arguments, which are inserted unchanged.
     pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
         let values = arguments.iter().map(|&(name, text)| {
             // Whole numbers select plural forms.
@@ -96,7 +96,7 @@ impl Words {
         self.0.sentence(area, &Value::from(message))
     }
 
-    /// Name of a follower, law, limit or machine in the language; otherwise the typed name with spaces.
+    /// Name of a follower, law, limit or machine in the language. An unknown name is returned with spaces instead of `_` and `-`.
     pub fn name(&self, typed: &str) -> String {
         let name = catalogue(self.language()).name(typed);
         if name == typed {

@@ -1,12 +1,12 @@
-//! Edges to be cut, in the frame of the drawing. Exporters and figures use them.
+//! Edges to be cut, in the coordinates of the drawing. Exporters and figures use these edges.
 //!
-//! A disc has one closed edge, a conjugate pair one for each cam, a translating cam one with two ends. The unrolled groove of a barrel has two walls
-//! with two ends each, even if its law is closed.
+//! A disc has one closed edge, and a conjugate pair has one closed edge for each cam. A translating cam has one edge with two ends. The unrolled
+//! groove of a barrel has two walls with two ends each, even if its law is closed.
 
 use super::Design;
 use crate::cam::{Cam, Wall};
 
-/// An edge to be cut.
+/// Edge of the workpiece that is cut, as a function of the cam angle.
 ///
 /// ```
 /// use gaitcam::scene::built_in;
@@ -24,14 +24,14 @@ pub struct Edge<'a> {
     place: Place,
 }
 
-/// Position of the edge relative to the cam's contact points.
+/// Position of the edge relative to the contact points of the cam.
 #[derive(Debug, Clone, Copy)]
 enum Place {
-    /// The contact points, shifted upwards, m.
+    /// The contact points, shifted in +y by this distance, m.
     Raised(f64),
-    /// Opposite side of the roller, shifted upwards, m, and whether the roller undercuts this side.
+    /// The side of the roller opposite to the contact points, shifted in +y, m, and whether the roller undercuts this side.
     Opposite { raised: f64, undercut: bool },
-    /// Rotated by half a turn, as the second cam of a pair on its shaft.
+    /// The contact points, rotated by half a turn, as for the second cam of a pair on its shaft.
     HalfTurned,
 }
 
@@ -54,12 +54,12 @@ pub struct EdgePoint {
     pub p: [f64; 2],
     /// Unit tangent of the edge.
     pub t: [f64; 2],
-    /// Centre of the roller in contact, m; for a flat face the point itself.
+    /// Centre of the roller in contact, m; for a flat face the contact point.
     pub pitch: [f64; 2],
 }
 
 impl<'a> Edge<'a> {
-    /// Profile of a single cam.
+    /// Edge that is the profile of a single cam.
     pub fn of(cam: &'a Cam) -> Self {
         Edge {
             layer: "CUT_PROFILE",
@@ -94,7 +94,8 @@ impl<'a> Edge<'a> {
         edges
     }
 
-    /// Curves of the roller centres, each with its edge.
+    /// Pitch curves (paths of the roller centre) of the cam and of the second cam; empty without a roller. The field `pitch` of the points
+    /// contains them.
     pub fn pitch_curves(synthesis: &'a Design) -> Vec<Self> {
         if synthesis.cam.follower.roller_radius() == 0.0 {
             return Vec::new();
@@ -116,7 +117,7 @@ impl<'a> Edge<'a> {
         self.cam.law.is_closed() && !self.cam.follower.is_unrolled()
     }
 
-    /// Whether the roller undercuts the edge. Its tangent then reverses at cusps.
+    /// Whether the edge is undercut. The tangent of an undercut edge reverses at cusps.
     pub fn is_undercut(&self) -> bool {
         match self.place {
             Place::Opposite { undercut, .. } => undercut,
@@ -124,12 +125,12 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Breaks between the spans of the law.
+    /// Cam angles of the breaks between the spans of the law, rad (m for a translating cam).
     pub fn breaks(&self) -> &[f64] {
         self.cam.law.breaks()
     }
 
-    /// Point of the edge at `theta`.
+    /// Point of the edge at the cam angle `theta`, rad (m for a translating cam).
     pub fn at(&self, theta: f64) -> EdgePoint {
         let point = self.cam.point(theta);
         let [nx, ny] = self.cam.normal(&point);

@@ -1,4 +1,4 @@
-//! Emitted cam of a design in its machine, as input of a simulation.
+//! Emitted cam (profile in the output files) of a design in its machine, as input of a simulation.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use crate::scene::MachineSpec;
 use crate::synth::report::reason::sentences;
 use crate::wording::Language;
 
-/// Number of rows of the emitted profile for simulations.
+/// Number of points of the emitted profile for simulations.
 const POINTS: usize = 1440;
 
 impl Design {
@@ -23,12 +23,12 @@ impl Design {
         undercut.then(|| sentences(&self.reasons, language))
     }
 
-    /// Emitted profile, not the law from which it was made, in a machine that `drive` describes. The contact has the materials of cam and follower,
-    /// over the thickness of the plate.
+    /// Input of a simulation, in a machine with this drive. The emitted profile is simulated, not the law from which it was computed. The
+    /// contact pressure is computed for the materials of cam and follower and the thickness of the plate.
     ///
     /// # Errors
     ///
-    /// A natural frequency without a mass.
+    /// A natural frequency is given, but the mass is zero.
     pub fn emitted(&self, spec: &MachineSpec, drive: Drive) -> Result<Run> {
         let [cam, follower] = self.problem.cam.materials();
         let angles = || (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);

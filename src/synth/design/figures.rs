@@ -1,4 +1,4 @@
-//! Figures of a design, and the table that defines all lists of figures.
+//! Figures of a design, and the table from which all lists of figures are derived.
 
 use super::Design;
 use super::machine::MachineReport;
@@ -23,42 +23,42 @@ use crate::wording::{DIGITS, Language, people, rounded, sentence};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
-    /// Comparison of force and target, N; for an arm at its lever.
+    /// Comparison of achieved force and target, N; for a follower on an arm, forces at the lever.
     pub force: ForceReport,
-    /// Mass moved by the cam, kg.
+    /// Mass that the cam moves, kg (for an arm the moment of inertia, kg·m²).
     pub mass: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Maximum lift minus minimum lift.
+    /// Maximum lift minus minimum lift, m (rad for an arm).
     pub stroke: f64,
-    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time.
+    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time, in m or rad and s.
     pub peaks: [f64; 3],
-    /// Radius of the base circle.
+    /// Radius of the base circle, m.
     pub base_radius: f64,
-    /// Radius of the prime circle.
+    /// Radius of the prime circle, m.
     pub prime_radius: f64,
-    /// Minimum and maximum radius of the profile about the centre of the shaft; `None` for unrolled profiles.
+    /// Minimum and maximum radius of the profile about the centre of the shaft, m; `None` for unrolled profiles.
     pub radii: Option<[f64; 2]>,
-    /// Offset of the follower.
+    /// Offset of the follower, m.
     pub offset: f64,
-    /// Minimum radius of curvature of the convex parts of the profile.
+    /// Minimum radius of curvature of the convex parts of the profile, m.
     pub smallest_convex_radius: f64,
     /// Maximum |pressure angle|, rad.
     pub largest_pressure_angle: f64,
-    /// Required length of the face; `None` without a flat face.
+    /// Required length of the flat face, m; `None` without a flat face.
     pub face_width: Option<f64>,
-    /// Requirements on the machine.
+    /// Torque, power, lift-off speed and contact pressure.
     pub machine: MachineReport,
-    /// Relative speed ripple of a shaft with a motor.
+    /// Speed ripple of a motor-driven shaft, relative to the mean speed; `None` at constant speed.
     pub shaft_ripple: Option<f64>,
-    /// Maximum and RMS acceleration of a floor, m/s².
+    /// Maximum and RMS acceleration of a floor, m/s²; `None` for a rigid floor.
     pub floor: Option<[f64; 2]>,
     /// Maximum force error over several walkers, % of the mean force of the walker.
     pub worst_walker_percent: Option<f64>,
 }
 
 impl Figures {
-    /// Figures of a finished design.
+    /// Figures of a design.
     pub fn of(design: &Design) -> Figures {
         let (cam, speed) = (&design.cam, design.problem.drive.speed);
         let (follower, (low, high)) = (&cam.follower, design.pressure_angle_extremes());
@@ -88,7 +88,7 @@ impl Figures {
     }
 }
 
-/// A figure of a design: names, unit, value, and related keys of the scene.
+/// Definition of a figure: names, unit, value, and related keys of the scene.
 ///
 /// ```
 /// use gaitcam::synth::{Figure, Figures};
@@ -112,13 +112,13 @@ pub struct Figure {
     pub digits: usize,
     /// Table of `summary.json` that contains the figure; empty if no table contains it.
     pub section: &'static str,
-    /// Key of the figure in this table; also its column in a front.
+    /// Key of the figure in this table; also its column name in the file of a front.
     pub key: &'static str,
-    /// Limit of the figure.
+    /// Limit of the scene that applies to the figure; `None` without such a limit.
     pub limit: Option<Limit>,
     /// Name of the figure as an objective in a trade-off with the force error.
     pub trade: Option<&'static str>,
-    /// Key of the scene that the figure determines if its value is `auto`.
+    /// Key of the scene whose value `auto` is computed as this figure.
     pub settles: Option<&'static str>,
     value: fn(&Figures) -> f64,
     /// Displayed unit, if it depends on the kind of follower or cam.
@@ -164,7 +164,7 @@ impl Figure {
         self.named_for("other", language)
     }
 
-    /// Displayed name for this follower.
+    /// Displayed name of the figure for this kind of follower.
     pub fn label_on(&self, follower: &Follower, language: Language) -> String {
         let movement = match (follower, follower.measures()) {
             (Follower::Barrel { .. }, _) => "barrel",
@@ -205,7 +205,7 @@ impl Figure {
         unit.after(&rounded(language, unit.factor * value, self.digits))
     }
 
-    /// Value of the figure in SI units; NaN if the design has no value.
+    /// Value of the figure in SI units; NaN if the figure is not defined for the design.
     pub fn value(&self, figures: &Figures) -> f64 {
         (self.value)(figures)
     }
@@ -218,19 +218,19 @@ impl Figure {
         direction.keeps(self.value(figures), limit)
     }
 
-    /// The figure with this column name.
+    /// The figure with this column name; `None` for an unknown name.
     pub fn of_column(column: &str) -> Option<&'static Figure> {
         FIGURES.iter().find(|f| f.column == column)
     }
 
-    /// Names of the [`FIGURES`] in trade-offs.
+    /// Names of the figures that can be combined with the force error in a trade-off.
     pub fn traded_names() -> impl Iterator<Item = &'static str> {
         FIGURES.iter().filter_map(|f| f.trade)
     }
 }
 
-/// All figures, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and related keys. The lift-off speed has no
-/// limit; a minimum force at the speed of the machine replaces it.
+/// All figures, in the order of the columns of a sweep. Each row contains the column, the unit, the place in `summary.json`, the value and
+/// related keys. The lift-off speed has no limit of its own; a minimum force at the speed of the machine replaces it.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 31] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

@@ -1,4 +1,4 @@
-//! Verdict from a simulation of the emitted cam, including limits on force, loads and motion.
+//! Verdict from a simulation of the emitted cam. The simulation replaces the checks of force, loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -11,12 +11,12 @@ use crate::synth::report::reason::Reason;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
-/// Relative excess over a bound that is accepted in a simulation, because of its resolution.
+/// Relative violation of a bound that is accepted in a simulation, because its rows have a finite spacing.
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The design judged by a simulation of its emitted cam. Values of the simulation replace those of its checks. Loss of contact makes the cam
-    /// unacceptable, unless the scene switches this check off.
+    /// The design with its verdict from a simulation of the emitted cam. Where the simulation provides a value, it replaces that of the check.
+    /// Loss of contact makes the cam unacceptable, unless the scene switches this check off.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());
@@ -50,7 +50,7 @@ impl Design {
         out.losing_contact(run)
     }
 
-    /// Worst value of a criterion in a simulation; `None` if the simulation does not provide it.
+    /// Most critical value of a criterion in a simulation; `None` if the simulation does not provide a value.
     fn seen(&self, criterion: Criterion, run: &Outcome) -> Option<Extreme> {
         let largest = |value: &dyn Fn(&Row) -> f64| {
             let at = |row: &Row| Extreme {
@@ -91,7 +91,8 @@ impl Design {
         }
     }
 
-    /// Maximum time derivative of the lift: of the continuous law at constant speed; of the output samples with a motor (velocity and acceleration).
+    /// Maximum absolute time derivative of the lift. At constant speed it is computed from the continuous law. With a motor it is computed from
+    /// the rows of the simulation, for velocity and acceleration only.
     fn motion(&self, order: usize, run: &Outcome) -> Option<Extreme> {
         if run.shaft.is_none() {
             let most = Extreme::largest(self.cam.derivative_extremes(order));
@@ -121,7 +122,7 @@ impl Design {
             .max_by(|a, b| a.value.total_cmp(&b.value))
     }
 
-    /// Adds lost contact to the reasons, unless another reason covers it.
+    /// Adds the loss of contact to the reasons for the verdict, unless another reason describes it already.
     fn losing_contact(self, run: &Outcome) -> Design {
         let limits = &self.problem.limits;
         let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
@@ -149,7 +150,7 @@ impl Design {
     }
 }
 
-/// Maximum rate of the torque between adjacent rows, N·m/rad.
+/// Maximum absolute rate of change of the torque between adjacent rows, N·m/rad.
 fn steepest(run: &Outcome) -> Option<Extreme> {
     let rates = run.rows.windows(2).map(|rows| Extreme {
         at: rows[0].theta,
@@ -158,7 +159,7 @@ fn steepest(run: &Outcome) -> Option<Extreme> {
     rates.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// Mean power over time, W, from rows at equal angles.
+/// Mean power over time, W, computed from rows at equal angles.
 fn mean_power(run: &Outcome) -> Option<Extreme> {
     let (mut work, mut time) = (0.0, 0.0);
     for row in &run.rows {
@@ -172,7 +173,7 @@ fn mean_power(run: &Outcome) -> Option<Extreme> {
     })
 }
 
-/// Rewords a reason that suggests another cam, for a simulation.
+/// Replaces a reason that suggests a new design by the corresponding reason for a simulation.
 fn of_run(reason: Reason) -> Reason {
     match reason {
         Reason::ForceError { error, allowed } => Reason::ForceErrorInRun { error, allowed },

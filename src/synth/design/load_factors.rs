@@ -9,15 +9,16 @@ use crate::poly::amplitudes;
 
 /// Number of harmonics of the step frequency.
 const HARMONICS: usize = 6;
-/// Number of samples of a turn for the harmonics. The factors of a force with jumps of the slope are accurate to 2e-5.
+/// Number of samples of a turn from which the harmonics are computed. For a force with jumps of its slope, the load factors are accurate to
+/// 2e-5.
 const SAMPLES: usize = 8192;
-/// Number of samples of the target of a load model, which is a sum of few harmonics.
+/// Number of samples of the target of a load model, which has only a few harmonics.
 const MODEL_SAMPLES: usize = 1024;
-/// Fraction of the weight below which a harmonic is a rounding error and has no phase.
+/// Load factor below which a harmonic counts as a rounding error. Its load factor and phase are then set to 0.
 const ROUNDING: f64 = 1e-9;
 
-/// A harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), with the weight W of the walker. The phase is subtracted; in
-/// `gait.harmonics` it is added.
+/// One harmonic of the target and of the achieved force, F = F₀ + W Σ αₖ sin(kθ − φₖ), where W is the weight of the walker. The phase is
+/// subtracted; in `gait.harmonics` it is added.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -32,9 +33,9 @@ const ROUNDING: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadFactor {
-    /// Number of the harmonic in a turn of the cam.
+    /// Order of the harmonic with respect to one turn of the cam.
     pub harmonic: usize,
-    /// Order of the harmonic relative to the step frequency: half its number if a turn is a stride of two steps.
+    /// Order of the harmonic with respect to the step frequency. If a turn is a stride of two steps, it is half of `harmonic`.
     pub of_step: f64,
     /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,
@@ -49,11 +50,11 @@ pub struct LoadFactor {
 }
 
 impl Design {
-    /// Harmonics of target and achieved force up to the sixth of the step frequency, relative to the weight of the walker. Empty without a target or
-    /// a positive weight.
+    /// Harmonics of target and achieved force, relative to the weight of the walker, up to six times the step frequency. Empty without a target
+    /// or a positive weight.
     ///
-    /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that contains one cycle does not state whether it is a
-    /// step or a stride. It is a stride if the second harmonic of the target is larger than the first.
+    /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that contains one cycle does not state whether it
+    /// is a step or a stride. The cycle counts as a stride if the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
         let Some(target) = self.target_in_time() else {
             return Vec::new();
@@ -101,7 +102,7 @@ impl Design {
     }
 }
 
-/// Number of steps in a turn of force. For two equal steps, the first harmonic of the stride is nearly zero.
+/// Number of steps in one turn of the force (1 or 2). If a turn contains two equal steps, its first harmonic is nearly zero.
 fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
     if harmonic(amplitudes, 2).0 > harmonic(amplitudes, 1).0 {
         2
@@ -110,7 +111,7 @@ fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
     }
 }
 
-/// Amplitude and phase of a harmonic: A sin(kθ − φ).
+/// Amplitude A and phase φ, rad, of the harmonic A sin(kθ − φ).
 fn harmonic(amplitudes: &[(f64, f64)], k: usize) -> (f64, f64) {
     let (cosine, sine) = amplitudes[k];
     (libm::hypot(sine, cosine), libm::atan2(-cosine, sine))

@@ -1,4 +1,4 @@
-//! Requirements of a design on the machine: torque, power, lift-off speed and contact pressure.
+//! Requirements of a design on its machine: torque, power, lift-off speed and contact pressure.
 
 use serde::Serialize;
 
@@ -7,13 +7,13 @@ use crate::cam::Measures;
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 use crate::synth::limits::{Press, power_curve, torque_curve};
 
-/// Mean power, relative to the maximum, below which it is a rounding error, because springs and masses return their energy.
+/// Fraction of the maximum power below which the mean power is a rounding error. Springs and masses return their energy within a turn.
 const GIVEN_BACK: f64 = 1e-12;
 
-/// Torque, power, lift-off and pressure of a rigid machine without friction, exact for the continuous law.
+/// Torque, power, lift-off speed and contact pressure of a rigid machine without friction, exact for the continuous law.
 ///
-/// A number is `None` if it is not defined. Examples: no load, a translating cam (no torque), no lift-off speed, an undercut cam. Lift-off speed and
-/// pressure are also `None` on a moving floor.
+/// A value is `None` if it is not defined: without a load, without lift-off, for an undercut cam (pressure), or for a translating cam (torque).
+/// On a moving floor, lift-off speed and pressure are `None`.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -43,17 +43,18 @@ pub struct MachineReport {
     pub torque_max_n_m: Option<f64>,
     /// Root mean square of the torque, N·m.
     pub torque_rms_n_m: Option<f64>,
-    /// Maximum absolute power of the shaft, W: driving or braking.
+    /// Maximum absolute power of the shaft, W, for driving or braking.
     pub power_max_w: Option<f64>,
-    /// Mean power of the shaft, W: the power dissipated by damping.
+    /// Mean power of the shaft, W, which damping dissipates.
     pub power_mean_w: Option<f64>,
-    /// Minimum speed at which the follower lifts off, rad/s.
+    /// Minimum speed of the shaft at which the follower lifts off, rad/s.
     pub liftoff_speed_rad_per_s: Option<f64>,
-    /// Maximum line pressure over the thickness of the cam, for the materials of cam and follower, Pa; infinite for a knife edge.
+    /// Maximum Hertz pressure of the line contact over the thickness of the cam, Pa, for the materials of cam and follower; infinite for a knife
+    /// edge.
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-/// The mean power; 0 if it is within the rounding error of the given extremes.
+/// The mean power, W; 0 if it is a rounding error relative to the extremes.
 fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
@@ -64,7 +65,7 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// Figures of power and torque from the range of a torque, its mean and its root mean square, N·m, at a shaft speed.
+    /// Figures of power and torque at a shaft speed, rad/s, from the extremes of a torque and from its mean and root mean square, N·m.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],
@@ -82,7 +83,7 @@ impl MachineReport {
 }
 
 impl Design {
-    /// Computes the requirements on the machine.
+    /// Requirements of a design on its machine.
     pub fn machine(&self) -> MachineReport {
         if self.is_idle() {
             return MachineReport::default();
@@ -117,7 +118,7 @@ impl Design {
         liftoff_speed(self.pressing(), &self.problem.drive)
     }
 
-    /// Maximum pressure over the contacts of the cam.
+    /// Maximum Hertz pressure over all contacts of the cam, Pa.
     fn pressure(&self) -> Option<f64> {
         let press = Press::of(&self.problem, self.pressing());
         let second = self.conjugate.as_ref().map(|pair| &pair.second);

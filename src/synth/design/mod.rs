@@ -1,4 +1,4 @@
-//! Result of a synthesis, as plain data for output files and sweeps.
+//! Result of a design, as plain data for output files and sweeps.
 
 pub mod edge;
 mod emitted;
@@ -55,39 +55,39 @@ use crate::wording::Language;
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Design {
-    /// Problem of the design. In serialised data only its name, drive and phase.
+    /// Problem of the design. Serialised data contain only its name, drive and phase.
     #[serde(serialize_with = "in_short")]
     pub problem: Arc<Problem>,
     /// Family of the law.
     pub family: Family,
-    /// Basis functions of the law's coefficients.
+    /// Basis functions to which the coefficients belong.
     pub functions: Functions,
-    /// Coefficients of the law, m; for a polydyne cam of the law of the follower's end.
+    /// Coefficients of the law, m; for a polydyne cam they belong to the law of the follower's end.
     pub coefficients: Vec<f64>,
     /// Degree of the polynomials of the law for display; 0 for laws without polynomials, such as the double harmonic.
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
-    /// End of the flexible follower for which the cam is designed.
+    /// End of the compliant follower for which a polydyne cam is designed; `None` for other cams.
     pub end: Option<End>,
-    /// The cam with its second cam, if the scene has a conjugate pair.
+    /// Cam and second cam of a conjugate pair; `None` without a pair.
     pub conjugate: Option<Conjugate>,
-    /// Groove of a barrel cam with both walls.
+    /// Groove of a barrel cam with both walls; `None` for other cams.
     pub groove: Option<BarrelGroove>,
-    /// Difference between force and target.
+    /// Comparison of the achieved force with the target.
     pub force: ForceReport,
     /// Reason why no such cam exists; `None` for a feasible design.
     pub infeasible: Option<Infeasible>,
-    /// Single changes of one limit for which the whole design passes. `relaxed` computes them for a design that fails.
+    /// Changes of a single limit, each sufficient for the complete design to pass. `relaxed` computes the changes for a design that fails.
     pub relaxations: Vec<Relaxation>,
-    /// A common relative change of several limits for which the design passes, if no single change,
-    /// or only one of the force error, is sufficient.
+    /// A common relative change of several limits for which the design passes. It is given if no single change, or only a larger force error, is
+    /// sufficient.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,
     /// Reasons for the verdict, the main one first.
     pub reasons: Vec<Reason>,
-    /// Checks of all limits.
+    /// Checks of all limits and of general requirements.
     pub checks: Vec<Check>,
     /// Active limits, with their multipliers.
     pub binding: Vec<Binding>,
@@ -95,7 +95,7 @@ pub struct Design {
     pub easing: Vec<Easing>,
     /// Solution method and certificate.
     pub solver: SolverReport,
-    /// Whether a search was stopped early; the design is then the best one so far.
+    /// Whether the search was stopped early. The design is then the best design found until then.
     pub out_of_time: bool,
     /// Notes in addition to the verdict.
     pub notes: Vec<Note>,
@@ -127,17 +127,17 @@ impl Design {
         self.notes.iter().map(said).collect()
     }
 
-    /// Target force over the cam angle, in phase with the cam: θ = 2π·i/n. `None` for classical programmes.
+    /// Target force as a function of the cam angle, with sample i of n at θ = 2π·i/n. `None` for a design without a target force.
     pub fn target(&self) -> Option<&ForceCurve> {
         self.problem.target_at_cam()
     }
 
-    /// Minimum and maximum force of the band that replaces the target.
+    /// Minimum and maximum force of the band that replaces the target; `None` without a band.
     pub fn band(&self) -> Option<&[ForceCurve; 2]> {
         self.problem.band_in_time()
     }
 
-    /// The design with its cam in a machine with another drive.
+    /// The design with the same cam in a machine with another drive.
     #[must_use]
     pub fn on_drive(self, drive: Drive) -> Design {
         Design {
@@ -146,7 +146,7 @@ impl Design {
         }
     }
 
-    /// The design with its cam in a machine with another drive, and with another target over time.
+    /// The design with the same cam in a machine with another drive and another target over time.
     #[must_use]
     pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
         Design {
@@ -160,7 +160,7 @@ impl Design {
         self.problem.drive.is_idle()
     }
 
-    /// Contact force over the law, N, at the actual shaft speed.
+    /// Contact force as a function of the cam angle, N, at the actual shaft speed.
     pub fn force_curve(&self) -> PiecewisePoly {
         let law = self.pressing();
         match &self.problem.on_shaft {
@@ -169,12 +169,13 @@ impl Design {
         }
     }
 
-    /// Contact force at a cam angle, N, at the actual shaft speed.
+    /// Contact force at the cam angle `theta`, rad, in N, at the actual shaft speed.
     pub fn force_at(&self, theta: f64) -> f64 {
         self.problem.drive.force(self.pressing().svaj(theta)) + self.problem.extra_force(theta)
     }
 
-    /// Hertz pressure of the contact at a cam angle for the materials of cam and follower, Pa. NaN without a contact force, and for a knife edge.
+    /// Hertz pressure of the contact, Pa, at the cam angle `theta`, rad, for the materials of cam and follower. NaN without a contact force and
+    /// for a knife edge.
     pub fn contact_pressure_at(&self, theta: f64) -> f64 {
         let (follower, cam, force) = (&self.cam.follower, &self.problem.cam, self.force_at(theta));
         let is_sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
@@ -187,7 +188,7 @@ impl Design {
         line(contact.normal, cam.thickness, contact.curvature, modulus).pressure
     }
 
-    /// Speed of the shaft, rad/s, and time since cam angle 0, s, at a cam angle of the first turn.
+    /// Speed of the shaft, rad/s, and time since cam angle 0, s, at the cam angle `theta` of the first turn, rad.
     pub fn speed_and_time(&self, theta: f64) -> (f64, f64) {
         let Some(shaft) = &self.shaft else {
             let speed = self.problem.drive.speed;
@@ -204,7 +205,8 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle at a fraction of the period, rad, both from 0, at the speed for which the force is computed.
+    /// Cam angle, rad, at a time that is given as a phase of the period, rad (2π for one period). Cam angle and phase are zero at the same time.
+    /// The shaft speed is the one for which the force is computed.
     fn angle_at(&self, phase: f64) -> f64 {
         let shaft = self.shaft.as_ref();
         let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
@@ -218,12 +220,13 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// Target over one period of time, N, in phase with cam angle 0.
+    /// Target force over one period of time, N, which begins at cam angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }
 
-    /// Minimum and maximum pressure angle, rad; for a barrel at the floor of its groove, where the angle is maximum.
+    /// Extremes of the pressure angle, rad, first the minimum and then the maximum. For a barrel they are taken at the floor of the groove,
+    /// where the angle is largest.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         match &self.groove {
             Some(groove) => groove.pressure_angle_extremes(groove.depth().0),
@@ -231,7 +234,7 @@ impl Design {
         }
     }
 
-    /// Law that determines the force: for a polydyne cam the law of the follower's end, otherwise the law of the cam.
+    /// Law that determines the force. For a polydyne cam it is the law of the follower's end, otherwise the law of the cam.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
     }

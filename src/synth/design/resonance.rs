@@ -1,4 +1,4 @@
-//! Response of the floor to a design at other step frequencies.
+//! Response of the floor to a cam that runs at other step frequencies.
 
 use std::f64::consts::TAU;
 
@@ -7,15 +7,15 @@ use crate::dynamics::FloorMotion;
 use crate::dynamics::floor::harmonics;
 use crate::synth::design::Design;
 
-/// Number of equal angles of the force.
+/// Number of equally spaced angles at which the force is computed.
 const SAMPLES: usize = 720;
-/// Step frequencies of the resonance curve, Hz: first, step, and number.
+/// Step frequencies of the resonance curve: first value, Hz, step, Hz, and number of values.
 const CURVE: (f64, f64, usize) = (1.0, 0.01, 201);
-/// Number of harmonics of the force whose resonances are displayed.
+/// Number of harmonics of the force for which resonances are computed.
 const MOST_RESONANT: u32 = 10;
 const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
-/// Point of the resonance curve.
+/// Response of the floor at one step frequency.
 ///
 /// ```
 /// use gaitcam::dynamics::FloorMotion;
@@ -29,14 +29,15 @@ const FLANKS: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 pub struct AtFrequency {
     /// Step frequency of the point, Hz.
     pub step_frequency: f64,
-    /// Steady motion of the floor under the required force.
+    /// Steady motion of the floor under the target force.
     pub motion: FloorMotion,
     /// Steady motion of the floor under the force of the finished cam, at the cam speed for this step frequency.
     pub of_cam: FloorMotion,
 }
 
 impl Design {
-    /// Motion of the floor over the step frequency, at equal steps and at the resonances, except undamped ones. Empty for a rigid floor.
+    /// Steady motion of the floor as a function of the step frequency, at equal steps and near the resonances. Undamped resonances are omitted.
+    /// Empty for a rigid floor.
     pub fn resonance(&self) -> Vec<AtFrequency> {
         let floor = self.problem.machine.floor();
         let Some((floor, target)) = floor.zip(self.target_in_time()) else {

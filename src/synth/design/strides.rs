@@ -1,4 +1,4 @@
-//! The law of several consecutive recorded strides, for a servo axis that repeats them instead of one mean stride.
+//! Law for several consecutive recorded strides, for a servo axis that repeats these strides instead of one mean stride.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::force::{ForceCurve, Walk};
 use crate::scene::{CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Scene};
 
-/// Limits of motion and force, which also apply to a servo axis; the other limits apply to a profile or a shaft.
+/// Limits of motion and force, which also apply to a servo axis. All other limits apply to a cam profile or a shaft.
 const OF_MOTION: [LimitKind; 6] = [
     LimitKind::Stroke,
     LimitKind::Velocity,
@@ -21,15 +21,15 @@ const OF_MOTION: [LimitKind; 6] = [
 ];
 /// Minimum number of spans for each stride.
 const SPANS: usize = 24;
-/// Accepted force error, relative to the mean, if the design has no limit.
+/// Permitted RMS force error, relative to the mean, if the design has no limit of its error.
 const ACCEPTED: f64 = 0.005;
 
 impl Design {
-    /// Designs one cycle for the given number of consecutive recorded strides; the result contains these strides. `None` if fewer strides are
-    /// recorded.
+    /// Designs a law with one cycle for the given number of consecutive recorded strides. The result contains the design and these strides.
+    /// `None` if fewer strides are recorded.
     ///
-    /// `scene` is the scene of this design. Its limits of lift, velocity, acceleration, jerk and force hold over all strides. The law closes without
-    /// a jump: the strides are blended at the start of the cycle.
+    /// `scene` is the scene of this design. Its limits on stroke, velocity, acceleration, jerk and force apply to all strides. The strides are
+    /// blended at the start of the cycle, so that the law closes without a jump.
     ///
     /// # Errors
     /// Errors of the scene.

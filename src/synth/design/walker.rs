@@ -1,4 +1,4 @@
-//! Comparison of the recorded walk with the cam at constant speed: response of a mode tuned about the step frequency.
+//! Comparison of the recorded walk with the cam at constant speed, by the response of a mode tuned about the step frequency.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use super::Design;
 use crate::dynamics::RepeatedForce;
 use crate::force::{ForceCurve, StepStatistics, Walk};
 
-/// Number of equal angles of the cam's force.
+/// Number of equally spaced angles at which the force of the cam is computed.
 const SAMPLES: usize = 1024;
 
-/// Responses to the recorded walk and to the cam at resonance.
+/// Responses of a lightly damped mode to the recorded walk and to the cam, at resonance.
 ///
 /// ```
 /// use gaitcam::force::{Feet, ReadOptions, force_curve};
@@ -36,7 +36,7 @@ pub struct OfWalker {
     pub resonance: Vec<AtResonance>,
 }
 
-/// Maximum responses of a mode of 1 kg tuned from 0.9 to 1.1 of the step frequency.
+/// Maximum responses of a mode of 1 kg with a natural frequency of 0.9 to 1.1 of the step frequency.
 ///
 /// ```
 /// use gaitcam::synth::AtResonance;
@@ -52,7 +52,7 @@ pub struct AtResonance {
     pub recorded: f64,
     /// RMS acceleration under the cam at constant speed, m/s².
     pub mean_stride: f64,
-    /// Response to the cam, relative to the response to the recorded walk.
+    /// Ratio of the response to the cam and the response to the recorded walk.
     pub ratio: f64,
     /// Whether the number N of recorded strides is sufficient for this damping ratio: 2π ζ N ≥ 1. With fewer strides, the recorded response is too
     /// large.
@@ -60,15 +60,15 @@ pub struct AtResonance {
 }
 
 impl Design {
-    /// Recorded strides in the scale of the target, N. `None` without a cam that makes one turn per stride, or without eight consecutive strides of
-    /// one walker.
+    /// Recorded strides, N, in the scale of the target. `None` unless the cam makes one turn per stride and eight consecutive strides of one
+    /// walker are recorded.
     pub fn walk(&self) -> Option<Walk> {
         let walk = self.force_of_one()?.walk.clone()?;
         Some(walk.scaled(1.0 / self.problem.drive.lever))
     }
 
-    /// A walk of random steps whose force is the target, N; `None` without a target, without a cam that turns once in a cycle, or for fewer than eight
-    /// strides.
+    /// Generated walk, N, whose steps have random durations and amplitudes and the periodic force of the target. `None` without a target, for
+    /// fewer than eight strides, or if the cam does not turn once per cycle.
     ///
     /// ```
     /// use gaitcam::force::StepStatistics;
@@ -91,7 +91,7 @@ impl Design {
         Walk::generated(step_s, statistics, force)
     }
 
-    /// The target of one walker, where the cam turns once in its cycle.
+    /// Target of a single walker for a cam that turns once per cycle; otherwise `None`.
     fn force_of_one(&self) -> Option<&ForceCurve> {
         let law = &self.cam.law;
         let turns = law.is_closed() && law.extent() == (0.0, TAU);
@@ -99,7 +99,7 @@ impl Design {
         self.target().filter(|_| turns && is_alone)
     }
 
-    /// Force of the cam at constant speed, N, at equal angles of a turn.
+    /// Force of the cam at constant speed, N, at equally spaced angles of one turn.
     fn steady_force(&self) -> Vec<f64> {
         let drive = &self.problem.drive;
         let force = drive.force_curve(self.pressing());
@@ -107,7 +107,7 @@ impl Design {
         (0..SAMPLES).map(at).collect()
     }
 
-    /// The recorded walk, its spectral lines, and the lines of this cam at constant speed; `None` without a [`Design::walk`].
+    /// The recorded walk, its spectral lines, and the spectral lines of this cam at constant speed. `None` if [`Design::walk`] is `None`.
     pub fn repeated(&self) -> Option<(Walk, [RepeatedForce; 2])> {
         let walk = self.walk()?;
         let recorded = RepeatedForce::of(&walk);
@@ -116,7 +116,7 @@ impl Design {
         Some((walk, [recorded, cam]))
     }
 
-    /// Maximum responses to the recorded walk and to this cam at constant speed; `None` without [`Design::repeated`].
+    /// Maximum responses to the recorded walk and to this cam at constant speed. `None` if [`Design::walk`] is `None`.
     pub fn walker(&self) -> Option<OfWalker> {
         let (walk, [recorded, cam]) = self.repeated()?;
         let resonance = RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {

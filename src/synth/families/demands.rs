@@ -1,4 +1,4 @@
-//! Equality constraints on a spline from the points and dwells of the law.
+//! Equality constraints on a spline that result from the points and dwells of the law.
 
 use std::f64::consts::TAU;
 
@@ -51,11 +51,11 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
     Ok(out)
 }
 
-/// Fraction of the stroke within which a lift is at the boundary of the permitted range.
+/// Distance from the boundary of the permitted range, relative to the stroke, below which a lift is on the boundary.
 const TOUCHES: f64 = 1e-12;
 
-/// Implied conditions. Where a prescribed value equals a bound, the velocity is zero; if the acceleration is zero too, so is the jerk. These
-/// equalities replace rows that would converge to the point from both sides.
+/// Implied equality constraints. At a prescribed lift that equals a bound, the velocity is zero; if the acceleration is zero too, so is the
+/// jerk. Without these equalities, rows on both sides of the point would converge to the point.
 pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -94,7 +94,7 @@ pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> V
     out
 }
 
-/// Whether the jerk is continuous at an angle.
+/// Whether the jerk of every law of the basis is continuous at an angle, rad.
 fn is_smooth(basis: &Basis, angle: f64) -> bool {
     let Basis::Spline { space, .. } = basis else {
         return true;
@@ -115,7 +115,7 @@ fn named(index: usize, angle: f64, given: Given) -> Demand {
     }
 }
 
-/// Equality constraints that make all coefficients of a span in a dwell equal.
+/// Equality constraints that make all coefficients of the spans in a dwell equal.
 pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let Basis::Spline { space, .. } = basis else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Convex program of a problem for splines or harmonics: equalities, objective, convex limits.
+//! Convex program of a problem for splines or harmonics, with equalities, objective and convex limits.
 
 use std::f64::consts::TAU;
 
@@ -14,19 +14,19 @@ use crate::synth::qp::{self, Basis, MeanSquare, Program, Quadratic};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Weight of the jerk term relative to the force term, both dimensionless. It determines the law at phases with zero weight, and its effect is far
-/// below any accuracy.
+/// Weight of the jerk term relative to the force term, dimensionless. The jerk term determines the law at phases with zero weight. Its effect on
+/// the force is far below any required accuracy.
 const JERK_TERM: f64 = 1e-12;
-/// Maximum number of equality constraints of a law. Their dense system has cubic cost.
+/// Maximum number of equality constraints of a law. The cost of solving their dense system is cubic in this number.
 const MOST_DEMANDS: usize = 2000;
-/// Number of quadrature nodes per half wave of the highest harmonic.
+/// Minimum number of quadrature nodes per half wave of the highest harmonic.
 const HARMONIC_NODES: usize = 8;
 /// Number of quadrature nodes per span for the response of a floor.
 const FLOOR_NODES: usize = 16;
-/// Distance between the edge of a weighted range and a break below which they coincide, rad.
+/// Distance, rad, below which the edge of a weighted range and a break coincide.
 const SAME_ANGLE: f64 = 1e-12;
 
-/// Program without limits, and the force-error objective alone.
+/// Program of a spline law without limits, and its force-error objective as a separate term.
 pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
     let (basis, whole, force) = problem.objective_over(spans, || objective(problem, spans))?;
     let mut equalities = point_demands(problem, &basis)?;
@@ -56,8 +56,8 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     })
 }
 
-/// Program for the force fit with a given number of harmonics and the convex limits. `unlimited` is the law without limits. If neither drive nor
-/// conditions determine the level, its minimum touches the base circle.
+/// Program that fits the force with a given number of harmonics under all convex limits. `unlimited` is the law without limits. If neither the
+/// drive nor a condition determines the level, the touching angle is that of the minimum of `unlimited`.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,
@@ -83,7 +83,7 @@ pub fn of_harmonics(
     }
 }
 
-/// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if there is no quadratic part.
+/// Convexity α of the objective: its quadratic part is at least ½ α mean(s″²). `None` if no such α > 0 is known.
 fn stiffness(problem: &Problem) -> Option<f64> {
     let inertia = problem.drive.weights()[2];
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -96,7 +96,7 @@ fn stiffness(problem: &Problem) -> Option<f64> {
     (alpha > 0.0).then_some(alpha)
 }
 
-/// Objective as a function of the basis functions, and the force-error objective alone.
+/// Basis, objective of the problem, and the force-error objective as a separate term.
 fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadratic)> {
     let degree = problem.spline_degree;
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
@@ -132,7 +132,7 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     Ok((basis, whole, force))
 }
 
-/// Objective with the response of the floor; on a rigid floor the objective itself.
+/// Objective with the response of the floor. On a rigid floor it is unchanged.
 fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadratic {
     let Some(through) = problem.through_floor() else {
         return whole;
@@ -155,7 +155,8 @@ fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadrati
     out
 }
 
-/// Periodic splines over the turn with `spans` spans outside the dwells, and with `smooth` continuous derivatives at the ends of the dwells.
+/// Periodic splines over the turn with `spans` spans outside the dwells. At the ends of the dwells, the splines have `smooth` continuous
+/// derivatives.
 fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
     if dwells.is_empty() {
         let space = SplineSpace::periodic_uniform(degree, spans, TAU);
@@ -214,7 +215,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
     })
 }
 
-/// Dwells as ranges inside [0, 2π]. A dwell across 0 is split.
+/// Angle ranges of the dwells, rad, within [0, 2π]. A dwell across 0 is split.
 fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     let mut out = Vec::new();
     for (i, d) in dwells.iter().enumerate() {
@@ -247,7 +248,7 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     Ok(out)
 }
 
-/// ½ mean((F − F*)²) over the turn, with the weights of the problem; 0 without a target force.
+/// Force-error objective ½ mean((F − F*)²) over the turn, with the weights of the problem; 0 without a target force.
 fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     match &problem.target {
         Some(target) if problem.is_weighed() => weighed_distance(problem, basis, target),
@@ -255,7 +256,7 @@ fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     }
 }
 
-/// The unweighted force-error objective.
+/// Force-error objective without weights.
 fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     if let Some((target, wanted)) = wanted(problem, basis) {
@@ -268,7 +269,7 @@ fn plain_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     force
 }
 
-/// The force-error objective as a sum of squares.
+/// Force error as a root mean square, for a limit or an objective.
 fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     let Some((target, wanted)) = wanted(problem, basis) else {
         return MeanSquare::distance(basis, &[0.0], 1, |_, _, _, out| out.fill(0.0));
@@ -282,23 +283,23 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
     }
 }
 
-/// Required values of the force for a distance: target force minus the force at rest, at the nodes of every span of a basis.
+/// Values that the law-dependent part of the force should have at the quadrature nodes of every span: target force minus force at rest, N.
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
-    /// Whether the values belong to the least-squares polynomials, not to the force itself.
+    /// Whether the values are those of the least-squares polynomials instead of the target itself.
     is_nearest: bool,
 }
 
 impl Wanted {
-    /// Passes the values span by span, in the order in which a distance needs them.
+    /// Writes the values of one span after the other, in the order of the calls.
     fn filling(&self) -> impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]) {
         let mut pieces = self.values.chunks_exact(self.nodes);
         move |_, _, _, out| out.copy_from_slice(pieces.next().unwrap_or_default())
     }
 }
 
-/// Target values for a basis; `None` without a target force. For polynomials, the least-squares polynomial on each span replaces the target.
+/// Target and its values for a basis; `None` without a target force. For splines, the least-squares polynomial on each span replaces the target.
 fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted)> {
     let target = problem.target.as_ref()?;
     let breaks = basis.breaks();
@@ -326,13 +327,13 @@ fn wanted<'a>(problem: &'a Problem, basis: &Basis) -> Option<(&'a Target, Wanted
     Some((target, wanted))
 }
 
-/// Number of quadrature nodes per span that is sufficient for the harmonics and the samples of the target.
+/// Number of quadrature nodes per span, sufficient for the harmonics and for the samples of the target.
 fn harmonic_nodes(basis: &Basis, target: &Target) -> usize {
     let pieces = basis.breaks().len() - 1;
     HARMONIC_NODES.max(target.samples().div_ceil(pieces))
 }
 
-/// Weighted force-error objective: a quadrature on every range over which law and weight are smooth (theory §9).
+/// Weighted force-error objective, by quadrature on every range over which law and weight are smooth (theory §9).
 fn weighed_distance(problem: &Problem, basis: &Basis, target: &Target) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
@@ -385,7 +386,7 @@ fn weighed_square(problem: &Problem, target: &Target, rest: f64) -> f64 {
     breaks.windows(2).map(of).sum()
 }
 
-/// Breaks from 0 to 2π together with edges. An edge that equals a break up to rounding errors is replaced by the break.
+/// Sorted breaks from 0 to 2π with additional edges, rad. Edges that coincide with a break are omitted.
 fn merged(breaks: &[f64], edges: &[f64]) -> Vec<f64> {
     let apart = |x: &f64| breaks.iter().all(|b| (b - x).abs() > SAME_ANGLE);
     let mut out: Vec<f64> = (breaks.iter().copied())

@@ -1,4 +1,4 @@
-//! Harmonic family: the spectral inverse (theory §1), or a program if the inverse violates a limit.
+//! Harmonic family: the spectral inverse (theory §1), or a convex program if the inverse violates a limit.
 
 use super::formulation;
 use super::inverse::invert;
@@ -13,8 +13,8 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Inverse of the harmonics of the force without limits, and RMS of the other harmonics, N. The number of harmonics is `count`, or the minimum for
-/// which the residual is at most `wanted`.
+/// Spectral inverse without limits, and the RMS of the omitted harmonics of the force, N. The number of harmonics is `count`. Without `count` it
+/// is the minimum number for which the RMS of the omitted harmonics is at most `wanted`, N.
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(SolvedLaw, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let spectral = invert(target, &problem.drive, count, wanted)?;
@@ -39,7 +39,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
     Ok((law, spectral.left_over))
 }
 
-/// Harmonic law of a problem: by inversion, or by a program if the inverse violates the limits.
+/// Harmonic law of a problem: the spectral inverse, or the solution of a convex program if the inverse violates a limit.
 pub fn harmonic_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let wanted = problem.asked_error();
     let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;

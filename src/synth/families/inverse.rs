@@ -1,4 +1,4 @@
-//! Spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
+//! Spectral inverse ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²): lift from force, separately for each harmonic n (theory §1).
 
 use crate::drive::{Drive, RESONANCE};
 use crate::error::{Placed, Result, SynthError};
@@ -6,7 +6,7 @@ use crate::law::Law;
 use crate::problem::Target;
 use crate::synth::qp::Basis;
 
-/// A harmonic law and its residual.
+/// A harmonic law and the force that its harmonics do not reproduce.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -25,7 +25,7 @@ use crate::synth::qp::Basis;
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 pub struct Spectral {
-    /// Mean, then cosine and sine amplitudes of the lift, m.
+    /// Coefficients of the lift, m: mean, then cosine and sine amplitude of each harmonic.
     pub x: Vec<f64>,
     /// Number of harmonics of the law.
     pub count: usize,
@@ -34,18 +34,19 @@ pub struct Spectral {
 }
 
 impl Spectral {
-    /// The law. The drive determines its mean, which is zero if the force does not depend on it.
+    /// The law of these coefficients. The drive determines its mean. The mean is zero if the force does not depend on the level.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)
     }
 }
 
-/// Best law with `count` harmonics, or with the minimum number whose residual is at most `wanted`, N RMS.
+/// Law whose first `count` harmonics of the force equal those of the target. Without `count`, it has the minimum number of harmonics for which
+/// the RMS of the omitted force is at most `wanted`, N.
 ///
 /// # Errors
 ///
-/// The samples do not determine the harmonics; the drive is at resonance with a harmonic of the force.
+/// The samples do not determine so many harmonics, or the drive is at resonance with a harmonic of the force.
 pub fn invert(
     target: &Target,
     drive: &Drive,

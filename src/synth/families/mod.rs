@@ -1,5 +1,5 @@
-//! Computation of a law for a problem, one file per family. An automatic family uses harmonics in closed form if they are sufficient, and a spline
-//! otherwise.
+//! Computation of a law for a problem, one file per family. The automatic family uses harmonics in closed form if these satisfy all
+//! requirements, and a spline otherwise.
 
 mod demands;
 mod double_harmonic;
@@ -26,7 +26,8 @@ use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::Quantity;
 use harmonic::inverted;
 
-/// Law of the problem's family. For an automatic family it is a spline if the closed form fails a check.
+/// Law of a problem, of the family in the scene. For the automatic family, it is the closed form by harmonics, or a spline if the closed form
+/// fails a check.
 pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let passed_over = match problem.law.family {
         Family::Polynomial => return Ok(Ok(polynomial::polynomial_law(problem)?)),
@@ -49,18 +50,18 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// Result of the harmonics in closed form.
+/// Result of the closed form by harmonics.
 enum ClosedForm {
-    /// The cam of the harmonics passes every check, so the harmonics are the optimum (theory §1).
+    /// The cam of this law passes every check, so the law is the optimum (theory §1).
     Passes(Box<SolvedLaw>),
-    /// Requirements that the harmonics do not satisfy; `None` if harmonics do not apply to the problem.
+    /// Requirement that the harmonics do not satisfy; `None` if harmonics cannot be used for the problem.
     Missed(Option<PassedOver>),
 }
 
-/// Name of the closed form in [`PassedOver`].
+/// Name of the closed form by harmonics in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
-/// Harmonics in closed form, or the requirements that they do not satisfy.
+/// Law by harmonics in closed form, or the requirement that it does not satisfy.
 fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     if !suits(problem) {
         return Ok(ClosedForm::Missed(None));
@@ -99,7 +100,7 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether the problem only requires the force. Other conditions and objectives require a spline.
+/// Whether the force error is the only requirement, so that harmonics can be used. Other conditions and objectives require a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

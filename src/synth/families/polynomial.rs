@@ -1,4 +1,4 @@
-//! Polynomial family: one polynomial through the points, with a dwell before and after.
+//! Polynomial family: one polynomial through all points, with dwells before the first and after the last point.
 
 use std::f64::consts::TAU;
 
@@ -14,14 +14,15 @@ use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
-/// Relative difference of the lifts of adjacent dwells below which both lifts are equal.
+/// Difference between first and last lift, relative to the length scale, below which the law is closed.
 const SAME_LIFT: f64 = 1e-9;
 
-/// Polynomial of a problem with its method. The monomial coefficients in (θ − θ₀)/β are used only for output.
+/// Polynomial law of a problem. The monomial coefficients in (θ − θ₀)/β are used only for output.
 ///
 /// # Errors
 ///
-/// The conditions do not determine a polynomial of the requested degree; a given force does not determine the lift; a dwell cannot join the ends.
+/// The conditions do not determine a polynomial of the requested degree, a given force does not determine the lift, or first and last lift
+/// differ.
 pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     let conditions = conditions(problem)?;
     let [start, end] = range(problem)?;
@@ -67,7 +68,7 @@ pub fn polynomial_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Range of the polynomial: from the first point to the last one, rad.
+/// Angles of the first and the last point, rad, between which the law is a polynomial.
 fn range(problem: &Problem) -> Result<[f64; 2]> {
     let angles = problem.law.points.iter().map(|p| p.angle);
     let start = angles.clone().fold(f64::INFINITY, f64::min);
@@ -82,7 +83,7 @@ fn range(problem: &Problem) -> Result<[f64; 2]> {
     Ok([start.max(0.0), end.min(TAU)])
 }
 
-/// Error if the degree that the conditions determine differs from the requested one.
+/// Error for a number of conditions that determines another degree than the requested one.
 fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
     let conditions = fixed + 1;
     if degree < fixed {

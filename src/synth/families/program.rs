@@ -1,4 +1,4 @@
-//! Programme family: segments of catalogue laws, joined as written.
+//! Programme family: segments of catalogue laws in the order of the scene.
 
 use super::solved::SolvedLaw;
 use crate::error::{Placed, Result};
@@ -10,7 +10,7 @@ use crate::synth::report::method::Method;
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 
-/// Law of the segments of a problem.
+/// Law that consists of the segments of a problem.
 ///
 /// # Errors
 ///
@@ -49,7 +49,7 @@ pub fn program_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Programme over the extent of its cam: one or several turns, a length, or the half turn of a constant-breadth cam.
+/// Law of the segments over the extent of the cam: one or several turns, a length, or the half turn of a constant-breadth cam.
 fn assembled(problem: &Problem, segments: &[Segment]) -> Result<Law> {
     let cam = &problem.cam;
     let total: f64 = segments.iter().map(|s| s.angle).sum();

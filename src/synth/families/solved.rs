@@ -1,4 +1,4 @@
-//! A law with its method, its active limits, and the gain from relaxing them.
+//! A law with the method of its solution, its active limits, and the gain from relaxing them.
 
 use std::collections::HashMap;
 
@@ -12,16 +12,16 @@ use crate::synth::report::limited::{Binding, Easing, Minimised};
 use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::SolverReport;
 
-/// A law with its method, before the cam is determined.
+/// A law with the method of its solution, before the cam is determined.
 #[derive(Clone)]
 pub struct SolvedLaw {
-    /// The law, with the level of its family.
+    /// The law, at the level that its family determines.
     pub law: Law,
     /// Family of the law.
     pub family: Family,
-    /// Degree of the polynomials for display.
+    /// Degree of the polynomials for display; 0 for laws without polynomials.
     pub degree: usize,
-    /// Sufficient number of spans of a spline, without dwells; 0 for other families.
+    /// Number of spans of a spline that is sufficient, without dwells; 0 for other families.
     pub spans: usize,
     /// Basis functions of the coefficients.
     pub functions: Functions,
@@ -29,17 +29,17 @@ pub struct SolvedLaw {
     pub coefficients: Vec<f64>,
     /// Prime circle and offset at the optimum, if they are variables of the program.
     pub circle: Option<PrimeCircle>,
-    /// Active limits of the law.
+    /// Active limits, with their multipliers.
     pub binding: Vec<Binding>,
-    /// Gain from relaxing each active limit.
+    /// First-order gain from relaxing each active limit by 1 %.
     pub easing: Vec<Easing>,
-    /// Method of the solution.
+    /// Report on the method of the solution and its certificate.
     pub solver: SolverReport,
     /// Derivative of the Lagrangian with respect to the force.
     pub price: ForcePrice,
 }
 
-/// The law of a solved program.
+/// Law of a solved program, with its active limits and the gains from relaxing them.
 pub fn solved_law(
     problem: &Problem,
     optimum: &Optimum,
@@ -72,7 +72,7 @@ pub fn solved_law(
     }
 }
 
-/// Prime circle and offset of a solution.
+/// Prime circle and offset, m, of a solution.
 fn circle(solution: &Solution) -> PrimeCircle {
     let offset = solution.extra[OFFSET];
     PrimeCircle {
@@ -81,10 +81,10 @@ fn circle(solution: &Solution) -> PrimeCircle {
     }
 }
 
-/// Fraction of the maximum multiplier of a limit below which a row is not active, but a residue of the interior-point method.
+/// Fraction of the maximum multiplier of a limit below which a row is not active. Such a row is a remainder of the interior-point method.
 const BINDS: f64 = 1e-6;
 
-/// Active rows for display. Rows of one limit within half a span form one contact.
+/// Active limits for display. Active rows of one limit within half a span are combined.
 fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
     let mut largest: HashMap<(Option<usize>, &str), f64> = HashMap::new();

@@ -1,4 +1,4 @@
-//! Spline family: least squares of the force error with equalities and limits.
+//! Spline family: minimum force error or another objective, with equalities and limits.
 
 use super::formulation;
 use super::solved::{SolvedLaw, solved_law};
@@ -10,25 +10,25 @@ use crate::synth::qp;
 use crate::synth::search::Search;
 use crate::units::Quantity;
 
-/// Initial number of spans.
+/// Minimum automatic number of spans.
 const FEWEST: usize = 3;
 /// Maximum automatic number of spans.
 const MOST_AUTO_SPANS: usize = 400;
 /// Number of spans for laws without a target force.
 const SPANS_WITHOUT_FORCE: usize = 48;
-/// Initial number of spans of a law inside a band.
+/// Minimum automatic number of spans of a law with a force band.
 const FEWEST_IN_BAND: usize = 8;
-/// Maximum number of spans of a law inside a band.
+/// Maximum automatic number of spans of a law with a force band or a limited force error.
 const MOST_IN_BAND: usize = 120;
-/// Factor between successive numbers of spans with active limits.
+/// Factor between successive trial numbers of spans if limits are active.
 const GROWTH: f64 = 1.5;
-/// Minimum relative decrease of the error for which the number of spans is increased again.
+/// Minimum relative decrease of the force error for which the number of spans is increased again.
 pub const WORTHWHILE: f64 = 0.02;
-/// Number of spans below which, with active limits, a feasible law may not exist. The error does not decrease monotonically with the number of spans
-/// there.
+/// Number of spans below which a feasible law may not exist if limits are active. Below this number, the force error may increase with the
+/// number of spans.
 pub const TELLING: usize = 12;
 
-/// Spline of a problem with its method.
+/// Spline law of a problem, with the method of its solution.
 pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let (mut optimum, spans) = match fit(problem, search)? {
         Ok(found) => found,
@@ -43,18 +43,18 @@ pub fn spline_law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     }))
 }
 
-/// Method that determines the number of spans.
+/// How the number of spans is determined.
 enum Spans {
-    /// The number in the scene.
+    /// The given number. The scene contains it, or it is the default without a target force.
     Given(usize),
-    /// The minimum number, in a range, for which band or accuracy is feasible.
+    /// The minimum number in a range, from the first to the second value, for which the force band or the accuracy is feasible.
     Fewest(usize, usize),
-    /// A number that reaches the accuracy (N RMS) without limits, or more if limits require it.
+    /// A number that is sufficient for the given RMS force error, N, without limits. It is increased if limits require it.
     AtLeast(usize, f64),
 }
 
-/// Fit with the number of spans in the problem, or with the minimum number that reaches the accuracy. The second value is the sufficient number,
-/// which may be smaller than that of the best fit.
+/// Optimum with the number of spans in the scene, or with an automatic number. The second value is the sufficient number of spans, which may be
+/// smaller than the number of the returned optimum.
 fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     let optimum = match spans(problem, search)? {
         Spans::Given(spans) => solve(problem, search, spans)?,
@@ -67,7 +67,7 @@ fn fit(problem: &Problem, search: &Search) -> Sought<(Optimum, usize)> {
     }))
 }
 
-/// Initial number of spans of the search.
+/// How the number of spans of a problem is determined, with the number at which the search begins.
 fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
     if let Some(spans) = problem.law.spans {
         return Ok(Spans::Given(spans));
@@ -94,7 +94,8 @@ fn spans(problem: &Problem, search: &Search) -> Result<Spans> {
     })
 }
 
-/// Minimum number of spans that reaches an accuracy without limits: a lower bound that is fast to compute.
+/// Minimum number of spans for which the force error without limits is at most `wanted`, N. It is a lower bound of the number with limits, and
+/// is fast to compute.
 fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Result<usize> {
     let mut spans = search.least_spans.max(FEWEST);
     while spans < MOST_AUTO_SPANS {
@@ -107,13 +108,14 @@ fn fewest_without_limits(problem: &Problem, search: &Search, wanted: f64) -> Res
     Ok(spans)
 }
 
-/// Next trial number of spans or harmonics.
+/// Next larger trial number of spans or harmonics.
 pub fn larger(size: usize) -> usize {
     let next = (size as f64 * GROWTH) as usize;
     next.max(size + 1).min(MOST_AUTO_SPANS)
 }
 
-/// Increases the number of spans with active limits while the error decreases.
+/// Increases the number of spans while the force error under active limits decreases sufficiently. Returns the best optimum and the sufficient
+/// number of spans.
 fn while_worthwhile(
     problem: &Problem,
     search: &Search,
@@ -157,8 +159,8 @@ fn while_worthwhile(
     }
 }
 
-/// Result with the minimum number of spans for which a law is feasible. If no number is feasible, the result with the maximum number. The number of
-/// spans affects only band and accuracy.
+/// Optimum with the minimum number of spans, from `spans` to `most`, for which a law is feasible. If no number is feasible, the reason for the
+/// last number is returned. Only a force band or an accuracy can become feasible with more spans.
 fn fewest(problem: &Problem, search: &Search, mut spans: usize, most: usize) -> Sought<Optimum> {
     loop {
         match solve(problem, search, spans)? {
@@ -180,13 +182,13 @@ fn solve(problem: &Problem, search: &Search, spans: usize) -> Sought<Optimum> {
     Ok(optimum::solve(problem, search, formulation))
 }
 
-/// Ratio of the accuracy with and without sensor noise above which a note is made.
+/// Ratio of the automatic accuracies with and without sensor noise above which a note is added.
 const NOTED: f64 = 1.05;
-/// Automatic number of spans above which a note gives the reason.
+/// Automatic number of spans above which a note states the reason.
 const MANY: usize = 100;
 
-/// Notes on an automatic number of spans (or harmonics in closed form). The spread or noise of the recording limits the number, or the accuracy
-/// requires many.
+/// Notes on the automatic number of spans (or of harmonics in closed form). They state whether the spread or the noise of the recording limits
+/// the number, or whether the accuracy requires many spans.
 pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
     let is_spline = family == Family::Spline;
     let auto = match problem.law.family {
@@ -223,8 +225,8 @@ mod tests {
     use crate::cam::LimitKind;
     use crate::scene::built_in;
 
-    /// With a stroke of 20 mm the error exceeds the usual accuracy. A search for passing designs detects this by the lower bound. With a larger
-    /// stroke there is a law.
+    /// With a stroke of 20 mm, the force error exceeds the default accuracy. A search for passing designs detects this by the lower bound of the
+    /// error. With a larger stroke, a law exists.
     #[test]
     fn a_search_for_passing_designs_refuses_an_accuracy_that_no_law_reaches() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

@@ -1,4 +1,4 @@
-//! Irreducible infeasible set of a program: conflicting limits that become feasible if any one of them is dropped.
+//! Irreducible infeasible set of a program: conflicting limits that become feasible if any single limit is removed.
 
 use super::reasons::conflicting;
 use crate::cam::{Criterion, LimitKind};
@@ -12,13 +12,13 @@ use crate::synth::qp::{
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
-/// Number of equalities above which all are listed, because the search for a minimal set needs a program for each.
+/// Number of equalities above which all of them are reported. The search for a minimal set solves a program for each equality.
 const MOST_DEMANDS: usize = 64;
 
-/// Relative excess above which a solution violates a limit.
+/// Relative violation above which a solution does not satisfy a limit.
 const BROKEN: f64 = 1e-6;
 
-/// Explains why a program has no solution.
+/// Explains why a program has no solution, by conflicting limits or conditions, and by a first relaxation of each limit.
 pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
     let because = |reason: Reason, conflict: Vec<Conflicting>| Infeasible {
         conflict,
@@ -66,7 +66,7 @@ fn members(demands: &[Demand]) -> Vec<Conflicting> {
     demands.iter().copied().map(Conflicting::Demand).collect()
 }
 
-/// Result with conflicting limits, and the values at which the search for sufficient changes begins.
+/// Result for conflicting limits. `relaxations` contains the values at which the search for sufficient changes begins.
 fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     Infeasible {
         conflict: kept.iter().copied().map(Conflicting::Limit).collect(),
@@ -75,8 +75,8 @@ fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     }
 }
 
-/// Deletion filter. The remaining set is infeasible, but feasible without any one of its members. An item remains if infeasibility without it was not
-/// decided (`None`).
+/// Deletion filter for an irreducible infeasible set. The returned set is infeasible, but becomes feasible if any single member is removed. A
+/// member also remains if `can_hold` cannot decide the set without it (`None`).
 fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Option<bool>) -> Vec<T> {
     let mut kept = all.to_vec();
     for item in all {
@@ -88,7 +88,7 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
     kept
 }
 
-/// Conflicting limits of the scene, given the equalities; empty if the equalities alone are infeasible.
+/// Irreducible set of conflicting limits of the scene, under all equalities; empty if the equalities alone are infeasible.
 fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
     let nonconvex = refusal
@@ -121,7 +121,7 @@ fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     irreducible(&names, holds)
 }
 
-/// Points and dwells that are infeasible on or above the base circle.
+/// Points and dwells that together are infeasible for a law that is nowhere below the base circle.
 fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     let mut names: Vec<Demand> = Vec::new();
     for demand in &program.equalities {
@@ -143,17 +143,17 @@ fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     })
 }
 
-/// Replaces a limit on a mean by an inactive one, so that the law of a program without other limits is easy to compute.
+/// Makes a limit on a root mean square inactive. A program without other limits is then easy to solve.
 fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row comes from a value in the scene, not from the base circle, a monotone flank or the objective.
+/// Whether a row limits a value of the scene. Rows for the base circle, a monotone flank or a minimised peak do not.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }
 
-/// Whether a feasible law was found; `None` if the solver stopped without a result.
+/// Whether a program has a feasible law; `None` if the solver stopped without a result.
 fn can_hold(
     problem: &Problem,
     program: &Program,
@@ -175,7 +175,8 @@ fn can_hold(
     }
 }
 
-/// Law with the minimum root mean square. It satisfies the limit on the root mean square if any law does.
+/// Law with the minimum root mean square of the limited quantity. An error if this minimum exceeds its limit, since then no law satisfies the
+/// limit.
 fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     let mut least = program
         .of_least_rms(limit.name)
@@ -186,7 +187,7 @@ fn of_least(program: &Program, limit: &RmsLimit) -> Result<Solution, Failure> {
     holds.then_some(own).ok_or(Failure::Infeasible)
 }
 
-/// Infeasibility of a bore whose minimum base circle exceeds the limit on the prime radius, for an automatic size.
+/// Infeasibility for an automatic size: the minimum base circle around the bore exceeds the limit on the prime radius. `None` if it does not.
 pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let (bore, limit) = (problem.cam.bore?, problem.limits[LimitKind::PrimeRadius]?);
     let least = problem.outside_bore() + problem.cam.roller_radius;
@@ -202,7 +203,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     Some(in_conflict(&conflict, relaxations))
 }
 
-/// Minimum force error with the other limits, as an accuracy; `None` if the limit is not the accuracy.
+/// Relaxation of the accuracy to the minimum force error under the other limits; `None` if `name` is not the accuracy.
 fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     let limit = program.rms.iter().find(|l| l.name == name)?;
     let best = program.of_least_rms(name)?.solve().ok();
@@ -211,8 +212,9 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))
 }
 
-/// Minimum relaxation of one limit for which the others are feasible, by minimising its bound. `None` for limits that are not values in the scene.
-/// The whole design may require more; `relaxation` starts from this value.
+/// Minimum relaxation of one limit for which the other limits of the program are feasible, computed by minimising its bound. `None` for a limit
+/// that is not a value of the scene. The complete design may require a larger change; `relaxation` starts from this
+/// value.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);

@@ -1,5 +1,5 @@
-//! Diagnosis of infeasibility: an irreducible infeasible set of limits, by a deletion filter on the program. A solver that stops early does not prove
-//! infeasibility; this is reported.
+//! Diagnosis of infeasibility: a deletion filter on the program finds an irreducible infeasible set of limits. A solver that stops early does
+//! not prove infeasibility, which is reported.
 
 mod iis;
 pub mod reasons;

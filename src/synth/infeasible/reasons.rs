@@ -1,4 +1,4 @@
-//! Conflicts and suggested changes as reasons, with values in common units.
+//! Conflicts and suggested changes as reasons for the verdict, with values in displayed units.
 
 use crate::cam::{Criterion, Measures};
 use crate::synth::report::limited::Relaxation;
@@ -6,7 +6,7 @@ use crate::synth::report::named::unit;
 use crate::synth::report::reason::{Change, Reason, quantity};
 use crate::wording::{Language, exact};
 
-/// Reason of conflicting limits.
+/// Reason that names the limits in conflict: one limit that is infeasible alone, or several limits.
 pub fn conflicting(conflict: &[Criterion]) -> Reason {
     let mut limits = conflict.to_vec();
     match limits.pop() {
@@ -21,7 +21,7 @@ pub fn conflicting(conflict: &[Criterion]) -> Reason {
     }
 }
 
-/// Suggested changes with their units. Changes without a value are omitted.
+/// Suggested changes with values and units. Relaxations without a sufficient value are omitted.
 pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
     let change = |r: &Relaxation| {
         Some(Change::Change {
@@ -34,7 +34,7 @@ pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
     relaxations.iter().filter_map(change).collect()
 }
 
-/// Reason with the suggested changes.
+/// Reason that lists the suggested changes, or states that no single change is sufficient.
 pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> Reason {
     let changes = changes(relaxations, measures);
     match changes.len() {
@@ -44,7 +44,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
     }
 }
 
-/// Value of a limit in its common unit for a cam with these measures, with sufficient digits to be entered again.
+/// Value of a limit in its displayed unit, for a cam with these measures. The text has enough digits to be entered again in a scene.
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;

@@ -1,4 +1,5 @@
-//! Limits on the convex radius of curvature of the finished cam, undercut, the roller in a concave part, and interference.
+//! Limits and checks of the profile of the finished cam: minimum convex radius of curvature, undercut, roller in concave parts, and
+//! interference.
 
 use super::finished::GEOMETRY;
 use super::slack::{ProfileSize, Slack};
@@ -12,10 +13,10 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference relative to the prime radius that counts as a rounding error.
 const TOUCH: f64 = 1e-6;
-/// Weights of s + a for a flat face. The radius of curvature is Rb + s + a (theory §6).
+/// Weights of a limit on −(s + a). The radius of curvature under a flat face is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
-/// Limit for a flat face: Rb + s + a ≥ ρ, on a given base circle or with its radius among the variables (`is_sized`).
+/// Limit Rb + s + a ≥ ρ for a flat face. The base radius Rb is given, or it is a variable of the program (`is_sized`).
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     let rho = problem.limits[LimitKind::Curvature];
     let (base, rho, scale) = if is_sized {
@@ -36,7 +37,7 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     (problem.cam.follower == FollowerKind::FlatTranslating).then_some(limit)
 }
 
-/// Clearance w^{3/2}/ρ − (w + vY − aX) of a roller.
+/// Clearance h = w^{3/2}/ρ − (w + vY − aX) for a translating roller, with X = D + s, Y = v − e and w = X² + Y².
 pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     let (x, y) = (size.rise + at.s, at.v - size.offset);
     let w = x * x + y * y;
@@ -56,7 +57,8 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     }
 }
 
-/// Clearance W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′:
+/// Clearance h = W^{3/2}/ρ − K of the pitch curve of a roller on an arm. With q = 1 + ξ′, W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 + q)
+/// cos ξ − cAξ″ sin ξ + c².
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
@@ -76,7 +78,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// Clearance (ρ_face − ρ) q³ of a face on an arm, with q = 1 + ξ′ and the radius of theory §6, including the face's offset.
+/// Clearance h = (ρ_face − ρ) q³ of a flat face on an arm, with q = 1 + ξ′. The radius of curvature ρ_face is that of theory §6 and includes the
+/// offset of the face.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let q = 1.0 + at.v;
@@ -93,7 +96,8 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// Checks of convex and concave radii of a profile. A negative convex radius is always an error, since the cam cuts itself.
+/// Checks of the convex and concave radii of curvature of a profile. A negative convex radius is always an error, because the profile then
+/// intersects itself.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -112,8 +116,8 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     out
 }
 
-/// Check of the interference of roller or face with other parts of the profile; `None` if interference is impossible, as for a translating flat face
-/// on a convex cam.
+/// Check of the interference of roller or face with other parts of the profile. `None` if interference is impossible, as for a translating flat
+/// face on a convex cam, and for an undercut profile.
 pub fn interference(cam: &Cam) -> Option<Check> {
     match cam.follower {
         Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,

@@ -1,8 +1,8 @@
 //! Limit on the diameter of the finished cam: twice the maximum radius of the profile about the centre of the shaft.
 //!
-//! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). On a given
-//! size, or with law and size added, the limit is a row of the convex program. The prime radius of an arm and a free offset enter the limit
-//! nonlinearly: in these cases it is one of the nonconvex limits.
+//! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). For a
+//! given size, and where the radius is the sum of lift and size, the limit is a row of the convex program. The prime radius of a follower on an
+//! arm and a free offset enter the limit nonlinearly. In these cases the limit is one of the nonconvex limits.
 
 use super::finished::GEOMETRY;
 use super::profile::{arm_at_rest, face_at_rest};
@@ -12,41 +12,41 @@ use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 use crate::synth::qp::{Limit, Meaning, RADIUS, RISE, Variable, only, structural};
 
-/// The nonconvex part of the limit: dimensions that determine the distance of the follower from the centre, m and rad.
+/// Nonconvex limit on the diameter. The fields are the dimensions that determine the distance of the follower from the cam centre, m and rad.
 #[derive(Debug, Clone, Copy)]
 pub enum Diameter {
-    /// A follower that slides on a line with a free offset.
+    /// A follower that translates along a line with a free offset.
     Line {
-        /// Maximum distance of the centre of roller or arc from the centre of the cam.
+        /// Maximum distance of the centre of roller or arc from the cam centre, m.
         reach: f64,
     },
     /// A roller or an arc on an arm.
     Arm {
-        /// Distance of the pivot from the cam centre.
+        /// Distance of the pivot from the cam centre, m.
         pivot: f64,
-        /// Length of the arm.
+        /// Length of the arm, m.
         arm: f64,
-        /// Maximum angle of the arm.
+        /// Maximum angle of the arm, rad.
         widest: f64,
     },
     /// A flat face on an arm.
     Face {
-        /// Distance of the pivot from the cam centre.
+        /// Distance of the pivot from the cam centre, m.
         pivot: f64,
-        /// Distance of the face from the pivot.
+        /// Distance of the face from the pivot, m.
         offset: f64,
-        /// Maximum angle of the face.
+        /// Maximum angle of the face, rad.
         widest: f64,
     },
 }
 
-/// Maximum distance of the centre of roller or arc (of a flat face: of the face) from the cam centre, m.
+/// Maximum distance from the cam centre, m, of the centre of roller or arc, or of a flat face. `None` without a limit on the diameter.
 fn reach(problem: &Problem) -> Option<f64> {
     let diameter = problem.limits[LimitKind::Diameter]?;
     Some(0.5 * diameter + problem.cam.roller_radius)
 }
 
-/// The row of the convex program; `None` if the limit is absent or nonconvex.
+/// The limit as a row of the convex program; `None` if the limit is absent or nonconvex.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     let reach = reach(problem)?;
     let given = match problem.size() {
@@ -91,12 +91,12 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     }
 }
 
-/// Limit on the lift alone.
+/// Limit s ≤ `bound` on the lift.
 fn lift(problem: &Problem, bound: f64) -> Limit {
     structural(LimitKind::Diameter, only(0, 1.0), bound, problem.length())
 }
 
-/// Limit on the lift whose diameter is 2·bound + `offset`.
+/// Limit s ≤ `bound` on the lift, where the bound corresponds to the diameter 2·`bound` + `offset`, m.
 fn affine(problem: &Problem, bound: f64, offset: f64) -> Limit {
     Meaning::Value {
         factor: 2.0,
@@ -105,7 +105,7 @@ fn affine(problem: &Problem, bound: f64, offset: f64) -> Limit {
     .of(lift(problem, bound))
 }
 
-/// Limit on lift and size together, for a follower with this offset.
+/// Limit on the sum of the lift and a size variable, for a follower with this offset, m.
 fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
     let radius = problem.cam.roller_radius;
     let meaning = Meaning::Diameter { offset, radius };
@@ -115,7 +115,7 @@ fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
 }
 
 impl Diameter {
-    /// The nonconvex part of the limit of a problem; `None` if the limit is absent or linear.
+    /// Nonconvex limit on the diameter of a problem; `None` if the limit is absent or linear.
     pub fn of(problem: &Problem) -> Option<Diameter> {
         let reach = reach(problem)?;
         if problem.size() != Size::Sought {
@@ -132,7 +132,7 @@ impl Diameter {
         }
     }
 
-    /// The dimensions of a follower on an arm; `None` for others.
+    /// Limit for a follower on an arm; `None` for other followers.
     fn of_arm(problem: &Problem, reach: f64) -> Option<Diameter> {
         let cam = &problem.cam;
         match cam.follower {
@@ -156,7 +156,7 @@ impl Diameter {
         }
     }
 
-    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius.
+    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius of the prime circle.
     fn at_rest(&self, prime: f64) -> (f64, f64) {
         match *self {
             Diameter::Line { .. } => (0.0, 0.0),
@@ -202,12 +202,12 @@ impl Diameter {
     }
 }
 
-/// Whether a problem has a limit on the diameter that its convex program cannot contain.
+/// Whether the limit of a problem on the diameter is not a row of its convex program.
 pub fn is_nonconvex(problem: &Problem) -> bool {
     Diameter::of(problem).is_some()
 }
 
-/// Check of the diameter of a finished cam.
+/// Check of the diameter of a finished cam; `None` without a limit on the diameter.
 pub fn check(problem: &Problem, cam: &Cam, name: impl Into<Criterion>) -> Option<Check> {
     let limit = problem.limits[LimitKind::Diameter]?;
     let [_, most] = cam.radii()?;

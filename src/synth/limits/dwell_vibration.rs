@@ -1,7 +1,8 @@
 //! Limit on the residual vibration in a dwell (theory §10).
 //!
-//! The state (q, p) of the vibration at the start of a dwell is linear in the law; its length is the amplitude. If the law without the limit exceeds
-//! it, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the simulation model.
+//! The state (q, p) of the vibration at the start of a dwell is linear in the law. The length of this vector is the amplitude. If the law
+//! without the limit has a larger amplitude, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the
+//! simulation model.
 
 use std::f64::consts::TAU;
 
@@ -14,12 +15,13 @@ use crate::poly::{Extreme, Peak, gauss_legendre};
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
-/// Relative excess below which a limit counts as satisfied.
+/// Relative violation below which the limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Minimum scale of an excess, relative to the deflections whose difference is the vibration, because of rounding errors.
+/// Fraction of the deflections that is the minimum scale of a violation. The vibration is a difference of deflections and contains their
+/// rounding errors.
 const CANCELLED: f64 = 1e-4;
 
-/// Check of the vibration of the finished cam; for the end of a polydyne follower, check of its deviation from the law.
+/// Check of the residual vibration of the finished cam. For a polydyne cam, the deviation of the follower's end from its law is checked.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
     let limit = problem.limits[LimitKind::Residual]?;
@@ -33,7 +35,8 @@ pub fn check(design: &Finished) -> Option<Check> {
     Some(Check::of(LimitKind::Residual, worst?, limit, SLACK))
 }
 
-/// Maximum amplitude in a dwell, m; infinite if it is unbounded. `None` without dwells or a compliant follower.
+/// Maximum amplitude of the residual vibration in the dwells, m, with the start of the dwell; infinite without a steady state. `None` without
+/// dwells or a compliant follower.
 fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
     let train = problem.train().ok()??;
     let starts: Vec<f64> = problem.rests().iter().map(|r| r.0).collect();
@@ -44,10 +47,10 @@ fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
         .max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// Determinant det(1 − e^{2πA}) below which there is an undamped resonance.
+/// Determinant det(1 − e^{2πA}) below which the free vibration is at an undamped resonance.
 const RESONANCE: f64 = 1e-11;
 
-/// Intervals of motion between consecutive dwells, as angles over several turns.
+/// Intervals of motion between consecutive dwells, rad. An interval or dwell across the end of the turn continues above 2π.
 fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
     (0..rests.len())
         .map(|k| {
@@ -68,7 +71,8 @@ fn motions(rests: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Free vibration of the follower as a function of the angle. After φ, a unit of q at rest becomes e^{−ζrφ}(C + ζS, −S).
+/// Free vibration of the follower as a function of the angle. After the angle φ, the state (q, p) = (1, 0) has become (C + ζS, −S) with the
+/// functions of `waves`.
 struct Free {
     /// Frequency ratio r = √(K/m)/ω.
     rate: f64,
@@ -77,7 +81,8 @@ struct Free {
 }
 
 impl Free {
-    /// Functions C and S: cos and sin/√(1 − ζ²) of √(1 − ζ²) rφ, or their limits for ζ ≥ 1; both times e^{−ζrφ}.
+    /// Functions C = e^{−ζrφ} cos(√(1 − ζ²) rφ) and S = e^{−ζrφ} sin(√(1 − ζ²) rφ)/√(1 − ζ²) of the angle φ. For ζ = 1 they are the limits of
+    /// these expressions. For ζ > 1, cosh and sinh replace cos and sin.
     fn waves(&self, angle: f64) -> [f64; 2] {
         let (z, x) = (self.damping, self.rate * angle);
         let square = 1.0 - z * z;
@@ -93,14 +98,15 @@ impl Free {
         [0.5 * (slow + fast), 0.5 * (slow - fast) / root]
     }
 
-    /// Matrix e^{A φ} with A = r (0 1; −1 −2ζ).
+    /// State matrix e^{A φ} over the angle φ, with A = r (0 1; −1 −2ζ).
     fn carried(&self, angle: f64) -> [[f64; 2]; 2] {
         let ([c, s], z) = (self.waves(angle), self.damping);
         [[c + z * s, s], [-s, c - z * s]]
     }
 }
 
-/// Vibrations at the starts of the dwells in the periodic steady state, as rows q and p over the coefficients of a law.
+/// Vibrations at the starts of the dwells in the steady state. Each has a row for q and a row for p, whose entries multiply the coefficients of
+/// a law.
 pub struct Vibrations {
     rests: Vec<(f64, f64)>,
     rows: Vec<[Vec<f64>; 2]>,
@@ -108,8 +114,8 @@ pub struct Vibrations {
 }
 
 impl Vibrations {
-    /// Limited vibrations of a problem; `None` without a limit, a dwell, or a steady state. The end of a polydyne follower is at rest where its law
-    /// is at rest.
+    /// Vibrations of a problem and their limit; `None` without a limit, a dwell or a compliant follower. A polydyne cam has no such vibration,
+    /// because the follower's end is at rest where its law is at rest.
     pub fn of(problem: &Problem, basis: &Basis) -> Option<Vibrations> {
         let limit = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne)?;
         let (train, rests) = (problem.train().ok()??, problem.rests());
@@ -133,7 +139,7 @@ impl Vibrations {
         Some(Vibrations { rests, rows, limit })
     }
 
-    /// Tangents of the discs for a law whose vibrations are outside them.
+    /// Tangents of the discs |(q, p)| ≤ limit as rows of the program, for each dwell in which the law with coefficients `x` exceeds the limit.
     pub fn tangents(&self, x: &[f64]) -> Vec<Row> {
         let sum = |row: &[f64]| row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
         let mut out = Vec::new();
@@ -164,7 +170,7 @@ impl Vibrations {
     }
 }
 
-/// Vibration after one interval of motion for a follower that was at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ.
+/// Vibration after one interval of motion that begins at rest: (q, p) = ∫ e^{A(θ₁ − θ)} (1, 0) F′(θ)/K dθ, as rows over the coefficients.
 fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) -> [Vec<f64>; 2] {
     let mut out = [vec![0.0; basis.columns()], vec![0.0; basis.columns()]];
     for (theta, weight) in quadrature(&basis.breaks(), motion, free.rate) {
@@ -177,8 +183,8 @@ fn of_motion(basis: &Basis, motion: (f64, f64), free: &Free, gained: &[f64; 4]) 
     out
 }
 
-/// Angles and weights for ∫ f(θ) e^{irθ} dθ over one interval of motion. Each part of at most one radian of phase between the breaks has eight Gauss
-/// points (accuracy 1e-14 for the degrees used here).
+/// Angles and weights of a quadrature for ∫ f(θ) e^{irθ} dθ over one interval of motion. The spans are divided into parts of at most one radian
+/// of phase rθ. Each part has eight Gauss points, which give an accuracy of 1e-14 for the degrees used here.
 fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f64)> {
     let gauss = gauss_legendre(8);
     let mut cuts: Vec<f64> = (breaks.iter())
@@ -199,7 +205,8 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f6
     out
 }
 
-/// Vibrations in the steady state: zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. Without damping, each interval of motion is considered alone.
+/// Vibrations in the steady state, from zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. At an undamped resonance there is no steady state, and
+/// the vibration after each interval of motion from rest is returned.
 fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
     let n = rests.len();
     // own[k] ends at the start of rest k + 1.

@@ -1,4 +1,4 @@
-//! Input of the checks of all limits, and their tolerances.
+//! Finished design as the input of the checks of all limits, and the tolerances of these checks.
 
 use crate::cam::{BarrelGroove, Cam};
 use crate::law::Law;
@@ -6,22 +6,22 @@ use crate::problem::Problem;
 use crate::synth::qp::TOLERANCE;
 use crate::synth::report::force::ForceReport;
 
-/// Relative rounding of a limit in the program: twice its tolerance.
+/// Relative tolerance of the check of a limit that the program enforces: twice the tolerance of the program.
 pub const SLACK: f64 = 2.0 * TOLERANCE;
-/// Relative tolerance of a size found by bisection or as a root, because of rounding errors.
+/// Relative tolerance of a size that was found by bisection or as a root, because of rounding errors.
 pub const GEOMETRY: f64 = 1e-8;
 
-/// A finished design for the checks of its limits.
+/// A finished design whose limits are checked.
 pub struct Finished<'a> {
     /// Problem of the design.
     pub problem: &'a Problem,
-    /// Cam to check.
+    /// Cam whose limits are checked.
     pub cam: &'a Cam,
     /// Second cam of a conjugate pair, if any.
     pub second: Option<&'a Cam>,
-    /// Groove of a barrel.
+    /// Groove of a barrel cam; `None` for other cams.
     pub groove: Option<&'a BarrelGroove>,
-    /// Law that determines the force: that of the cam, or that of the end of a polydyne follower.
+    /// Law that determines the force: the law of the cam, or for a polydyne cam the law of the follower's end.
     pub pressing: &'a Law,
     /// Force of the cam compared with the target.
     pub force: &'a ForceReport,

@@ -1,4 +1,4 @@
-//! Limits on the contact force, the band about the target, and the accuracy.
+//! Limits on the contact force, the force band about the target, and the force error.
 
 use super::finished::{Finished, SLACK};
 use crate::cam::{Check, Criterion, LimitKind};
@@ -38,7 +38,8 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Limits on the difference of force and target: the band, and the maximum error if it is minimised. Their shapes and cost are added to the program.
+/// Limits on the difference between force and target: the force band, and the maximum error if it is minimised. Their bounds as functions of the
+/// angle, and the cost of the maximum error, are added to the program.
 pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Some(target) = &problem.target else {
         return Vec::new();
@@ -77,7 +78,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     out
 }
 
-/// Accuracy limit of a law with another objective. `half` is half the mean square of the force error.
+/// Limit on the RMS force error if the objective is another quantity. `half` is half the mean square of the force error.
 pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<RmsLimit> {
     let most = problem.limited_error()?;
     Some(RmsLimit {
@@ -88,7 +89,7 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Difference between the force of a law and the target, exact on the spans of both.
+/// Comparison of the force of a law with the target, exact on the spans of law and target.
 pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.force_curve(law);
     let (low, high) = problem.force_extremes(law);
@@ -108,10 +109,10 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// Negative contact force, relative to the maximum, that counts as a rounding error.
+/// Negative contact force, relative to the maximum absolute force, that counts as a rounding error.
 const TOUCHES: f64 = 1e-7;
 
-/// Checks of the minimum and maximum force. Contact is always required.
+/// Checks of the minimum and maximum force. Without a minimum force in the scene, the default minimum of the problem is checked (contact).
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.force_extremes(design.pressing);
@@ -131,7 +132,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// Check of the band or of the accuracy, otherwise of the allowed RMS error.
+/// Check of the force band. Without a band, check of the RMS force error; `None` if this error has no limit.
 pub fn accuracy_check(design: &Finished) -> Option<Check> {
     let (problem, force) = (design.problem, design.force);
     if let Some([low, high]) = &problem.band {
@@ -155,7 +156,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, limit, TOLERANCE))
 }
 
-/// Rounding error of a force, N.
+/// Tolerance of a force in the checks, N.
 fn slack(design: &Finished) -> f64 {
     let rest = design.problem.drive.rest_force.abs();
     SLACK * design.force.target_mean_n.abs().max(rest)

@@ -1,4 +1,4 @@
-//! Limit on the line pressure between cam and follower. For a flat face it is linear in law and size; for a roller it is not convex.
+//! Limit on the Hertz pressure between cam and follower. For a flat face it is linear in law and size; for a roller it is not convex.
 
 use std::f64::consts::PI;
 
@@ -13,11 +13,12 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Fraction of the squared pressure due to the roller alone, above which the cam is not enlarged.
+/// Fraction of the squared pressure limit. If the curvature of the roller alone causes more than this fraction, enlarging the cam is not
+/// worthwhile.
 const WORTH_GROWING: f64 = 0.95;
 
-/// Limit for a flat face: F ≤ π L p²/E*·(Rb + s + a), linear in law and radius together. `is_sized` states that the radius is
-/// among the variables.
+/// Pressure limit for a flat face, F ≤ π L p²/E*·(Rb + s + a), which is linear in law and base radius together. If `is_sized` is true, the base
+/// radius is a variable of the program.
 pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     if !is_sized {
         return pressed(problem, problem.base_radius()?);
@@ -27,7 +28,8 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     Some(limit)
 }
 
-/// Pressure limit for a flat face on a base circle. If `base_radius` is 0, the radius is among the variables.
+/// Pressure limit for a flat face on a base circle of radius `base_radius`, m. The value 0 is used if the radius is a variable, which the caller
+/// adds.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
     if cam.follower != FollowerKind::FlatTranslating {
@@ -47,7 +49,7 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     Some(Meaning::Sized.of(limit))
 }
 
-/// Minimum base radius for a flat face with the pressure limit: the maximum of F E*/(π L p²) − s − a.
+/// Minimum base radius of a flat-faced cam with the pressure limit, m: the maximum of F E*/(π L p²) − s − a. Without a limit it is 0.
 pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
     let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;
@@ -63,7 +65,8 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         .value
 }
 
-/// Pressure limit, if a sufficiently large roller cam can satisfy it. The curvature of the roller alone already causes a pressure.
+/// Limit on the Hertz pressure, Pa, if a sufficiently large cam can satisfy it; otherwise `None`. The curvature of the roller alone already
+/// causes a pressure.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (
         problem.limits[LimitKind::HertzPressure]?,
@@ -74,19 +77,19 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }
 
-/// Limit on the line pressure between a roller and its cam.
+/// Limit on the Hertz pressure between a roller and its cam.
 #[derive(Debug, Clone, Copy)]
 pub struct Pressure {
-    /// Factor π L/E*. p² is the product of normal force and sum of curvatures, divided by this factor, m²/N.
+    /// Factor π L/E*, m³/N. The squared pressure p² is the product of normal force and sum of curvatures, divided by this factor.
     pub spread: f64,
-    /// Radius of the roller, m.
+    /// Radius R_f of the roller, m.
     pub roller: f64,
-    /// Maximum allowed pressure, Pa.
+    /// Maximum permitted pressure p, Pa.
     pub most: f64,
 }
 
 impl Pressure {
-    /// Clearance q R_f X (w^{3/2} − R_f K) − F w², with q = p² π L/E*: for X = D + s,
+    /// Clearance h = q X (w^{3/2} − R_f K) − F w², with q = p² π L R_f/E*, X = D + s, Y = v − e, w = X² + Y² and K = w + vY − aX.
     pub fn slack(&self, drive: &Drive, at: Svaj, force: f64, size: ProfileSize) -> Slack {
         let [k, c, m, _] = drive.weights();
         let (x, y) = (size.rise + at.s, at.v - size.offset);
@@ -117,7 +120,7 @@ impl Pressure {
     }
 }
 
-/// Maximum pressure on the finished cam; infinite on an undercut profile, and 0 without a force.
+/// Maximum Hertz pressure on the finished cam, Pa; infinite on an undercut profile, and 0 for a drive without a force.
 pub fn worst(design: &Finished) -> Extreme {
     if design.problem.drive.is_idle() {
         return design.cam.curvature().convex.map(|_| 0.0);

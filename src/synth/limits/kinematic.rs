@@ -1,4 +1,4 @@
-//! Limits on base circle, stroke, face width, velocity, acceleration and jerk, monotone flanks, and the maximum of a derivative.
+//! Limits on base circle, stroke, face width, velocity, acceleration and jerk, on monotone flanks, and on a minimised peak of a derivative.
 
 use super::finished::SLACK;
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
@@ -11,10 +11,10 @@ use crate::synth::qp::{
 
 /// Depth below the base circle, relative to the stroke, that counts as a rounding error.
 const DIP: f64 = 1e-7;
-/// Depth below the base circle that counts as zero, m or rad: the program's tolerance for a lift of a centimetre.
+/// Depth below the base circle, m or rad, that counts as zero. It is the tolerance of the program for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
-/// Limit that keeps the law above its base circle, if other conditions determine its level.
+/// Limit s ≥ 0, which keeps the law above its base circle. `None` if nothing determines the level of the law and no limit refers to its height.
 pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
@@ -24,19 +24,20 @@ pub fn base_circle(problem: &Problem) -> Option<Limit> {
     (problem.level_is_known() || is_limited).then_some(limit)
 }
 
-/// Base-circle limit with the size of the cam among the variables.
+/// Limit s ≥ 0, which keeps the law above its base circle, for every problem.
 pub fn above_base_circle(problem: &Problem) -> Limit {
     structural(Criterion::BaseCircle, only(0, -1.0), 0.0, problem.length())
 }
 
-/// Check that the law is not below its base circle, which is its zero.
+/// Check that the law is not below its base circle (lift 0). `None` if this check passes.
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
     let dips = lowest.value < -(DIP * cam.law.stroke()).max(NO_LIFT);
     dips.then(|| Check::of(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 
-/// Limit on the lift, counted from the base circle, or from the minimum lift if the level is free.
+/// Limit on the stroke. If the level of the law is determined, the stroke is counted from the minimum lift. Otherwise it is counted from the
+/// base circle, because the minimum lift is then on the base circle.
 pub fn stroke(problem: &Problem) -> Vec<Limit> {
     let Some(h) = problem.limits[LimitKind::Stroke] else {
         return Vec::new();
@@ -45,7 +46,7 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
     range(problem, LimitKind::Stroke, 0, h, window)
 }
 
-/// Limit on the face width: the contact on a flat face moves by v (theory §6).
+/// Limit on the length of a flat face. The position of the contact on the face is v (theory §6).
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
     match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
         (Some(width), FollowerKind::FlatTranslating) => {
@@ -55,7 +56,7 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// Limits a derivative to a range of the given width. The range starts at 0 or at the value of a further variable.
+/// Limits a derivative to a range of the given width. The range begins at 0, or at the value of the variable `window`.
 fn range(
     problem: &Problem,
     name: LimitKind,
@@ -76,12 +77,12 @@ fn range(
     }
 }
 
-/// Limited time derivatives: limit, order, bound.
+/// Limits of the scene on time derivatives of the lift: limit, order of the derivative, bound.
 fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
     LimitKind::by_time().filter_map(|(kind, order)| Some((kind, order, problem.limits[kind]?)))
 }
 
-/// Limits on velocity, acceleration and jerk, both signs.
+/// Limits on velocity, acceleration and jerk, one for each sign.
 pub fn timed(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     for (name, order, limit) in limited(problem) {
@@ -100,7 +101,7 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Checks of stroke and time derivatives of the finished cam. A jump makes the next derivative infinite.
+/// Checks of stroke and time derivatives of the finished cam. A derivative is infinite where the next lower derivative jumps.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
@@ -151,7 +152,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         .collect()
 }
 
-/// Limits for the maximum absolute value of a derivative as the objective. Its cost is added to the program.
+/// Limits ±s⁽ᵏ⁾ ≤ peak if the objective is the maximum absolute value of a derivative. The cost of the peak variable is added to the program.
 pub fn peak(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Minimise::Peak(order) = problem.objective() else {
         return Vec::new();

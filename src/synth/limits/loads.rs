@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit the shaft torque, its rate and its power,
-//! and the pressure of a roller.
+//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit torque, torque rate and power of the
+//! shaft, and the Hertz pressure under a roller.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -13,28 +13,29 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{OnShaft, Problem, product};
 
-/// Relative excess below which a limit counts as satisfied.
+/// Relative violation below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem; `None` means no limit.
+/// Nonconvex load limits of a problem. A field is `None` without the corresponding limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
-    /// Relation of lift and force.
+    /// Drive, which relates lift and force.
     pub drive: Drive,
-    /// Force added by a varying speed or a floor.
+    /// Force added by a varying speed or a floor; `None` for a rigid machine at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
     /// Maximum |F v|, N·m.
     pub torque: Option<f64>,
-    /// Maximum |F v| that a limit on the power allows at the mean speed, N·m.
+    /// Maximum |F v| that corresponds to the limit on the power at the mean speed, N·m.
     pub power: Option<f64>,
     /// Maximum |d(F v)/dθ|, N·m/rad.
     pub torque_rate: Option<f64>,
-    /// Limit on the pressure of a roller.
+    /// Limit on the Hertz pressure between roller and cam.
     pub pressure: Option<Pressure>,
 }
 
 impl Loads {
-    /// Nonconvex load limits of a problem. The pressure is included if the size of the roller cam is known (`under_roller`).
+    /// Nonconvex load limits of a problem; `None` if there are none. The pressure is included if the profile is that of a translating roller cam
+    /// (`under_roller`).
     pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
         let limits = &problem.limits;
         let roller = Some(problem.cam.roller_radius).filter(|r| under_roller && *r > 0.0);
@@ -74,7 +75,7 @@ impl Loads {
         out.extend(pressure.map(|p| p.slack(&self.drive, at, force, size)));
     }
 
-    /// Limits on the torque. At constant speed only the smaller one is needed.
+    /// Upper limits on |F v| at an angle, N·m, from the limits on torque and power. At constant speed only the smaller limit is returned.
     fn on_torque(&self, theta: f64) -> [Option<(LimitKind, f64)>; 2] {
         let speed = (self.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref());
         let torque = self.torque.map(|most| (LimitKind::Torque, most));
@@ -91,7 +92,7 @@ impl Loads {
         }
     }
 
-    /// Active kinds of limits, with their values.
+    /// Kinds and values of the limits that are present.
     pub fn named(&self) -> Vec<(LimitKind, f64)> {
         [
             (LimitKind::Torque, self.torque),
@@ -104,7 +105,7 @@ impl Loads {
         .collect()
     }
 
-    /// Limits with one of them changed or removed.
+    /// The limits with one value replaced; `None` removes the limit.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = self.clone();
         match name {
@@ -120,7 +121,7 @@ impl Loads {
         out
     }
 
-    /// Torque clearance T − (±F v).
+    /// Clearance h = T − (±F v) of a limit T on the torque.
     fn torque_slack(&self, name: LimitKind, at: Svaj, force: f64, most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         Slack {
@@ -134,7 +135,7 @@ impl Loads {
         }
     }
 
-    /// Torque-rate clearance R − (±(F′ v + F a)).
+    /// Clearance h = R − (±(F′ v + F a)) of a limit R on the torque rate.
     fn rate_slack(&self, at: Svaj, [force, extra]: [f64; 2], most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         let rate = k * at.v + c * at.a + m * at.j + extra;
@@ -151,7 +152,7 @@ impl Loads {
     }
 }
 
-/// Checks of torque, its rate, pressure and power of the finished cam.
+/// Checks of torque, torque rate, Hertz pressure and power of the finished cam.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(design.problem.force_curve(design.pressing), &design.cam.law);
@@ -169,12 +170,12 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// Shaft torque F·v without friction, N·m, of a force over the turn and the law of the cam.
+/// Shaft torque F·v without friction, N·m, as a function of the angle, from the contact force and the law of the cam.
 pub fn torque_curve(force: PiecewisePoly, law: &Law) -> PiecewisePoly {
     product(&law.combination([0.0, 1.0, 0.0, 0.0], 0.0), &force)
 }
 
-/// Power of a shaft torque over the turn, W, at the actual shaft speed.
+/// Shaft power as a function of the angle, W, from a shaft torque, N·m, at the actual shaft speed.
 pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
     match (problem.on_shaft.as_ref()).and_then(|shaft| shaft.extra.speed.as_ref()) {
         Some(speed) => product(&torque, speed),
@@ -182,7 +183,7 @@ pub fn power_curve(problem: &Problem, torque: PiecewisePoly) -> PiecewisePoly {
     }
 }
 
-/// Maximum absolute value, by roots.
+/// Maximum absolute value of a curve with its position, computed from the roots of the derivative.
 pub fn largest(curve: &PiecewisePoly) -> Extreme {
     Extreme::largest(curve.extremes())
 }

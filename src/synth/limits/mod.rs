@@ -1,7 +1,7 @@
 //! Limits of a problem, one file per limit or group.
 //!
-//! Each file contains the rows of its limit in a convex program, its nonconvex part, and its check on the finished design. The size is given, or it
-//! is among the variables.
+//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The size
+//! of the cam is given, or it is a variable of the program.
 
 mod curvature;
 mod diameter;
@@ -43,12 +43,12 @@ use crate::poly::PiecewisePoly;
 use crate::problem::{OnShaft, Problem, Size};
 use crate::scene::Minimise;
 
-/// Adds the convex limits of a problem to a program: limits on root mean squares, over the whole turn, and on a variable size. A law of harmonics has
-/// no demands and only the force error as its objective.
+/// Adds the convex limits of a problem to a program. These are the limits over the whole turn, the limits on root mean squares, and the limits
+/// on a size that is a variable. A law of harmonics has no conditions, and its only objective is the force error.
 ///
-/// If no condition determines the level of the law, the lift in limits on the profile is measured from the angle of the contact with the base circle.
-/// With a varying shaft speed or a moving floor, a bound is reduced by the resulting addition to its quantity. `force_error` computes half the mean
-/// square of the force error.
+/// If no condition determines the level of the law, limits on the profile subtract the lift at the touching angle on the base circle from the
+/// lift. A varying shaft speed or a moving floor changes a limited quantity by a function of the angle, by which the bound is then reduced.
+/// `force_error` computes half the mean square of the force error.
 pub fn constrain(
     problem: &Problem,
     search: &Search,
@@ -93,7 +93,8 @@ pub fn constrain(
     program.limits = rows;
 }
 
-/// Reduces the bound of a limit by the addition of a varying speed or a floor to its quantity. The shape of this addition is added to the program.
+/// Reduces the bound of a limit by the term that a varying speed or a floor adds to the limited quantity. The term is a function of the angle,
+/// which is added to the program.
 fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) {
     let per_time = speed.powi(limit.highest_order() as i32);
     let timed = |order: usize| {
@@ -117,7 +118,7 @@ fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) 
 }
 
 impl Finished<'_> {
-    /// Checks of all limits of the problem, and of the conditions for every cam, on the cam, its second cam and its groove.
+    /// Checks of all limits of the problem, and of the requirements that apply to every cam. They include the second cam and the groove.
     pub fn checks(&self) -> Vec<Check> {
         let mut out = kinematic::checks(self.problem, self.cam);
         out.extend(force::checks(self));
@@ -162,7 +163,8 @@ fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
     out
 }
 
-/// Checks of pressure angle and convex walls at the bottom of a barrel's groove, where both are worst.
+/// Checks of pressure angle and convex walls of the groove of a barrel. They are made at the floor of the groove, where pressure angle and
+/// curvature are largest.
 fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     let Some(groove) = groove else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! All nonconvex limits: those of the profile and those of shaft and contact.
+//! All nonconvex limits of a problem: limits of the profile, and limits of shaft and contact.
 
 use super::diameter::Diameter;
 use super::loads::Loads;
@@ -9,7 +9,8 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
-/// Relative enlargement of the size at the end of a sequence of convex programs, so that the curvature limit holds up to rounding errors.
+/// Relative enlargement of the size at the end of a sequence of convex programs, by which the curvature limit is satisfied up to rounding
+/// errors.
 pub const ENLARGED: f64 = 4e-6;
 
 /// All limits of a problem that are not convex in the law.
@@ -48,12 +49,12 @@ impl NonconvexLimits {
         out
     }
 
-    /// Size, if it may be among the variables.
+    /// Size of the cam in the limits of the profile; all values are 0 without such limits.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }
 
-    /// The names of all limits.
+    /// Names of all limits.
     pub fn names(&self) -> Vec<Criterion> {
         let mut out: Vec<Criterion> = Vec::new();
         for slack in self.slacks(Svaj::default(), 0.0) {
@@ -64,7 +65,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Limits that `kept` selects.
+    /// The limits whose names `kept` selects.
     pub fn only(&self, kept: impl Fn(Criterion) -> bool) -> Self {
         let left_out = |loads: Loads| {
             let named = loads.named().into_iter();
@@ -79,7 +80,7 @@ impl NonconvexLimits {
         }
     }
 
-    /// Limits at another size.
+    /// The limits for a cam of another size.
     pub fn at_size(&self, size: ProfileSize) -> Self {
         NonconvexLimits {
             profile: self.profile.map(|f| f.at_size(size)),
@@ -89,7 +90,7 @@ impl NonconvexLimits {
     }
 }
 
-/// Clearance h/w over the law for each limit.
+/// Clearances h/w as functions of the angle, one polynomial for each limit.
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
@@ -111,13 +112,13 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     })
 }
 
-/// Minimum clearance h/w over the law for each limit.
+/// Minimum clearance h/w over the law, one value for each limit.
 pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
     let curves = relative(law, limits);
     curves.iter().map(|c| c.extremes().0.value).collect()
 }
 
-/// Minimum clearance of the load limits; ∞ without load limits.
+/// Minimum clearance h/w of the load limits over the law; ∞ without load limits.
 pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
     let names: Vec<Criterion> = limits
         .loads

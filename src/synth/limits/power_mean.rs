@@ -1,7 +1,7 @@
 //! Limit on the mean shaft power without friction: the power dissipated by damping (theory §10).
 //!
-//! Over a closed law, spring, mass and weight return their energy. At constant speed, the mean of F·v·ω is then ω·w₁·mean(v²) with the force w₁ per
-//! velocity. This is a limit on the root mean square of v.
+//! Over a closed law, spring, mass and weight return their energy. At constant speed, the mean of F·v·ω is then ω·w₁·mean(v²), where w₁ is the
+//! damping force per velocity. The limit is therefore a limit on the root mean square of v.
 
 use super::finished::{Finished, SLACK};
 use super::loads::torque_curve;
@@ -10,10 +10,10 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Basis, MeanSquare, Meaning, RmsLimit, only};
 
-/// Number of quadrature nodes on a span of a sum of harmonics, as for an energy.
+/// Number of quadrature nodes per span if the law is a sum of harmonics.
 const HARMONIC_NODES: usize = 9;
 
-/// Limit √mean(v²) ≤ √(P/(ω w₁)) at the mean speed; `None` without dissipation.
+/// Limit √mean(v²) ≤ √(P/(ω w₁)) for the permitted mean power P, at the mean speed ω. `None` without a limit or without damping.
 pub fn root_mean_square(problem: &Problem, basis: &Basis) -> Option<RmsLimit> {
     let limit = problem.limits[LimitKind::PowerMean]?;
     let factor = problem.drive.speed * problem.drive.weights()[1];
@@ -32,7 +32,7 @@ pub fn root_mean_square(problem: &Problem, basis: &Basis) -> Option<RmsLimit> {
     })
 }
 
-/// Check of the mean power over time: the mean torque over the angle times the mean speed.
+/// Check of the mean power over time, which is the mean torque over the angle times the mean speed.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
     let limit = problem.limits[LimitKind::PowerMean]?;

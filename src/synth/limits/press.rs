@@ -1,4 +1,5 @@
-//! Maximum line pressure between cam and follower: p² = N κ E*/(π L) (theory §10).
+//! Maximum Hertz pressure between cam and follower: p² = N κ E*/(π L), with normal force N, relative curvature κ, contact modulus E* and contact
+//! length L (theory §10).
 
 use std::f64::consts::PI;
 
@@ -10,15 +11,15 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, stand_in};
 use crate::problem::{Problem, sum};
 
-/// Maximum number of iterations for the maximum quotient; three or four are usual.
+/// Maximum number of iterations for the maximum of F/ρ; three or four are usual.
 const ROUNDS: usize = 40;
-/// Relative increase of the quotient below which it is a rounding error.
+/// Relative increase of F/ρ below which the iteration has converged.
 const SETTLED: f64 = 1e-14;
 
-/// Data for the contact pressure: force, the law that determines it, and the length of the contact, m.
+/// Data for the Hertz pressure: force, law that determines the force, and dimensions of the contact.
 #[derive(Debug, Clone, Copy)]
 pub struct Press<'a> {
-    /// Relation of lift and force.
+    /// Drive, which relates lift and force.
     pub drive: &'a Drive,
     /// Thickness of the plate, m.
     pub thickness: f64,
@@ -26,12 +27,12 @@ pub struct Press<'a> {
     pub modulus: f64,
     /// Law that determines the force.
     pub law: &'a Law,
-    /// Force added by a varying speed or a floor, N.
+    /// Force added by a varying speed or a floor, N; `None` for a rigid machine at constant speed.
     pub extra: Option<&'a PiecewisePoly>,
 }
 
 impl<'a> Press<'a> {
-    /// Data of a problem, for the law that determines the force.
+    /// Data of a problem. `law` determines the force.
     pub fn of(problem: &'a Problem, law: &'a Law) -> Self {
         Press {
             drive: &problem.drive,
@@ -42,15 +43,15 @@ impl<'a> Press<'a> {
         }
     }
 
-    /// The force over the turn, N.
+    /// Contact force as a function of the angle, N.
     fn force_curve(&self) -> PiecewisePoly {
         let own = self.drive.force_curve(self.law);
         self.extra
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Maximum pressure on any contact, Pa. For a conjugate pair it includes the second cam where it is loaded, for a groove both walls at its bottom
-    /// and at its rim. `None` if a profile is undercut.
+    /// Maximum pressure over all contacts, Pa. For a conjugate pair it includes the second cam where this cam is loaded. For a groove it
+    /// includes both walls, at floor and rim. `None` if a profile is undercut.
     pub fn worst(
         &self,
         cam: &Cam,
@@ -68,7 +69,7 @@ impl<'a> Press<'a> {
         Some(higher(first, on_profile(second, bears)?))
     }
 
-    /// Maximum pressure where the force is positive on a cam, Pa; infinite for a knife edge.
+    /// Maximum pressure on a cam where the force is positive, Pa; infinite for a knife edge.
     pub fn on(&self, cam: &Cam) -> Extreme {
         let follower = &cam.follower;
         if !follower.is_flat() && follower.roller_radius() == 0.0 {
@@ -96,8 +97,8 @@ impl<'a> Press<'a> {
         self.modulus / (PI * self.thickness)
     }
 
-    /// Square root of the maximum p², from normal force and curvature at `sign` times the force. `bearing` returns both for the motion of the cam and
-    /// the force at a point.
+    /// Maximum pressure on a cam, Pa: the square root of the maximum p². The contact force is `sign` times the force of the law. `bearing`
+    /// computes normal force and relative curvature from the motion of the cam and the contact force.
     fn square_root(
         &self,
         cam: &Cam,
@@ -135,8 +136,8 @@ impl<'a> Press<'a> {
         root(square)
     }
 
-    /// Maximum F/ρ for a radius of curvature that is linear in the law, ρ = Rb + s + a, by Dinkelbach's method. The maximum of F − λρ leads to a
-    /// higher quotient λ, until it converges.
+    /// Maximum pressure under a flat face, Pa, by Dinkelbach's method for the maximum of F/ρ. The radius of curvature ρ = Rb + s + a is linear
+    /// in the law. The point of the maximum of F − λρ has a higher quotient, which is the next λ, until λ converges.
     fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
         let force = self.force_curve();
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
@@ -161,7 +162,8 @@ impl<'a> Press<'a> {
         })
     }
 
-    /// Maximum pressure on both walls, each where its roller has contact, at the bottom and at the rim.
+    /// Maximum pressure on the walls of a groove, Pa, at its floor and its rim. A wall counts where its roller is loaded. `None` if a wall is
+    /// undercut.
     fn in_groove(&self, cam: &Cam, groove: &BarrelGroove) -> Option<Extreme> {
         let (floor, rim) = groove.depth();
         let walls = [(Wall::Lower, 1.0), (Wall::Upper, -1.0)];
@@ -182,7 +184,7 @@ impl<'a> Press<'a> {
     }
 }
 
-/// Maximum pressure on a profile; `None` if it is undercut, infinite on a cusp.
+/// Maximum pressure on a profile. `None` if the profile is undercut, and infinite if it has a cusp. Otherwise `pressure` computes it.
 fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
     let convex = cam.curvature().convex;
     if convex.value <= 0.0 {
@@ -194,7 +196,7 @@ fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> 
     Some(pressure())
 }
 
-/// Function for normal force and curvature of the contact of a cam.
+/// Function from the motion of a cam and the contact force to normal force, N, and relative curvature, 1/m.
 fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     let follower = cam.follower;
     move |at, force| {
@@ -203,7 +205,7 @@ fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     }
 }
 
-/// Normal force, N, and relative curvature of roller and wall, 1/m, in a groove that is developed at `radius`, m.
+/// Normal force, N, and relative curvature of roller and wall, 1/m, in a groove that is unrolled at `radius`, m.
 fn groove_contact(
     groove: &BarrelGroove,
     radius: f64,
@@ -223,7 +225,7 @@ fn groove_contact(
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
 }
 
-/// Maximum F/ρ at an end of a span, with its position, as a good initial value.
+/// Position and value of the maximum of F/ρ at the ends of the spans, as the initial value of the iteration.
 fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
     let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
     for (piece, ends) in force.breaks().windows(2).enumerate() {
@@ -238,7 +240,8 @@ fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) 
     highest
 }
 
-/// Maximum of F − λρ, if above 0, on the remaining spans. Spans without a positive value are removed, since no higher λ occurs there.
+/// Position of the maximum of F − λρ on the spans in `left`, where λ is `quotient`; `None` if the maximum is not positive. Spans without a
+/// positive value are removed from `left`, because F/ρ does not exceed λ there.
 fn most_gained(
     force: &PiecewisePoly,
     radius: &PiecewisePoly,
@@ -263,7 +266,7 @@ fn most_gained(
     place
 }
 
-/// Larger of the values of F/ρ on both sides of a point.
+/// Value of F/ρ at a point. At a break it is the larger value of both sides.
 fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
     let (i, u) = force.locate(at);
     let ends = |k: usize, u: f64| {

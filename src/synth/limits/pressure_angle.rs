@@ -1,4 +1,4 @@
-//! Limits on the pressure angle on rise and fall.
+//! Limits on the pressure angle during rise and fall.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,33 +10,33 @@ use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, OFFSET, RISE, structural};
 
-/// Pressure angle in place of no limit, for code that needs its tangent.
+/// Pressure angle, rad, that replaces a missing limit where a finite tangent is needed.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
-/// Limits on rise and fall, in this order.
+/// Limits on the pressure angle during rise and fall, in this order.
 pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall];
-/// Sign of the velocity minus the offset for which the limit of the same index in [`SIDES`] is active.
+/// Sign of v − e at which the limit of the same index in [`SIDES`] applies.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). m = 1 over the whole turn; m = 0 at a reversal of the
-/// follower (v = 0).
+/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). With m = 1 it is enforced over the whole turn. With m
+/// = 0 it is the constraint at a reversal of the follower (v = 0).
 ///
-/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits hold, so that |e| ≤ tan
-/// φ·(s + D) with the smaller tangent. With these constraints, φ of the opposite sign is within its limit between reversals too.
+/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e| ≤
+/// tan φ·(s + D) with the smaller tangent. As a result, a pressure angle φ of the opposite sign is within its limit between the reversals too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
     /// Name of the limit.
     pub name: LimitKind,
-    /// Tangent of the allowed angle.
+    /// Tangent of the permitted pressure angle.
     pub tan: f64,
-    /// Sign of the side: +1 if a larger velocity is limited, −1 if a smaller one is.
+    /// Sign of the side: +1 if the constraint is an upper limit on the velocity, −1 if it is a lower limit.
     pub side: f64,
-    /// Whether the factor m of the velocity is 1; otherwise it is 0.
+    /// Whether the factor m of the velocity is 1; otherwise m is 0.
     pub moves: bool,
 }
 
-/// Constraints for limits on rise and fall. Each limit results in the constraint of its side (m = 1). The smaller tangent also results in a
-/// constraint with m = 0 for the reversal on the other side.
+/// Constraints for the limits on rise and fall, given as tangents. Each limit results in the constraint of its side with m = 1. The limit with
+/// the smaller tangent also results in the constraint of the other side with m = 0.
 pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
     let row = |name: LimitKind, tan: f64, side: f64, moves: bool| AngleRow {
         name,
@@ -56,13 +56,13 @@ pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
 }
 
 impl AngleRow {
-    /// Row for a roller on a translating follower, with the lift scaled to `scale` and the bound without size and offset.
+    /// Limit of a convex program for a translating roller, with the length scale `scale`. Size and offset are added by the caller.
     fn limit(self, scale: f64) -> Limit {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// Row on a prime circle of given radius and offset.
+    /// Limit on a prime circle of given radius with the offset `e`, m.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -71,7 +71,7 @@ impl AngleRow {
         Meaning::PrimeRadius { tan, offset }.of(limit)
     }
 
-    /// Row with D, and e if it is free, among the variables.
+    /// Limit with D as a variable, and with e as a variable if no offset is given.
     fn sized(self, length: f64, offset: Option<f64>) -> Limit {
         let mut limit = Meaning::PressureAngle.of(self.limit(length));
         limit.bound = self.side * offset.unwrap_or(0.0);
@@ -83,7 +83,8 @@ impl AngleRow {
     }
 }
 
-/// Rows ±(v − e) ≤ tan φ·(s + D) (theory §6), on a given prime circle or with D, and e if it is free, among the variables (`is_sized`).
+/// Limits ±(v − e) ≤ tan φ·(s + D) of a problem (theory §6). The prime circle is given, or D is a variable (`is_sized`), and e too if the offset
+/// is free.
 pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     let kind = problem.cam.follower;
     let prime = problem.prime_radius();
@@ -112,7 +113,7 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     rows.map(row_of).collect()
 }
 
-/// Clearance of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ),
+/// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure angle of a roller on an arm, with the tangent t of the permitted angle.
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (tan, side) = (row.tan, row.side);
@@ -127,8 +128,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle on a side without a limit, for any machine and for slow ones: those of CAM-DAS (Serrano Muñoz 2010). A flat
-/// face has none.
+/// Default bounds of the pressure angle, rad, for a side without a limit: for any machine, and for slow machines only. They are those of CAM-DAS
+/// (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;
@@ -147,7 +148,7 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     Some([any_machine, 45.0].map(f64::to_radians))
 }
 
-/// Check of the finished cam's pressure angle on rise and fall with the limits or default bounds.
+/// Checks of the pressure angle of the finished cam during rise and fall, against the limits of the scene or the default bounds.
 pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
     (SIDES.into_iter().zip(worst))
@@ -158,7 +159,7 @@ pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
         .collect()
 }
 
-/// Whether a check is for a side without a limit in the scene, on either cam.
+/// Whether a check, of either cam of a pair, refers to a side without a limit in the scene.
 pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
     let open = SIDES
         .into_iter()

@@ -7,15 +7,15 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// Minimum radius of a sharp edge relative to the cam's. It keeps divisions finite.
+/// Minimum radius of curvature of a sharp edge, relative to the prime radius. It keeps divisions finite.
 pub const SHARP: f64 = 1e-6;
 
-/// Dimensions of a profile with nonconvex limits.
+/// Dimensions of a follower whose profile has nonconvex limits, m.
 #[derive(Debug, Clone, Copy)]
 pub enum Profile {
     /// Roller that translates along +y.
     Roller(ProfileSize),
-    /// Roller on an arm: pivot at distance c, arm A.
+    /// Roller on an arm of length A, with the pivot at distance c from the cam centre.
     Arm {
         /// Distance c of the pivot from the cam centre.
         pivot: f64,
@@ -23,9 +23,9 @@ pub enum Profile {
         arm: f64,
         /// Radius of the prime circle.
         prime: f64,
-        /// Minimum allowed pitch radius.
+        /// Minimum permitted radius of curvature of the pitch curve.
         rho: f64,
-        /// Tangents of the allowed pressure angles on the rise and on the fall.
+        /// Tangents of the permitted pressure angles on rise and fall.
         tan: [Option<f64>; 2],
     },
     /// Flat face that oscillates about a pivot at distance c.
@@ -36,13 +36,13 @@ pub enum Profile {
         offset: f64,
         /// Radius of the base circle.
         base: f64,
-        /// Minimum allowed convex radius.
+        /// Minimum permitted convex radius of curvature.
         rho: f64,
     },
 }
 
 impl Profile {
-    /// Follower with the nonconvex limits of its profile; `None` if there are none, or if the size follows from the law.
+    /// Follower with the nonconvex limits of its profile. `None` if there are no such limits, or if the size is computed after the law.
     pub fn of(problem: &Problem) -> Option<Profile> {
         let (cam, limits) = (&problem.cam, &problem.limits);
         let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
@@ -133,7 +133,7 @@ impl Profile {
         }
     }
 
-    /// Size, if it may be among the variables.
+    /// Size of the cam in these limits, which may be a variable of the program.
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
@@ -150,7 +150,7 @@ impl Profile {
         }
     }
 
-    /// Limits that `kept` selects; `None` if it selects none.
+    /// The limits whose names `kept` selects; `None` if it selects none.
     pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
         let curved = kept(LimitKind::Curvature.into());
         match &mut self {
@@ -169,7 +169,7 @@ impl Profile {
         }
     }
 
-    /// Limits at another size.
+    /// The limits for a cam of another size.
     pub fn at_size(mut self, size: ProfileSize) -> Self {
         match &mut self {
             Profile::Roller(own) => {
@@ -186,20 +186,21 @@ impl Profile {
     }
 }
 
-/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
+/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the radius of the prime circle, from Rp² = A² + c² − 2Ac cos ξ.
 pub(super) fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
     let rest = libm::acos(cos.clamp(-1.0, 1.0));
     (rest, prime / (arm * pivot * libm::sin(rest)))
 }
 
-/// Face angle ξ on the base circle, rad, and its derivative with respect to the circle's radius: Rb = c sin ξ + offset.
+/// Face angle ξ on the base circle, rad, and its derivative with respect to the radius of the base circle, from Rb = c sin ξ + offset.
 pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     let rest = libm::asin(((base - offset) / pivot).clamp(-1.0, 1.0));
     (rest, 1.0 / (pivot * libm::cos(rest)))
 }
 
-/// Sets the derivatives with respect to the radius for an oscillating follower, whose only size parameter is the arm angle at rest: ξ = rest + s.
+/// Sets the derivatives with respect to the radius of the prime or base circle. For an oscillating follower, the radius changes only the angle
+/// at rest, and ξ = rest + s. `by_radius` is the derivative of the angle at rest.
 fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
     for slack in &mut slacks {
         slack.by_radius = slack.by_lift * by_radius;
@@ -224,13 +225,13 @@ mod tests {
         program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
     }
 
-    /// Minimum of h/w over the law.
+    /// Minimum of the clearance h/w over the law and over all limits.
     fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
         let all = clearances(law, limits).into_iter();
         all.fold(f64::INFINITY, f64::min)
     }
 
-    /// Central differences of h compared with the stated derivatives at many kinds of points.
+    /// Compares the derivatives of h with central differences, for many points and followers.
     #[test]
     fn derivatives_of_every_limit_agree_with_differences() {
         let roller = Profile::Roller(ProfileSize {
@@ -267,7 +268,7 @@ mod tests {
         }
     }
 
-    /// Asserts the derivatives of limit `k` by lift, velocity, acceleration and radius, with steps of `d`.
+    /// Asserts the derivatives of limit `k` with respect to lift, velocity, acceleration and radius, by differences with steps `d`.
     fn agrees_with_differences(follower: &Profile, at: Svaj, k: usize, d: f64) {
         let h = |at: Svaj| follower.slacks(at)[k].h;
         let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
@@ -308,7 +309,7 @@ mod tests {
         }
     }
 
-    /// h is zero exactly if the finished cam has the allowed radius or pressure angle.
+    /// h is zero if and only if the finished cam has the permitted radius of curvature or pressure angle.
     #[test]
     fn limits_of_arms_are_those_of_the_cam() {
         let law = law(0.3);

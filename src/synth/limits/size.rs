@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Limit, Meaning, OFFSET, Program, RADIUS, RISE, Variable, structural};
 
-/// Adds the cost of a size among the variables. Returns the limit on it; the cone Rp ≥ ‖(D, e)‖ of a free offset is added too.
+/// Adds the cost of the size of the cam to the program, and the cone Rp ≥ ‖(D, e)‖ for a free offset. Returns the limits on the size.
 pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
@@ -50,7 +50,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     limits
 }
 
-/// Limit on a size without cost: one row, at angle 0.
+/// Upper limit of the scene on a size variable, m. It does not depend on the angle, so it is one row.
 fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     Limit {
         name: LimitKind::PrimeRadius.into(),
@@ -58,7 +58,7 @@ fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     }
 }
 
-/// Tightens the limit on the size by the enlargement at the end of a sequence.
+/// Tightens the upper limits on the size by twice the relative enlargement at the end of a sequence of convex programs.
 pub fn leave_room(program: &mut Program) {
     let is_of_size = |l: &&mut Limit| l.name == LimitKind::PrimeRadius;
     for limit in program.limits.iter_mut().filter(is_of_size) {
@@ -66,12 +66,12 @@ pub fn leave_room(program: &mut Program) {
     }
 }
 
-/// Limit that keeps the size of a cam at a minimum, independent of the objective.
+/// Lower bound on a size variable: `variable` ≥ `size`. It is geometric and not a limit of the scene.
 fn at_least(problem: &Problem, size: f64, variable: Variable) -> Limit {
     on_size(problem, variable, -1.0, -size)
 }
 
-/// Geometric bound on the size that is not in the scene: weight · size ≤ bound.
+/// Geometric bound on a size variable that is not a limit of the scene: `weight` · `variable` ≤ `bound`.
 fn on_size(problem: &Problem, variable: Variable, weight: f64, bound: f64) -> Limit {
     let scale = problem.length() * problem.lever();
     let mut limit = structural(Criterion::BaseCircle, [0.0; 5], bound, scale);

@@ -1,8 +1,8 @@
-//! Nonconvex limit at one point of the law: h(s, v, a, j, D, e) ≥ 0 with its derivatives, and the size.
+//! Clearance of a nonconvex limit at one point of the law: h(s, v, a, j, D, e, Rp) ≥ 0, with its derivatives.
 
 use crate::cam::Criterion;
 
-/// Size parameters of a cam, and its minimum radius of curvature; all 0 if the size is not part of the limits.
+/// Size parameters of a cam, and its minimum radius of curvature, m. All values are 0 if the size is not part of the limits.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ProfileSize {
     /// Height D of a translating roller.
@@ -11,12 +11,12 @@ pub struct ProfileSize {
     pub offset: f64,
     /// Radius of the prime circle of an oscillating follower.
     pub radius: f64,
-    /// Minimum radius of curvature; for a roller that of the pitch curve, which is the sum of the cam's and the roller's radius.
+    /// Minimum permitted radius of curvature. For a roller it is that of the pitch curve, which is the sum of the radii of cam and roller.
     pub rho: f64,
 }
 
 impl ProfileSize {
-    /// Radius of the prime circle.
+    /// Radius of the prime circle, m.
     pub fn prime_radius(&self) -> f64 {
         libm::hypot(self.rise, self.offset) + self.radius
     }
@@ -27,9 +27,9 @@ pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
     pub h: f64,
-    /// Scale of h, in which the clearance is expressed.
+    /// Scale of h. The relative clearance is h/w.
     pub w: f64,
-    /// Largest term of h.
+    /// Magnitude of the largest term of h.
     pub largest: f64,
     pub by_lift: f64,
     pub by_velocity: f64,
@@ -41,7 +41,7 @@ pub struct Slack {
 }
 
 impl Slack {
-    /// Limit with zero derivatives, to be completed.
+    /// Clearance with h = 0 and zero derivatives, to be completed by the caller.
     pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
             name: name.into(),

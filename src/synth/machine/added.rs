@@ -1,5 +1,5 @@
-//! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law. They are the state of the design
-//! iteration.
+//! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law. The values of these terms
+//! form the state of the design iteration.
 
 use std::f64::consts::{PI, TAU};
 
@@ -12,30 +12,30 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Number of equal parts of the turn.
+/// Number of equal parts of the turn for the added terms.
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
-/// Minimum length of a part, relative to an equal one.
+/// Minimum length of a part, relative to an equal part.
 const SHORTEST: f64 = 0.3;
-/// Number of equal angles of the target.
+/// Number of equally spaced angles at which the position in the period is stored.
 const ANGLES: usize = 240;
 
-/// Layout of the state vector: added force at the nodes, added time derivatives if limited, speed, and positions in the period at equal angles. The
-/// units scale each value to about 1.
+/// Layout of the state vector. It contains the added force at the nodes, the added time derivatives that are limited, the speed, and the
+/// positions in the period at equally spaced angles. The units scale each value to about 1.
 pub struct Layout {
     breaks: Vec<f64>,
     /// Matrix from values at the nodes to Bernstein coefficients.
     coefficients: SMatrix<f64, NODES, NODES>,
-    /// Limits on velocity, acceleration and jerk if the speed varies; `None` without a limit.
+    /// Limits on velocity, acceleration and jerk if the speed varies; `None` for a derivative without a limit.
     limits: [Option<f64>; 3],
     /// Whether the speed varies.
     varies: bool,
 }
 
 impl Layout {
-    /// Layout for a law, on a shaft with varying (`varies`) or constant speed. If `is_exact`, the parts are divided at the breaks of the law.
+    /// Layout for a law. The shaft has a varying speed if `varies` is true. If `is_exact` is true, the parts begin at the breaks of the law.
     pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
         let mut limits = [None; 3];
         for (kind, order) in LimitKind::by_time() {
@@ -72,7 +72,7 @@ impl Layout {
         self.breaks.windows(2).flat_map(part)
     }
 
-    /// State of a law, given as a function `at` of the angle, with the motion of the machine.
+    /// State for a law and a motion of the machine. `law` returns the motion of the follower at an angle, rad.
     pub fn state(
         &self,
         problem: &Problem,
@@ -111,7 +111,7 @@ impl Layout {
         parts.concat().into_iter().chain(phases).collect()
     }
 
-    /// Positions in the period at equal angles, rad, and the added terms of a state.
+    /// Positions in the period, rad, at equally spaced angles, and the added terms that a state contains.
     pub fn extra(&self, problem: &Problem, state: &[f64]) -> (Vec<f64>, Extra) {
         let mut left = state;
         let count = NODES * (self.breaks.len() - 1);
@@ -144,7 +144,7 @@ impl Layout {
     }
 }
 
-/// Chebyshev nodes, because the added terms may jump at the ends of a part.
+/// Chebyshev node `k` between 0 and 1. These nodes are inside a part, because the added terms may jump at its ends.
 fn node(k: usize) -> f64 {
     0.5 * (1.0 - libm::cos(PI * (k as f64 + 0.5) / NODES as f64))
 }
@@ -157,7 +157,7 @@ mod tests {
 
     const LIMITS: &str = "velocity = \"1 m/s\"\nacceleration = \"10 m/s^2\"\njerk = \"300 m/s^3\"";
 
-    /// A law of one wave on a shaft with constant speed that differs from the speed of the drive.
+    /// State for a harmonic law on a shaft with a constant speed that differs from the speed of the drive.
     fn added(part: f64) -> (Problem, Law, Extra, Vec<f64>) {
         let problem = one_wave(FLAT, LIMITS);
         let a = amplitude(&problem);
@@ -170,7 +170,7 @@ mod tests {
         (problem, law, extra, phases)
     }
 
-    /// With d/dt = w d/dθ, velocity, acceleration and jerk are proportional to w, w² and w³; the force follows the acceleration.
+    /// With d/dt = w d/dθ, velocity, acceleration and jerk are proportional to w, w² and w³. The force is linear in the acceleration.
     #[test]
     fn another_speed_adds_its_powers() {
         let part = 1.2;

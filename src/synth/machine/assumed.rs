@@ -1,4 +1,4 @@
-//! State of the design iteration: terms that the motion of the machine adds to the problem of a law.
+//! State of the design iteration: the terms that the motion of the machine adds to the problem of a law.
 
 use super::added::Layout;
 use super::through_floor::FloorResponse;
@@ -7,14 +7,14 @@ use crate::law::Svaj;
 use crate::problem::{Extra, Problem};
 use crate::synth::attempt::Attempt;
 
-/// State of the iteration: terms added to the force of a law, and at constant speed the response of the floor.
+/// Contents of the state: layout of the terms that are added to a law, and at constant speed the response of the floor.
 pub struct Assumed {
     pub layout: Layout,
     pub floor: Option<FloorResponse>,
 }
 
 impl Assumed {
-    /// State for a law, given as a function `at` of the angle, and its machine motion.
+    /// State for a law and its machine motion. `at` returns the motion of the follower at an angle, rad.
     pub fn state(
         &self,
         problem: &Problem,
@@ -28,7 +28,7 @@ impl Assumed {
         out
     }
 
-    /// The problem for a given state.
+    /// The problem with the terms of a given state: positions in the period, added force and response of the floor.
     pub fn problem(&self, problem: &Problem, state: &[f64]) -> Problem {
         let floor = self.floor.as_ref();
         let (through, own) = state.split_at(floor.map_or(0, |_| FloorResponse::VALUES));

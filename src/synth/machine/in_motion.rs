@@ -1,9 +1,12 @@
-//! Law for a motor-driven shaft with varying speed, and for a moving floor.
+//! Design of a law for a motor-driven shaft with varying speed, and for a moving floor.
 //!
-//! The design at constant speed on a rigid floor gives a motion in time. The motor and the power of this motion determine ω(θ); at this speed the
-//! same motion in time is another law. The target force determines z″ of the floor by one linear response per harmonic. With known ω(θ) and z″(θ),
-//! the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion of the previous law. Each iteration
-//! multiplies the change by about the ripple, and by the residual of the law (theory §10).
+//! The design at constant speed on a rigid floor determines a motion of the follower in time. From the power of this motion, the torque line of
+//! the motor determines the speed ω(θ). At this speed, the same motion in time is another law. The target force determines the acceleration z″
+//! of the floor by one linear response per harmonic.
+//!
+//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion of
+//! the previous law. Each iteration multiplies the change of the machine motion by a factor of about the speed ripple and the residual of the
+//! law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
@@ -31,24 +34,24 @@ use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::{Dimension, Quantity};
 
-/// Maximum difference between the assumed and the actual force at which the design is final, relative to the mean.
+/// Maximum difference between assumed and actual state, in the units of the state, at which the iteration has converged.
 const SETTLED: f64 = 1e-6;
-/// The same difference as `SETTLED`, if the response of the floor is part of the program.
+/// Maximum difference between assumed and actual state at convergence, if the response of the floor is part of the program.
 const SETTLED_ON_FLOOR: f64 = 1e-9;
 const ACCEPTED: f64 = 1e-4;
 /// Maximum number of designs with a tighter accuracy, if a law satisfies the accuracy over the angle but not over time.
 const TIGHTER: usize = 4;
 const ROOM: f64 = 1e-4;
-/// Number of equal angles at which a report states speed and time.
+/// Number of equally spaced angles at which the report contains speed and time.
 const TOLD_ROWS: usize = 1440;
-/// Ripple up to which the iteration usually converges.
+/// Speed ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Successive relative margins above the inertia that is sufficient for a law, until the design passes.
+/// Relative margins, tried one after the other, above the inertia that is sufficient for a law.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
 
-/// One iterate: problem, law on its cam, and the resulting machine motion.
+/// One iterate: problem, law on its cam, and the machine motion that results from this law.
 struct Iterate {
     problem: Problem,
     attempt: Attempt,
@@ -56,7 +59,7 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// The iterate with its cam checked for another machine state.
+    /// The iterate with its cam checked for the machine motion in `state`.
     ///
     /// # Errors
     ///
@@ -68,7 +71,7 @@ impl Iterate {
         Ok(self)
     }
 
-    /// Marks the optimum as optimal for its machine motion, without comparison with other motions.
+    /// Marks the certificate as valid only for this machine motion. Laws with other motions were not compared.
     fn hold_for_its_motion(&mut self) {
         let solver = &mut self.attempt.law.solver;
         if solver.certificate.is_some() && solver.certified {
@@ -77,7 +80,8 @@ impl Iterate {
         }
     }
 
-    /// Adds the gap of the coupled program to the certificate. Without a gap, the law is optimal only for its floor motion.
+    /// Adds the gap of the coupled program of law and floor to the certificate. If `gap` is `None`, the certificate is valid only for the floor
+    /// motion of this law.
     fn prove_on_floor(&mut self, gap: Option<f64>) {
         let solver = &mut self.attempt.law.solver;
         match (gap, &mut solver.certificate) {
@@ -90,14 +94,14 @@ impl Iterate {
         }
     }
 
-    /// Restores the specification of the law in the scene, and the remarks of the first design on other families.
+    /// Restores the law specification of the scene, and the reason of the first design against simpler families.
     fn take_law_of(&mut self, law: &LawSpec, first: &Attempt) {
         let solver = &mut self.attempt.law.solver;
         solver.passed_over = first.law.solver.passed_over.clone();
         self.problem = self.problem.with_law(law.clone());
     }
 
-    /// Replaces the force error and its check by those over time.
+    /// Replaces the force error of the cam, and the check of this error, by the error over time.
     fn take_error_over_time(&mut self, error: Option<InTime>) {
         let Some(error) = error else { return };
         let allowed = self.problem.judged_error();
@@ -116,8 +120,8 @@ impl Iterate {
         }
     }
 
-    /// Reduced accuracy over the angle for which a law also satisfies the accuracy over time. `None` if it already satisfies it, or violates it over
-    /// the angle.
+    /// Factor below 1 on the accuracy over the angle, for which a law probably also satisfies the accuracy over time. `None` if the law already
+    /// satisfies it, or violates the accuracy over the angle.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -126,7 +130,7 @@ impl Iterate {
         (part < 1.0 && keeps && self.attempt.refusal.is_none()).then_some((1.0 - ROOM) * part)
     }
 
-    /// Replaces the means of target and force by means over the period.
+    /// Replaces the means of target and force over the angle by means over the period.
     fn take_means_over_time(&mut self, problem: &Problem) {
         let force = &mut self.attempt.cam.force;
         force.target_mean_n = problem.target_mean();
@@ -134,12 +138,12 @@ impl Iterate {
     }
 }
 
-/// Designs a cam for its machine. If the limits are infeasible at constant speed, the machine analysis may fail too. The result is then the design
-/// for constant speed without a machine report.
+/// Designs a cam for its machine. If the limits are infeasible at constant speed and the machine analysis fails, the result is the design for
+/// constant speed without a machine report.
 ///
 /// # Errors
 ///
-/// The shaft stops; the iteration does not converge; an undamped mode is at resonance.
+/// The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     let first = attempt(problem, search)?;
     match on_machine(problem, search, &first) {
@@ -157,7 +161,7 @@ pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     }
 }
 
-/// Last iterate, starting from the law for constant speed, with the machine report.
+/// Final iterate and machine report. The iteration starts from the law for constant speed.
 fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(Iterate, Reports)> {
     let (motor, floor) = (problem.machine.motor(), problem.machine.floor());
     let target = problem.target.as_ref().map(|t| &**t.curve());
@@ -239,8 +243,9 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     Ok((last, reports))
 }
 
-/// Inertia of the shaft for which the design satisfies the accuracy over time, if it does not satisfy it yet. Starts from the inertia that is
-/// sufficient for the present law, and designs again.
+/// Inertia of the shaft, kg·m², with which the design satisfies the accuracy over time, as a note and a suggested change. `None` if the design
+/// already satisfies the accuracy, or if no inertia is sufficient. The search starts from the inertia that is sufficient for the present law,
+/// and designs again for each trial value.
 fn larger_inertia(
     problem: &Problem,
     search: &Search,
@@ -279,7 +284,8 @@ fn larger_inertia(
     Some((note, relaxation))
 }
 
-/// Final iterate, checked in the converged machine state, with the number of iterations and the ratio of the last changes.
+/// Final iterate, checked with the converged machine motion. The other values are the number of iterations and the ratio of the last two
+/// changes.
 fn corrected(
     first: &Attempt,
     before: MachineMotion,
@@ -332,8 +338,8 @@ fn corrected(
     Ok((last, settled.rounds, settled.contraction))
 }
 
-/// Optimum on a floor that responds to the law, from the optimum for a fixed floor motion and with the same number of spans. If the iteration does
-/// not converge, the result is the optimum for the fixed motion.
+/// Optimum on a floor that responds to the law. The iteration starts from the optimum for a fixed floor motion and uses the same number of
+/// spans. If it does not converge, the optimum for the fixed motion is returned.
 fn on_responding_floor(
     mut settled: Settled<Iterate>,
     floor: &Floor,
@@ -377,7 +383,7 @@ fn on_responding_floor(
     found
 }
 
-/// Mean force of a law over the period, N.
+/// Mean contact force of a law over the period, N.
 fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     let (mut sum, mut all) = (0.0, 0.0);
     for x in (0..ROWS).map(angle) {
@@ -388,16 +394,16 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
     sum / all
 }
 
-/// Start of the iteration.
+/// Initial law and machine motion of the iteration.
 #[derive(Clone, Copy)]
 enum Begin<'a> {
-    /// The law for constant speed on a rigid floor, and its machine motion.
+    /// The law for constant speed on a rigid floor, and the machine motion of this law.
     ConstantSpeed(&'a Attempt, &'a MachineMotion),
     /// Final iterate of a previous iteration.
     Settled(&'a Iterate),
 }
 
-/// Iterates until design and machine motion agree.
+/// Repeats design and simulation until the assumed machine motion agrees with that of the designed law.
 fn rounds(
     begin: Begin,
     floor: Option<FloorResponse>,
@@ -485,7 +491,7 @@ fn rounds(
     Ok((last, assumed))
 }
 
-/// A positive number rounded up to three digits.
+/// A positive number, rounded up to three significant digits.
 fn three_digits(value: f64) -> f64 {
     let unit = libm::pow(10f64, libm::log10(value).floor() - 2.0);
     (value / unit).ceil() * unit

@@ -1,5 +1,5 @@
-//! Laws for a machine that responds to the cam: a compliant follower, a shaft with varying speed, a moving floor. The first design is for a rigid
-//! machine at constant speed. The following designs use its simulated motion.
+//! Laws for a machine that responds to the cam: a compliant follower, a shaft with varying speed, a moving floor. The first design is for a
+//! rigid machine at constant speed. Each following design uses the simulated machine motion of the previous one.
 
 mod added;
 mod assumed;
@@ -14,7 +14,7 @@ use super::search::Search;
 use crate::error::Result;
 use crate::problem::Problem;
 
-/// Whether the machine of a problem responds to the cam.
+/// Whether the machine of a problem responds to the cam, so that one design for a rigid machine is not sufficient.
 pub fn responds(problem: &Problem) -> bool {
     let machine = &problem.machine;
     if problem.on_shaft.is_some() {
@@ -32,7 +32,7 @@ pub fn responds(problem: &Problem) -> bool {
 ///
 /// # Errors
 ///
-/// Errors of the input; the shaft stops; the iteration does not converge; an undamped mode is at resonance.
+/// Errors of the input. The shaft stops, the iteration does not converge, or an undamped mode is at resonance.
 pub fn designed(problem: &Problem, search: &Search) -> Result<Design> {
     if problem.law.polydyne
         && let Some(train) = problem.train()?

@@ -1,5 +1,5 @@
-//! Polydyne cam of a compliant follower. The law is optimised for the end of the follower, and the cam moves the end by this law. All limits of the
-//! cam apply to the law of the cam.
+//! Polydyne cam of a compliant follower. The law of the follower's end is optimised, and the cam produces this law in spite of the deflection.
+//! All limits of the cam apply to the law of the cam.
 
 use crate::cam::Criterion;
 use crate::dynamics::Train;
@@ -16,17 +16,19 @@ use crate::synth::report::end::End;
 use crate::synth::search::Search;
 use crate::synth::sizing::checked_cam::checked_cam;
 
-/// Maximum number of corrections of the limits for the end.
+/// Maximum number of corrections of the limits for the follower's end.
 const ROUNDS: usize = 12;
-/// Relative margin between the limit for the end and its required value, so that the iteration ends.
+/// Relative margin by which a changed limit for the follower's end is tightened, so that the iteration ends.
 const AIM: f64 = 1e-6;
-/// Relative difference below which the cam reaches its limit that is active for the end.
+/// Maximum relative difference between the value of the cam and its limit at which the cam reaches the limit. It is used for limits that are
+/// active in the law of the follower's end.
 const NEAR: f64 = 1e-4;
 
-/// Designs the law of the end and the cam that produces it.
+/// Designs the law of the follower's end and the cam that produces it.
 ///
-/// The limits of the program apply to the end. The law of the cam differs by the deflection of the follower. The cam may violate a limit, or have
-/// slack in a limit that is active for the end. The limit for the end is then changed and the law is computed again.
+/// The limits of the program apply to the law of the end. The law of the cam differs from it by the deflection of the follower. The cam may
+/// therefore violate a limit, or not reach a limit that is active for the end. The limit for the end is then changed, and the law is computed
+/// again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {
@@ -57,7 +59,7 @@ pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Des
     Ok(finished(problem, search, best, reports))
 }
 
-/// Law of the end with its cam, and the checks of the problem.
+/// Cam for a law of the follower's end, with the checks of the problem.
 fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt> {
     let key = |e: Error| e.at_key("law.polydyne");
     let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
@@ -65,7 +67,7 @@ fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt>
     Ok(Attempt::of(law, cam))
 }
 
-/// Changes the limits for the end by the violation or slack of the cam; `false` if no change was necessary.
+/// Changes the limits for the follower's end by the distance of the cam from its limits; `false` if no change is necessary.
 fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     let mut any = false;
     for check in &tried.cam.checks {
@@ -88,13 +90,13 @@ fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     any
 }
 
-/// Value of the scene that a check tests, if rows of the program can enforce it.
+/// Limit that a check measures; `None` if a change of this limit for the follower's end does not move the value of the cam to its bound.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| kind.facts().moves_with_end)?;
     limits[kind].as_mut()
 }
 
-/// End of the follower, with the deviation from its law for this cam and for a cam with the uncorrected law.
+/// Report on the end of the follower. It contains the deviation from the law of the end, for this cam and for a cam with the law of the end.
 fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
     // Without damping and at resonance with a harmonic, there is no steady state.
@@ -113,7 +115,7 @@ mod tests {
     use super::*;
     use crate::scene::built_in;
 
-    /// Without damping s = y + F(y)/k. For one harmonic the stroke of the cam is 1 − (ω/ωₙ)² times the stroke of the end.
+    /// Without damping, s = y + F(y)/k. For one harmonic, the stroke of the cam is 1 − (ω/ωₙ)² times the stroke of the follower's end.
     #[test]
     fn the_cam_of_one_wave_has_the_stroke_of_its_end_less_what_the_follower_gives() {
         let scene = built_in("footbridge").unwrap().scene().unwrap();

@@ -14,35 +14,35 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::report::shaft::Forecast;
 
-/// Number of equal angles for speed and force.
+/// Number of equally spaced angles for speed and force.
 pub const ROWS: usize = 240;
-/// Number of equal angles for the force of one walker.
+/// Number of equally spaced angles for the force of one walker on the floor.
 const WALKER: usize = 720;
-/// Number of steps of the shaft motion between the breaks of the law.
+/// Number of integration steps of the shaft motion between the breaks of the law.
 const STEPS: usize = 32;
-/// Maximum number of initial iterations of the speed only.
+/// Maximum number of iterations that determine only the speed, before the first design.
 const SPEED_ROUNDS: usize = 12;
 const SAME_SPEED: f64 = 3e-3;
-/// Fraction of the accuracy, or of the mean force, below which an estimated change of force is neglected.
+/// Fraction of the permitted force error below which an estimated change of the force is neglected.
 const NEGLECTED: f64 = 0.2;
 const NEGLECTED_OF_MEAN: f64 = 1e-3;
-/// Maximum factor in the search for an inertia that reaches the accuracy.
+/// Maximum ratio of an inertia and the given inertia in the search for a sufficient inertia.
 const LARGEST_FACTOR: f64 = 1e6;
 const INERTIA_PART: f64 = 1e-4;
 
 /// Simulates laws of a design in its machine.
 #[derive(Clone)]
 pub struct Runner<'a> {
-    /// Drive, motor and floor.
+    /// Drive, motor and floor of the machine.
     pub carrier: Carrier<'a>,
-    /// Target at equal parts of the period, N.
+    /// Target, N, at equally spaced times of the period.
     target: Option<Vec<f64>>,
-    /// Learned force of the machine, N.
+    /// Learned force of the machine, N, at equally spaced angles.
     learned: Vec<f64>,
 }
 
 impl<'a> Runner<'a> {
-    /// Creates the machine of a problem with a given target over the period.
+    /// Simulator of the machine of a problem. The target is given over the period.
     pub fn new(
         problem: &Problem,
         cam: &Cam,
@@ -70,27 +70,27 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// The machine at constant speed.
+    /// The same machine without a motor, at constant speed.
     pub fn evenly(&self) -> Runner<'a> {
         let mut out = self.clone();
         out.carrier.motor = None;
         out
     }
 
-    /// The load of a law on a rigid floor.
+    /// Load of a law on the shaft, on a rigid floor.
     pub fn load_of_law(&self, law: &Law) -> Load {
         let at = |x: f64| law.svaj(x);
         self.carrier.load(0.0, law.breaks(), &at, &|_| 0.0)
     }
 
-    /// Motion of the machine for a law.
+    /// Motion of shaft and floor for a law. The computation starts from the motion `near`, if given.
     pub fn of_law(&self, law: &Law, near: Option<&MachineMotion>) -> Result<MachineMotion> {
         let at = |x: f64| law.svaj(x);
         let motion = self.carrier.motion(0.0, law.breaks(), &at, near);
         motion.map_err(|e| e.at_key("machine.motor"))
     }
 
-    /// Motion of the machine for the target force and the motion in time of the law at constant speed.
+    /// Motion of shaft and floor for the target force, if the follower has the same motion in time as with `law` at constant speed.
     pub fn in_time(&self, law: &Law, first: MachineMotion) -> Result<MachineMotion> {
         let drive = &self.carrier.drive;
         let floor = match self.carrier.floor {
@@ -120,7 +120,7 @@ impl<'a> Runner<'a> {
         Ok(motion)
     }
 
-    /// Force error over time of a law with its machine motion at equal angles.
+    /// Force error over time of a law in its machine motion; `None` without a target. `shaft` is the shaft motion at equally spaced angles.
     pub fn error(&self, law: &Law, motion: &MachineMotion, shaft: &Motion) -> Option<InTime> {
         let (target, drive) = (self.target.as_ref()?, &self.carrier.drive);
         let at = |i: usize| {
@@ -143,7 +143,8 @@ impl<'a> Runner<'a> {
         ))
     }
 
-    /// Estimate from inertia, motor and load energy, for a law for constant speed with the given error; `None` without a motor.
+    /// Estimate of speed ripple and force change, from inertia, motor and energy of the load. `in_run` is the simulated force error of the law
+    /// for constant speed. `None` without a motor.
     pub fn forecast(
         &self,
         problem: &Problem,
@@ -168,7 +169,7 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Force error over time of a law with another motor or flywheel, in percent of the mean.
+    /// RMS force error over time of a law with another motor or inertia, in percent of the mean; `None` without a steady motion or a target.
     pub fn error_with(&self, law: &Law, motor: &Motor) -> Option<f64> {
         let mut run: Runner = self.clone();
         run.carrier.motor = Some(motor);
@@ -177,7 +178,8 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// Minimum inertia for which a law satisfies the accuracy over time, kg·m², if the given inertia is not sufficient.
+    /// Minimum inertia for which the force error of a law over time is at most `allowed`, kg·m², with `allowed` in percent of the mean. `None`
+    /// if no inertia is sufficient.
     pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {
@@ -209,7 +211,7 @@ pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / ROWS as f64
 }
 
-/// Law with the same motion in time on a shaft with varying speed as `law` at constant speed: s(φ(x)).
+/// Motion s(φ(x)) of the follower at the angle `x` on a shaft with varying speed, equal in time to the motion of `law` at constant speed.
 pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     let [phase, rate, bend, third] = clock.phase(x);
     let at = law.svaj(phase);
@@ -221,7 +223,7 @@ pub fn retimed(law: &Law, clock: &Motion, x: f64) -> Svaj {
     }
 }
 
-/// Whether a limit or the objective depends on the terms of the speed, in addition to the target.
+/// Whether a limit or the objective, apart from the RMS force error, depends on the varying speed.
 pub fn depends_on_speed(problem: &Problem) -> bool {
     let is_limited = LimitKind::ALL
         .iter()

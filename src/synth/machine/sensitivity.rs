@@ -1,4 +1,4 @@
-//! Sensitivity of a finished design to inertia and motor data.
+//! Sensitivity of the force error of a finished design to inertia and motor data.
 
 use serde::Serialize;
 
@@ -14,13 +14,13 @@ const DEVIATION: f64 = 0.1;
 pub struct Sensitivity {
     /// Key of the varied value.
     pub key: &'static str,
-    /// Force error with the value decreased and increased by 10 %, in percent of the mean.
+    /// Force errors with the value decreased and increased by 10 %, in percent of the mean; `None` without a steady motion.
     pub percent: [Option<f64>; 2],
 }
 
 impl Design {
-    /// Force error over time, in percent of the mean, for a machine in which one value differs by ±10 %, with an adjusted supply. Empty at constant
-    /// speed or without a target.
+    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is adjusted for
+    /// the same mean speed. Empty at constant speed or without a target.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

@@ -1,9 +1,12 @@
-//! Response of the floor as part of the program of a law: the effect of a change of the law through the floor, with a certificate that includes it.
+//! Response of the floor as part of the program of a law. The program includes the effect that a change of the law has through the motion of the
+//! floor, and so does its certificate.
 //!
-//! The force on the moving floor is linear in the law: F = T P + const, where T contains the gains Gₙ = 1/(1 − M Hₙ) of the harmonics. With the
-//! derivative π of the Lagrangian with respect to the force, the derivative with respect to the law is P*T*π. In a program with a fixed floor motion
-//! it is P*π. The difference h = (T − G∞)*π is added to the objective. A law that is the optimum of its program then satisfies the optimality
-//! conditions of the coupled program, which is convex (theory §10).
+//! The force on the moving floor is linear in the law: F = T P + const, where P maps the law to the force on a rigid floor. T contains the gains
+//! Gₙ = 1/(1 − M Hₙ) of the harmonics.
+//!
+//! Let π be the derivative of the Lagrangian with respect to the force. The derivative with respect to the law is P*T*π on the moving floor, but
+//! P*π in a program with a fixed floor motion. The difference h = (T − G∞)*π is therefore added to the objective. A law that is the optimum of
+//! its own program then satisfies the optimality conditions of the coupled program, which is convex (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -18,22 +21,22 @@ use crate::synth::attempt::Attempt;
 use crate::synth::families::SolvedLaw;
 use crate::synth::qp::Certificate;
 
-/// Number of equal angles of π and h.
+/// Number of equally spaced angles at which π and h are evaluated.
 const ANGLES: usize = 2880;
-/// Number of harmonics of h, whose gains decrease with the square of their order.
+/// Number of harmonics of h. Their gains Gₙ − G∞ decrease with the square of the order.
 const COUNT: usize = 240;
 
-/// Gains of the floor, with the units of the state.
+/// Gains of the floor, and the units of the values in a state.
 pub struct FloorResponse {
     minimised: Minimise,
-    /// Gₙ − G∞ for the harmonics from the first on.
+    /// Gains Gₙ − G∞ of the harmonics n = 1, 2, … as real and imaginary part.
     gains: Vec<[f64; 2]>,
     at_once: f64,
     /// Minimum |Gₙ| over the harmonics; 0 at the resonance of an undamped mode.
     least: f64,
     /// Unit of h, in units of the objective per N.
     unit: f64,
-    /// Unit of the objective.
+    /// Scale of the objective, by which the constant in a state is divided.
     objective: f64,
 }
 
@@ -41,7 +44,7 @@ impl FloorResponse {
     /// Number of values of a state.
     pub const VALUES: usize = 2 * COUNT + 1;
 
-    /// Response of a floor to the laws of a problem. `first` is one of these laws.
+    /// Response of a floor to the laws of a problem. `first` is a solution of the problem, which determines the units.
     pub fn of(problem: &Problem, floor: &Floor, first: &SolvedLaw) -> FloorResponse {
         let drive = &problem.drive;
         let at_once = floor.felt_at_once(drive.mass);
@@ -64,8 +67,8 @@ impl FloorResponse {
         }
     }
 
-    /// State of a law for the fixed-point iteration on a moving floor: harmonics of h, and the constant of the program's objective. Zero if the
-    /// limits are infeasible.
+    /// State of a law for the fixed-point iteration on a moving floor: the harmonics of h, and the constant that is added to the objective. All
+    /// values are zero if the limits are infeasible.
     pub fn state(&self, problem: &Problem, attempt: &Attempt, motion: &MachineMotion) -> Vec<f64> {
         if attempt.refusal.is_some() {
             return vec![0.0; FloorResponse::VALUES];
@@ -103,7 +106,7 @@ impl FloorResponse {
         parts.chain([constant / self.objective]).collect()
     }
 
-    /// Change of the objective for a state.
+    /// Change of the objective that a state contains.
     pub fn through(&self, state: &[f64]) -> ThroughFloor {
         let (slope, constant) = state.split_at(2 * COUNT);
         let pairs = slope.chunks_exact(2);
@@ -117,12 +120,12 @@ impl FloorResponse {
         }
     }
 
-    /// Gap of the coupled program at a law whose state differs from the assumed one by at most `off`, in units of the objective; `None` without a
-    /// proof.
+    /// Upper bound of the gap of the coupled program at a law, in the units of the objective. The state of the law differs from the assumed
+    /// state by at most `off`. `None` if no bound can be proved.
     ///
-    /// At the coupled optimum the force error is at most that of the law, so the rigid forces differ by at most twice this error divided by the
-    /// minimum |Gₙ|. The difference of h and that of the force act on this distance. The curvature of the coupled objective is at least min |Gₙ|²/G∞
-    /// times that of the program.
+    /// At the coupled optimum, the force error is at most that of the law. The forces on a rigid floor therefore differ by at most twice this
+    /// error, divided by the minimum |Gₙ|. The errors of h and of the force, multiplied by this distance, are included in the bound. The
+    /// curvature of the coupled objective is at least min |Gₙ|²/G∞ times that of the program.
     pub fn gap(&self, problem: &Problem, attempt: &Attempt, off: f64) -> Option<f64> {
         let price = &attempt.law.price;
         let own = attempt.law.solver.certificate.as_ref()?.duality_gap;
@@ -147,7 +150,7 @@ impl FloorResponse {
     }
 }
 
-/// Mean over the turn of a function at equal angles times the part of the force that depends on the law.
+/// Mean over the turn of the product of two functions: `values` at equally spaced angles, and the part of the force that depends on the law.
 fn mean_product(law: &Law, values: &[f64], problem: &Problem) -> f64 {
     let step = TAU / values.len() as f64;
     let own = |i: usize| problem.drive.force(law.svaj(step * i as f64)) - problem.drive.rest_force;

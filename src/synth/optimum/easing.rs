@@ -1,4 +1,4 @@
-//! Gain from relaxing each active limit, in the minimised quantity.
+//! Gain from relaxing each active limit, expressed in the minimised quantity.
 
 use crate::criterion::Criterion;
 use crate::law::Law;
@@ -6,13 +6,13 @@ use crate::scene::Minimise;
 use crate::synth::qp::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use crate::synth::report::limited::{Easing, Minimised};
 
-/// Relative change of a limit.
+/// Relative change by which a limit is relaxed.
 pub const RELAXED: f64 = 0.01;
 
-/// First-order effect on the objective of relaxing one limit by 1 %.
+/// First-order effect of relaxing one limit by 1 % on the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sensitivity {
-    /// Name of the limit, or key of the scene if they differ.
+    /// Limit, or given value of the scene, that is relaxed.
     limit: Criterion,
     /// Present value of the limit, in SI units.
     from: f64,
@@ -22,7 +22,7 @@ struct Sensitivity {
     gain: f64,
 }
 
-/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, in descending order of the gain.
+/// First-order effect of relaxing each active limit of the scene by 1 % on the minimised quantity, in descending order of the gain.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
     // A given size does not decrease if a limit is relaxed.
     if minimised == Minimise::Size && SIZES.iter().all(|&k| program.cost[k] == 0.0) {
@@ -44,7 +44,7 @@ pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> V
         .collect()
 }
 
-/// Expresses a gain of the objective in the minimised quantity: name, value before, value after.
+/// Expresses a gain of the objective in the minimised quantity. Returns the quantity, its value before and its value after the change.
 fn measured(
     program: &Program,
     solution: &Solution,
@@ -82,7 +82,7 @@ fn measured(
     }
 }
 
-/// Key of the value of a limit: that of the limit, or that of the prime radius.
+/// Key of the value that a limit comes from: the key of the limit, or of the given prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
@@ -90,7 +90,7 @@ pub fn key(limit: &Limit) -> Criterion {
     }
 }
 
-/// First-order effect on the objective of relaxing each active limit of the scene by 1 %, in descending order of the gain.
+/// First-order effect of relaxing each active limit of the scene by 1 % on the objective, in descending order of the gain.
 fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     let mut out: Vec<Sensitivity> = Vec::new();
     for row in &solution.active {
@@ -105,7 +105,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// Sensitivity to the limit on a root mean square, if a row is its tangent.
+/// Effect of relaxing the limit on a root mean square of which a row is a tangent; `None` for other rows.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;
@@ -117,7 +117,7 @@ fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     })
 }
 
-/// Sensitivities to the values of the scene that could relax one row.
+/// Effects of relaxing the values of the scene on which the bound of one row depends.
 fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
         return of_rms(program, row).into_iter().collect();

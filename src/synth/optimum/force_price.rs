@@ -1,4 +1,4 @@
-//! Derivative of the Lagrangian of a solution with respect to the force. On a moving floor, the response of the floor depends on it.
+//! Derivative of the Lagrangian of a solution with respect to the force. The response of a moving floor is computed from it.
 
 use super::Optimum;
 use crate::criterion::{Criterion, DependsOn};
@@ -6,21 +6,22 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Program, Row, Solution};
 
-/// Derivative with respect to the force, as factors of the force error and as multipliers at angles.
+/// Derivative of the Lagrangian with respect to the force: factors of the force error, and multipliers at angles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcePrice {
-    /// Factor of the weighted force error; 1 if its mean square is minimised.
+    /// Factor of the weighted force error from the objective: 1 if the mean square force error is minimised, otherwise 0.
     pub of_objective: f64,
-    /// Factor of the force error, from the limit on its root mean square.
+    /// Factor of the force error from the limit on its root mean square.
     pub of_accuracy: f64,
     /// Angle, rad, and signed multiplier of every active limit on the force.
     pub of_limits: Vec<(f64, f64)>,
-    /// Whether the objective and all active limits are linear or quadratic in the force, and the multipliers are valid for all laws.
+    /// Whether the derivative is complete and the multipliers are valid for all laws. This requires an objective and active limits that are
+    /// linear or quadratic in the force.
     pub is_whole: bool,
 }
 
 impl ForcePrice {
-    /// Derivative without active limits.
+    /// Derivative for a solution without active limits.
     pub fn unlimited(problem: &Problem) -> ForcePrice {
         let is_minimised = problem.objective() == Minimise::ForceError;
         ForcePrice {
@@ -51,7 +52,7 @@ impl ForcePrice {
     }
 }
 
-/// The solution with multipliers per unit of the force on the moving floor. The force of the program is the fraction 1/G∞ of this force.
+/// The solution with multipliers per unit of the force on the moving floor. The force in the program is 1/G∞ times this force.
 pub fn on_floor(problem: &Problem, solution: &Solution) -> Solution {
     let mut out = solution.clone();
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -73,7 +74,7 @@ fn is_of_force(problem: &Problem, row: &Row) -> bool {
     }
 }
 
-/// Bound of the limit on a root mean square to which a tangent belongs, N.
+/// Bound, N, of the limit on a root mean square of which a row is a tangent; infinite if there is none.
 fn most(program: &Program, row: &Row) -> f64 {
     let own = program.rms.iter().find(|limit| limit.is_tangent(row));
     own.map_or(f64::INFINITY, |limit| limit.most)

@@ -1,4 +1,5 @@
-//! Best law with all limits: first the touching angle on the base circle, then non-convex limits by a sequence of convex programs.
+//! Best law under all limits. The touching angle on the base circle is optimised first. Non-convex limits are then added by a sequence of convex
+//! programs.
 
 pub mod easing;
 pub mod force_price;
@@ -27,14 +28,14 @@ use crate::problem::{Problem, Size};
 use crate::scene::Minimise;
 use solved::Refined;
 
-/// Maximum number of tangents of the limit on residual vibration, per dwell; five are usual.
+/// Maximum number of tangents of the limit on residual vibration for each dwell; five are usual.
 const MOST_TANGENTS: usize = 40;
 
-/// Optimum with the convex limits, the limit on vibration in dwells, and the limits on the loads.
+/// Optimum under the convex limits, the limit on vibration in dwells, and the load limits.
 ///
 /// # Errors
 ///
-/// No law satisfies the limits, or no law reaches the accuracy if only such a law is useful.
+/// No law satisfies the limits. In a search for passing designs, a law that does not reach the accuracy is an error too.
 pub fn solve(
     problem: &Problem,
     search: &Search,
@@ -65,7 +66,7 @@ pub fn solve(
     }
 }
 
-/// Adds tangents of the limit on residual vibration one by one until the law satisfies it.
+/// Adds tangents of the limit on residual vibration until the law satisfies this limit.
 fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
     let basis = &optimum.formulation.program.basis;
     let Some(vibrations) = limits::Vibrations::of(problem, basis) else {
@@ -86,7 +87,8 @@ fn without_vibration(problem: &Problem, optimum: &mut Optimum) {
     }
 }
 
-/// If the law violates a limit on the loads, continues with the sequence of convex programs; without a feasible start, returns these limits.
+/// Continues with the sequence of convex programs if the law violates a load limit. Returns the limits if no feasible start was found, otherwise
+/// `None`.
 fn with_loads(
     problem: &Problem,
     search: &Search,
@@ -102,8 +104,8 @@ fn with_loads(
     (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
-/// Continues with the sequence of convex programs for non-convex limits, from the optimum without them or from the smallest cam without them; `false`
-/// if neither leads to a feasible start.
+/// Continues with the sequence of convex programs for non-convex limits. It starts from the optimum without these limits, then from the smallest
+/// cam without these limits; `false` if no feasible start was found.
 fn in_sequence(
     problem: &Problem,
     search: &Search,
@@ -148,7 +150,7 @@ fn in_sequence(
     is_found
 }
 
-/// Sequence from a program with known level and its solution; `None` if it has no feasible start.
+/// Sequence of convex programs from a program, whose level is determined, and its solution; `None` without a feasible start.
 fn sequence_from(
     problem: &Problem,
     search: &Search,
@@ -171,7 +173,7 @@ fn sequence_from(
     scp::refine(program, &starts, limits.clone(), passes)
 }
 
-/// Possible starts of a sequence: the solution of the program, and the same law with the size that it requires.
+/// Possible starts of a sequence: the solution of the program, and the same law on a cam of the size that the law requires.
 fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solution> {
     let mut out = Vec::new();
     // At the minimum radius of an arm, the linearisation is singular.
@@ -182,7 +184,8 @@ fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solu
     out
 }
 
-/// Law with the minimum mean square force error and the same limits, if the maximum error is minimised; its programs are easier to solve.
+/// Feasible law with the minimum mean square force error under the same limits, as a start if the maximum error is minimised. The programs of
+/// this objective are easier to solve.
 fn nearest_to_force(
     problem: &Problem,
     program: &Program,
@@ -199,8 +202,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// The law at the level from which the sequence measures the lift. If neither drive nor conditions determine the level and limits depend on it, the
-/// law is placed on its base circle.
+/// Program and solution with a determined level. If neither the drive nor a condition determines the level, and limits of the profile depend on
+/// it, the law is placed on its base circle.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,
@@ -226,7 +229,7 @@ fn at_level(
     (program, solution)
 }
 
-/// Adds the non-convex limits of the profile, by a sequence of convex programs.
+/// Adds the non-convex limits of the profile by a sequence of convex programs.
 pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     if optimum.sequence.is_some() {
         return;
@@ -236,8 +239,8 @@ pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     }
 }
 
-/// A law with the size that it requires, if the size is a variable. The size in the program is only the minimum for the convex limits; it is
-/// arbitrary if it has no cost. For an arm the size is limited by the reach of the arm.
+/// The law of a solution with the size of the cam that the law requires, if the size is a variable. In the solution, the size is only the
+/// minimum for the convex limits, or arbitrary if it has no cost. For a follower on an arm, the size is limited by the reach of the arm.
 pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;

@@ -6,16 +6,16 @@ use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Basis, Failure, Program};
 
-/// A result, or the reason for which the limits are infeasible. The outer error is an error of the input.
+/// A result, or the reason why the limits are infeasible. The outer error is an error of the input.
 pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
-/// A program without a solution.
+/// A program without a solution, and the reason.
 pub struct Refusal {
-    /// The program without a solution.
+    /// The program that has no solution.
     pub program: Program,
-    /// Reason why the solver ended.
+    /// Reason why the solver found no solution.
     pub failure: Failure,
-    /// Non-convex limits, if the program has a solution that violates them and no feasible one was found.
+    /// Non-convex limits, if the convex program has a solution but no law was found that also satisfies these limits.
     pub nonconvex: Option<NonconvexLimits>,
 }
 
@@ -29,18 +29,18 @@ impl Refusal {
         })
     }
 
-    /// Whether the limits were found to be infeasible; otherwise the solver stopped early.
+    /// Whether the solver found the limits to be infeasible. The result is `false` if the solver stopped early.
     pub fn is_found(&self) -> bool {
         !matches!(&self.failure, Failure::Numerical { .. })
     }
 
-    /// Whether a law without the accuracy exists.
+    /// Whether only the accuracy makes the limits infeasible: a law exists without it.
     pub fn is_of_accuracy(&self) -> bool {
         let open = self.program.of_least_rms(Criterion::Accuracy);
         self.nonconvex.is_none() && open.is_some_and(|open| open.solve().is_ok())
     }
 
-    /// Family of the rejected laws.
+    /// Family of the laws in the infeasible program.
     pub fn family(&self) -> Family {
         match &self.program.basis {
             Basis::Spline { .. } => Family::Spline,

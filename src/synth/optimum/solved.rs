@@ -1,4 +1,4 @@
-//! A formulation with its solution and certificate.
+//! A formulated program with its solution and certificate.
 
 use crate::law::Law;
 use crate::problem::Problem;
@@ -8,30 +8,30 @@ use crate::synth::report::method::{Ended, Method};
 use crate::synth::report::proof::{self, Doubt};
 use crate::synth::report::solver::{SolverReport, Step, Tier};
 
-/// Relative rounding error of a lower bound of the force error.
+/// Relative rounding error of a lower bound of the force error, up to which a bound above the accuracy is not a proof.
 const BOUND_ROUNDING: f64 = 1e-6;
 
-/// Final law of a sequence, its steps and the reason for its end.
+/// Result of a sequence of convex programs: final solution, steps, and reason for the end.
 pub type Refined = (Solution, Vec<Step>, Ended);
 
-/// Convex program of a problem for the basis functions of a family, with additional data for its solution.
+/// Convex program of a problem, for the basis functions of one family, with additional data for its solution.
 #[derive(Clone)]
 pub struct Formulation {
     /// Equalities, objective and convex limits.
     pub program: Program,
-    /// Half the mean square of the force error, as a function of the coefficients.
+    /// Half the mean square force error, N², as a function of the coefficients.
     pub force: Quadratic,
-    /// Convexity α: the quadratic part of the objective is at least ½ α mean(s″²); `None` if there is no quadratic part.
+    /// Convexity α of the objective: its quadratic part is at least ½ α mean(s″²). `None` if no such α > 0 is known.
     pub stiffness: Option<f64>,
-    /// Limit s ≥ 0, if the law must stay above its base circle.
+    /// Limit s ≥ 0; `None` if the law may be below its base circle.
     pub above_base_circle: Option<Limit>,
-    /// Number of spans, or of half waves of the highest harmonic. Contacts within half a span coincide.
+    /// Number of spans, or of half waves of the highest harmonic. Active rows within half a span count as one contact.
     pub pieces: usize,
 }
 
 impl Formulation {
-    /// Whether the law with these coefficients violates a limit. Its minimum is on the base circle unless the drive or a condition determines the
-    /// level.
+    /// Whether the law with these coefficients violates a limit. The law is first placed on its base circle, unless the drive or a condition
+    /// determines the level.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
         if program.limits.is_empty() && program.rms.is_empty() {
@@ -46,29 +46,29 @@ impl Formulation {
     }
 }
 
-/// Best law found for a formulation.
+/// Best law of a formulation.
 pub struct Optimum {
-    /// The formulation at the touching angle.
+    /// The formulation with the best touching angle.
     pub formulation: Formulation,
-    /// Solution of the program, or last solution of the sequence.
+    /// Solution of the program, or last solution of the sequence of convex programs.
     pub solution: Solution,
-    /// Touching angle, if it was free.
+    /// Touching angle, rad, if it was free.
     pub at: Option<f64>,
     /// Lower bound of the objective over all touching angles; `None` if the angle is fixed or nothing is proved.
     pub bound: Option<f64>,
     /// Sequence of convex programs, if one was necessary.
     pub sequence: Option<Sequence>,
-    /// Whether no feasible law was found for the non-convex limits.
+    /// Whether the law violates the non-convex limits, because no feasible law was found.
     pub left_out: bool,
 }
 
-/// Record of a sequence of convex programs.
+/// Report on a sequence of convex programs.
 pub struct Sequence {
     /// Steps that improved the objective, in order.
     steps: Vec<Step>,
     /// Reason why the sequence ended.
     ended: Ended,
-    /// Lower bound of the objective from the convex limits.
+    /// Lower bound of the objective over all laws within the convex limits.
     least: Option<f64>,
 }
 
@@ -95,7 +95,7 @@ impl Optimum {
         }
     }
 
-    /// Certificate of the law, and the reason, if any, for which it is not a proof.
+    /// Certificate of the law, and the reason if it does not prove that the law is optimal.
     fn evidence(&self) -> (Certificate, Option<Doubt>) {
         let Some(sequence) = &self.sequence else {
             let (certificate, doubt) = self.of_convex();
@@ -127,16 +127,16 @@ impl Optimum {
         (evidence, None)
     }
 
-    /// Lower bound of the objective over all laws within the convex limits, if known.
+    /// Lower bound of the objective over all laws within the convex limits; `None` if nothing is proved.
     fn least(&self) -> Option<f64> {
         let (evidence, doubt) = self.of_convex();
         let value = self.formulation.program.merit(&self.solution);
         doubt.is_none().then_some(value - evidence.duality_gap)
     }
 
-    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8), so that a sequence of convex programs is
-    /// useless. The result is `false` if more automatic spans may reach it, or on a floor that responds, where the objective belongs to one
-    /// iteration.
+    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8). A sequence of convex programs is
+    /// then useless. The result is `false` if the number of spans is automatic, since more spans may reach the accuracy. It is also `false` for
+    /// a floor that responds to the law, because the objective then belongs to one iteration.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
@@ -148,7 +148,7 @@ impl Optimum {
         })
     }
 
-    /// Solver report: method, iterations and proof.
+    /// Report on the solution: method, iterations and certificate.
     pub fn report(&self) -> SolverReport {
         let solution = &self.solution;
         let violation = solution.violation;

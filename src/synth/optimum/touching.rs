@@ -1,20 +1,21 @@
 //! Angle at which a law with free level touches its base circle.
 //!
-//! On a moving axis the force does not depend on the level of the law, so its minimum is on the base circle. Limits on curvature, pressure angle and
-//! contact pressure measure the lift from the base circle. For a touching angle φ they are Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a
-//! convex program with the optimum f(φ); a law that is lower elsewhere only gains slack, so the optimum is the minimum of f(φ) over the turn.
+//! On a moving axis the force does not depend on the level of the law. The level is chosen so that the minimum of the law is on the base circle.
+//! Limits on curvature, pressure angle and contact pressure measure the lift from the base circle. For a touching angle φ, these limits are Σ wₖ
+//! s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex program with the optimum f(φ). If the law of this program is lower than s(φ)
+//! elsewhere, its true clearance is only larger. The optimum is therefore the minimum of f(φ) over the turn.
 //!
-//! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀
-//! the Lagrangian changes by ν (s(φ) − s(c)), hence
+//! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀ the Lagrangian changes by ν (s(φ) −
+//! s(c)), and therefore
 //!
 //! ```text
 //! f(φ) ≥ f(c) + ν (s_c(φ) − s_c(c)) − ½ ν² Q(φ − c)
 //! Q(t) = 4/α Σ (1 − cos nt)/n⁴ = 4/α (π²t²/12 − π|t|³/12 + t⁴/48)
 //! ```
 //!
-//! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of the
-//! objective. The bound has the value and the slope of f at c. A few programs therefore give a lower bound of f with an accuracy of 1e-6 over the
-//! whole turn (branch and bound over φ).
+//! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of
+//! the objective. At c, the bound has the value and the slope of f. A few programs are therefore sufficient for a lower bound of f with an
+//! accuracy of 1e-6 over the whole turn, by branch and bound over φ.
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,24 +25,24 @@ use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::synth::qp::{self, Failure, Program, Row, Solution};
 
-/// Relative tolerance of the proved minimum over all angles.
+/// Relative gap of the objective up to which the minimum over all angles is proved.
 const GAP: f64 = 4e-7;
-/// Maximum number of programs for the proof.
+/// Maximum number of programs solved for the proof.
 const MOST_PROGRAMS: usize = 48;
-/// Maximum number of descent steps of the touching angle towards the minimum of its law.
+/// Maximum number of steps in which the touching angle is moved towards the minimum of its law.
 const MOST_DESCENTS: usize = 8;
 /// Step of the touching angle below which the descent ends, rad.
 const SETTLED: f64 = 1e-7;
-/// Maximum secant step, as a multiple of the distance to the minimum.
+/// Maximum secant step, as a multiple of the distance to the minimum of the law.
 const FARTHEST: f64 = 20.0;
-/// Initial number of parts of the turn.
+/// Number of parts of the turn at the start of branch and bound.
 const PARTS: usize = 16;
 /// Minimum width of a part, rad.
 const NARROWEST: f64 = TAU / 65536.0;
-/// Number of trial angles if the first is infeasible.
+/// Number of trial angles if the first program is infeasible.
 const TRIED: usize = 12;
 
-/// Optimum with only the convex limits, at the best touching angle. A program whose limits do not depend on the level is solved directly.
+/// Optimum with the convex limits only, at the best touching angle. A program whose limits do not depend on the level is solved directly.
 ///
 /// # Errors
 ///
@@ -72,7 +73,8 @@ pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> 
     })
 }
 
-/// Best touching angle, and a lower bound of the objective. `stiffness` is the α above, if the objective has a quadratic part.
+/// Solution at the best touching angle, and a lower bound of the objective over all angles. `stiffness` is α of the head of this file, if the
+/// objective has a quadratic part.
 fn searched(
     program: &Program,
     stiffness: Option<f64>,
@@ -99,25 +101,25 @@ fn searched(
     Ok((search.finished(), bound))
 }
 
-/// A touching angle with its solution.
+/// A touching angle with the solution of its program.
 struct Node {
     at: f64,
     solution: Solution,
     law: Law,
     /// Value of the objective, including its constant.
     value: f64,
-    /// Lower bound from the multipliers at this angle.
+    /// Lower bound of the objective from the multipliers at this angle.
     dual: f64,
-    /// Sum ν of the multipliers, weighted with −w₀.
+    /// Factor ν: sum of the multipliers, weighted with −w₀.
     multiplier: f64,
-    /// Level s_c(c) of the law at its touching angle.
+    /// Lift s_c(c) of the law at its touching angle, m.
     level: f64,
-    /// Local minima of the law, sorted by angle.
+    /// Local minima of the law, sorted by angle: angle, rad, and lift, m.
     lows: Vec<(f64, f64)>,
 }
 
 impl Node {
-    /// Lower bound of f on [a, b] from this node.
+    /// Lower bound of f over the angles from `a` to `b`, from the solution at this angle.
     fn least(&self, a: f64, b: f64, alpha: f64) -> f64 {
         let ends = self.law.svaj(a).s.min(self.law.svaj(b).s);
         let inside = self.lows.iter().filter(|low| low.0 > a && low.0 < b);
@@ -135,23 +137,23 @@ impl Node {
     }
 }
 
-/// An angle reduced to [−π, π).
+/// An angle, rad, reduced to [−π, π).
 fn signed(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }
 
-/// Angle between two positions in the turn, rad.
+/// Angle between two positions in the turn, rad, from 0 to π.
 fn apart(a: f64, b: f64) -> f64 {
     signed(a - b).abs()
 }
 
-/// Lower bound of f on [a, b] from the nodes.
+/// Best lower bound of f over the angles from `a` to `b`, from all given solutions.
 fn bound(nodes: &[Node], a: f64, b: f64, alpha: f64) -> f64 {
     let each = nodes.iter().map(|n| n.least(a, b, alpha));
     each.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Function α Q(t) of the distance t between two angles.
+/// Function α Q(t) for the angle t between two positions, rad.
 fn distance(t: f64) -> f64 {
     4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
 }
@@ -163,7 +165,8 @@ struct Search {
 }
 
 impl Search {
-    /// First law: at the given angle. If equalities tie the law to angles, the first of several angles with a solution is used.
+    /// Solves the first program, at the angle `first`. If equalities or the target tie the law to angles, several angles are tried until one has
+    /// a solution.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -187,8 +190,8 @@ impl Search {
         Err(Refusal::of(self.touching(first), failure))
     }
 
-    /// Touching angle of the law with the minimum root mean square within the other limits. If the limit on the root mean square is tight, feasible
-    /// angles are near it.
+    /// Touching angle of the law with the minimum root mean square under the other limits; `None` without a limit on a root mean square. If this
+    /// limit is tight, the feasible angles are near the returned angle.
     fn at_least_rms(&self, first: f64) -> Option<f64> {
         let mut least = Search {
             program: self.program.of_least_rms(Criterion::Accuracy)?,
@@ -199,14 +202,15 @@ impl Search {
         Some(least.nodes[least.best()].at)
     }
 
-    /// Program with this touching angle.
+    /// Program with the touching angle `at`, rad.
     fn touching(&self, at: f64) -> Program {
         let mut program = self.program.clone();
         program.count_from(at);
         program
     }
 
-    /// Solves the program at an angle, starting with the contacts of the nearest solved angle. Returns the index of the new node.
+    /// Solves the program at the angle `at`, rad, with the active rows of the nearest solved angle as initial rows. Returns the index of the new
+    /// solution.
     fn visit(&mut self, at: f64) -> Result<usize, Failure> {
         let at = at.rem_euclid(TAU);
         let mut program = self.touching(at);
@@ -226,7 +230,7 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Tries ±¼ span about the best angle. For a symmetric target, the stationary angle can be a local maximum.
+    /// Tries the angles ¼ span before and after the best angle. For a symmetric target, a stationary angle can be a local maximum.
     fn beside(&mut self) {
         let at = self.nodes[self.best()].at;
         let part = 0.25 * self.program.width(0);
@@ -237,8 +241,8 @@ impl Search {
         }
     }
 
-    /// Moves the touching angle of a node towards the minimum of its law while this improves the objective. The first step is the distance to the
-    /// minimum; secant steps follow.
+    /// Moves the touching angle towards the minimum of its law while this improves the objective. The first step is the distance to this
+    /// minimum. The following steps are secant steps.
     fn descend(&mut self, mut node: usize) {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_DESCENTS {
@@ -265,7 +269,7 @@ impl Search {
         }
     }
 
-    /// Branch and bound over the turn: a lower bound of f at every angle.
+    /// Lower bound of f over all angles of the turn, by branch and bound; `None` if no bound is found.
     fn proved(&mut self, alpha: f64) -> Option<f64> {
         let cut = |k: usize| TAU * k as f64 / PARTS as f64;
         let mut parts: Vec<(f64, f64, f64)> = (0..PARTS)
@@ -302,7 +306,7 @@ impl Search {
         }
     }
 
-    /// Best node, with the total number of iterations.
+    /// Best solution, with the total number of iterations of all programs.
     fn finished(mut self) -> Node {
         let mut best = self.nodes.swap_remove(self.best());
         let others = self.nodes.iter().map(|n| n.solution.iterations);

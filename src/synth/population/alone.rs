@@ -1,4 +1,4 @@
-//! Individual cams of the walkers.
+//! Individual cams of the walkers, by their forces.
 
 use super::errors::{Aim, Nodes};
 use super::{gap, limits, phase, weighed};
@@ -8,19 +8,19 @@ use crate::synth::families;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 
-/// Individual cam of one walker.
+/// Force of the individual cam of one walker, as a point with its error bounds.
 pub struct Point {
-    /// Force at the quadrature nodes, N.
+    /// Force at the quadrature nodes, N, multiplied by the square roots of the weights.
     pub at: Vec<f64>,
-    /// Upper bound of the distance from the optimum, N.
+    /// Upper bound of the distance between this force and that of the optimum, N.
     pub slack: f64,
     /// Factor γ of the walker, 1/N.
     pub scale: f64,
-    /// Minimum mean square error.
+    /// Minimum mean square error of the walker, in the square of the walker's unit.
     pub least: f64,
 }
 
-/// Individual cam of each cycle; `None` if the sets of laws are not convex.
+/// Force of the individual cam of each cycle; empty if the feasible laws of a walker are not a convex set.
 pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
     let Some(walkers) = problem.walkers.as_deref() else {
         return Ok(Vec::new());

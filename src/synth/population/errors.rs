@@ -1,5 +1,5 @@
-//! Force errors of walkers for a law, as squared distances. The mean square error of walker w is the mean of (γ_w ψ − y_w)², where ψ is the force of
-//! the law in the reference machine minus the force at rest.
+//! Force errors of several walkers for a law, as squared distances. The mean square error of walker w is the mean of (γ_w ψ − y_w)². Here ψ is
+//! the force of the law in the reference machine minus the force at rest, and y_w is the scaled target of the walker.
 
 use std::f64::consts::TAU;
 
@@ -9,35 +9,35 @@ use crate::poly::{Cells, gauss_legendre};
 use crate::problem::Served;
 use crate::scene::Robust;
 
-/// Number of ranges for laws that are not polynomials.
+/// Number of ranges of the turn for laws that are not polynomials.
 const RANGES: usize = 256;
 const NODES: usize = 5;
-/// Maximum degree of the least-squares polynomials of a target.
+/// Maximum degree of the least-squares polynomials that replace a target.
 const HIGHEST: usize = 9;
 
-/// Quadrature nodes of the turn for comparing forces. Integrals of products of laws with the same basis are exact.
+/// Quadrature nodes over the turn for comparing forces. Integrals of products of two laws with the same basis are exact.
 pub struct Nodes {
     /// Cam angles of the nodes, rad.
     at: Vec<f64>,
-    /// Square roots of the weights; the sum of their squares is 1.
+    /// Square roots of the quadrature weights. The sum of their squares is 1.
     roots: Vec<f64>,
     breaks: Vec<f64>,
     /// Degree of the polynomials between the breaks; `None` for harmonics.
     degree: Option<usize>,
 }
 
-/// Target of a walker at the nodes.
+/// Scaled target of one walker at the nodes.
 pub struct Aim {
     /// Factor γ = β/unit of the walker, 1/N.
     pub scale: f64,
-    /// Target (F − R)/unit, multiplied by the square roots of the weights.
+    /// Target (F − R)/unit at the nodes, multiplied by the square roots of the weights.
     pub towards: Vec<f64>,
-    /// Mean square of the residual for the best law of the basis.
+    /// Mean square of the part of the target that no law of the basis reproduces.
     pub left: f64,
 }
 
 impl Nodes {
-    /// Nodes for the basis of a law.
+    /// Quadrature nodes for all laws with the basis of `law`.
     pub fn of(law: &Law) -> Nodes {
         let pieces = law.breaks().len() - 1;
         let is_polynomial = (0..pieces).all(|i| law.waves(i).is_empty());
@@ -65,7 +65,7 @@ impl Nodes {
         }
     }
 
-    /// Force of a law minus the force at rest, N, multiplied by the square roots of the weights.
+    /// Force of a law minus the force at rest, N, at the nodes and multiplied by the square roots of the weights.
     pub fn force(&self, drive: &Drive, law: &Law) -> Vec<f64> {
         let rest = drive.rest_force;
         let at = self.at.iter().zip(&self.roots);
@@ -73,7 +73,7 @@ impl Nodes {
             .collect()
     }
 
-    /// Target of a walker at the nodes.
+    /// Scaled target of a walker at the nodes.
     pub fn aim(&self, walker: &Served) -> Aim {
         let mut ends = walker.target.force_n.clone();
         ends.push(ends[0]);
@@ -96,7 +96,7 @@ impl Nodes {
 }
 
 impl Aim {
-    /// Mean square error for the force of a law, in the square of the unit.
+    /// Mean square error of the walker for the force of a law, in the square of the walker's unit.
     pub fn square(&self, force: &[f64]) -> f64 {
         let both = force.iter().zip(&self.towards);
         both.map(|(f, y)| (self.scale * f - y).powi(2)).sum::<f64>() + self.left
@@ -104,7 +104,7 @@ impl Aim {
 }
 
 impl Nodes {
-    /// Components of a walker's error for the force of a law, as mean squares: mean force, amplitude and shape. Their sum is the mean square error.
+    /// Mean square error of a walker for the force of a law, divided into the errors of mean force, amplitude and shape.
     pub fn parts(&self, aim: &Aim, force: &[f64]) -> [f64; 3] {
         let centred = |mut values: Vec<f64>| {
             let mean = dot(&values, &self.roots);
@@ -128,7 +128,8 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Objective over the mean square errors of walkers with the given shares.
+/// Objective over the walkers, as a mean square: mean, maximum, or mean of the largest mean square errors. `shares` are the weights of the
+/// walkers.
 pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
     match robust {
         Robust::Mean => dot(squares, shares),
@@ -137,12 +138,12 @@ pub fn measure(robust: Robust, squares: &[f64], shares: &[f64]) -> f64 {
     }
 }
 
-/// Tail mean: mean of the largest values, whose shares sum to 1 − `part`.
+/// Mean of the largest values, whose shares sum to 1 − `part`.
 pub fn tail(part: f64, values: &[f64], shares: &[f64]) -> f64 {
     dot(&in_tail(part, values, shares), values)
 }
 
-/// Weight of each value in the tail mean: the mean of the largest values, whose shares sum to 1 − `part`.
+/// Weight of each value in the mean of the largest values. The shares of these values sum to 1 − `part`.
 pub fn in_tail(part: f64, values: &[f64], shares: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));

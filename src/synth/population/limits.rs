@@ -7,8 +7,8 @@ use crate::problem::{Problem, Served, Walkers};
 use crate::synth::families::SolvedLaw;
 use crate::synth::sizing::checked_cam::{CheckedCam, checked_cam};
 
-/// The problem for its reference machine, with the motion and force limits of the most critical walkers. `loads` is the fraction of the load limits
-/// that the reference machine may use.
+/// The problem for the reference machine. Its limits on motion and force are tightened, so that the machine of every walker satisfies the limits
+/// of the scene. `loads` is the fraction of the load limits that the reference machine may use.
 pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     let (drive, mut limits) = (problem.drive, problem.limits.clone());
     let fastest = walkers
@@ -34,7 +34,7 @@ pub fn for_all(problem: &Problem, walkers: &Walkers, loads: f64) -> Problem {
     problem.with_limits(limits)
 }
 
-/// A law on the largest cam that any walker requires, with each limit checked for the machine of its most critical walker.
+/// The law on the largest cam that any walker requires. Each limit is checked for the machine of the walker for which it is most critical.
 pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Result<CheckedCam> {
     let extremes = extremes(problem, walkers).into_iter();
     let machines: Vec<Problem> = extremes.map(|w| problem.with_drive(w.drive)).collect();
@@ -59,13 +59,13 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Limits for which no factor relates the machines of two walkers.
+/// Load limits: the values of these quantities for two walkers do not differ by a common factor.
 pub fn loads() -> impl Iterator<Item = LimitKind> {
     let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
     LimitKind::ALL.iter().copied().filter(is_load)
 }
 
-/// Usable fraction of the load limits after failed checks; `None` if no check failed.
+/// Fraction to which the load limits have to be reduced after failed checks; `None` if no check of a load limit failed.
 pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     let failing = checks.iter().filter(|c| !c.pass);
     let of_loads = failing.filter(|c| loads().any(|kind| c.name == kind));
@@ -73,9 +73,11 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
     parts.reduce(f64::min)
 }
 
-/// Walkers that include the worst one for every checked quantity. Force, torque and its rate are linear in the force at rest R and in β; power is
-/// linear in ωR and ωβ. Pressure increases with the force, motion with ω. Each quantity is linear in a pair of numbers, so its maximum over all
-/// walkers is at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are checked.
+/// Walkers that include the most critical walker for every limited quantity.
+///
+/// Force, torque and torque rate are linear in the force at rest R and in the factor β; power is linear in ωR and ωβ. Pressure increases with
+/// the force, and motion with ω. Each quantity is thus linear in a pair of numbers of the walker, or increases with such a quantity. Its maximum
+/// over all walkers is therefore at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are returned.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
     let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;
@@ -96,7 +98,7 @@ fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     places.into_iter().map(|i| &each[i]).collect()
 }
 
-/// Indices of the corners of the convex hull of points (Andrew 1979): lower and upper chain from left to right.
+/// Indices of the corners of the convex hull of points, by Andrew's method (1979): a lower and an upper chain from left to right.
 fn corners(points: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let key = |i: &usize| points[*i];

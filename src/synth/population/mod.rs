@@ -1,7 +1,10 @@
-//! One cam for many walkers. Mass and speed of the machine are adjusted for each walker, so that the force error of walker w, M_w (ω_w² a + g) − F_w,
-//! is linear in the law. Minimising the mean of the squares is equivalent to the design for one mean curve. Minimising the worst error, or the mean
-//! of the worst tenth, is the design for another mean curve, with weights from a search ([`weights`]). Families, limits, certificates and checks are
-//! those of a single walker (theory §8).
+//! One cam for many walkers.
+//!
+//! Mass and speed of the machine are adjusted for each walker, so that the force error of walker w, M_w (ω_w² a + g) − F_w, is linear in the
+//! law. Minimising the mean of the squared errors is equivalent to the design for one mean curve. Minimising the worst error, or the mean of the
+//! worst tenth, is the design for another mean curve. The weights of this curve are computed by a search ([`weights`]).
+//!
+//! Families, limits, certificates and checks are those of a design for a single walker (theory §8).
 
 pub mod alone;
 mod easing;
@@ -32,22 +35,22 @@ use crate::synth::sizing::checked_cam::CheckedCam;
 use errors::{Aim, Nodes};
 use weights::Weights;
 
-/// Maximum number of designs for one set of phases.
+/// Maximum number of designs in the search for weights, for given phases.
 const ROUNDS: usize = 80;
-/// Maximum number of designs with tightened load limits.
+/// Maximum number of designs with successively tightened load limits.
 const LOAD_ROUNDS: usize = 12;
 const LOAD_ROOM: f64 = 1e-6;
-/// Maximum number of alternations between laws and phases.
+/// Maximum number of alternating optimisations of law and phases.
 const PHASE_ROUNDS: usize = 30;
 const PHASE_SETTLED: f64 = 1e-7;
-/// Relative tolerance of the required accuracy.
+/// Relative tolerance of the check of the required accuracy.
 const SLACK: f64 = 1e-9;
 
 /// Design for the walkers of a problem.
 ///
 /// # Errors
 ///
-/// A setting that does not support several walkers; errors as for a single walker.
+/// A setting of the scene does not support several walkers. Other errors are those of a single walker.
 pub fn designed(problem: &Problem, search: &Search, walkers: &Walkers) -> Result<Design> {
     refuse_unknown(problem, walkers)?;
     let phase = at_best_phase(&problem.of_mean(), search)?.phase;
@@ -74,7 +77,7 @@ pub fn is_judged(problem: &Problem) -> bool {
     problem.serves_several() && problem.accuracy.is_some()
 }
 
-/// Problem for the mean of the walkers with the limits of all, without a check of the error of the mean.
+/// Problem for the mean curve of the walkers with the limits of all walkers. The error of the mean curve is not checked.
 pub fn of_mean(problem: &Problem) -> Problem {
     match problem.walkers.as_deref() {
         None => problem.clone(),
@@ -108,7 +111,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     }
 }
 
-/// Law for the walkers, with its certificate.
+/// Law for the walkers, with the data of its certificate.
 struct Found {
     attempt: Attempt,
     squares: Vec<f64>,
@@ -120,7 +123,7 @@ struct Found {
 }
 
 impl Found {
-    /// Law and, if adjustable, phases of the walkers, by alternating optimisation.
+    /// Law for the walkers. If the phases are adjustable, law and phases are optimised alternately.
     fn at_best_phases(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut phases = vec![0.0; walkers.each.len()];
         let mut found = Found::of_best_size(limited, search, walkers)?;
@@ -153,7 +156,8 @@ impl Found {
         Ok(found)
     }
 
-    /// Law for the walkers. An automatic size is the size for their mean, or a larger one if the worst walkers count and benefit from it.
+    /// Law for the walkers. An automatic number of spans or harmonics is the number for their mean curve. If the worst walkers count, the number
+    /// is increased while their error decreases sufficiently.
     fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut best = Found::of(limited, search, walkers)?;
         let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
@@ -180,7 +184,7 @@ impl Found {
         Ok(best)
     }
 
-    /// The problem with the fixed family and size of a law.
+    /// The problem with the family of this law and its number of spans or harmonics fixed.
     fn held(&self, limited: &Problem) -> Problem {
         let law = &self.attempt.law;
         match law.family {
@@ -232,7 +236,7 @@ impl Found {
         })
     }
 
-    /// Design of the law, with the verdict for all walkers.
+    /// Design with this law, and with a verdict that includes the errors of all walkers.
     fn judged(
         self,
         problem: &Problem,
@@ -279,7 +283,7 @@ impl Found {
     }
 }
 
-/// Combination of laws, with the certificate of the law that has the largest share.
+/// Weighted sum of laws, with the certificate of the law that has the largest weight.
 fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     let bearing: Vec<(f64, &SolvedLaw)> = parts
         .iter()
@@ -312,7 +316,7 @@ fn combined(parts: &[f64], laws: Vec<SolvedLaw>) -> SolvedLaw {
     out
 }
 
-/// Check of the required accuracy for the objective over the walkers.
+/// Check of the required accuracy for the objective over all walkers; `None` without a required accuracy.
 fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     let asked = problem.accuracy? * problem.target_mean();
     let value = square.sqrt() * problem.target_mean();
@@ -320,14 +324,14 @@ fn accuracy(problem: &Problem, square: f64) -> Option<Check> {
     Some(Check::of(Criterion::RmsError, worst, asked, SLACK))
 }
 
-/// The problem for laws with a fixed basis, as in every iteration.
+/// The problem with the family of a law and its number of spans or harmonics fixed, so that all laws have the same basis.
 fn held(problem: &Problem, law: &SolvedLaw) -> Problem {
     let mut spec = problem.law.clone();
     hold(&mut spec, law.family, &law.law, law.coefficients.len());
     problem.with_law(spec)
 }
 
-/// Fixes the family and size of a law.
+/// Fixes family and number of spans or harmonics in a law specification.
 pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) {
     spec.family = family;
     match family {
@@ -337,7 +341,7 @@ pub fn hold(spec: &mut LawSpec, family: Family, law: &Law, coefficients: usize) 
     }
 }
 
-/// Upper bound of the difference between the half mean square of a law and the minimum, N²; infinite if unknown.
+/// Upper bound of the difference between half the mean square force error of a law and its minimum, N²; infinite if unknown.
 fn gap(law: &SolvedLaw) -> f64 {
     let of = |c: &Certificate| {
         (c.global_gap).map_or(f64::INFINITY, |gap| c.duality_gap.max(gap * c.size))
@@ -345,7 +349,7 @@ fn gap(law: &SolvedLaw) -> f64 {
     law.solver.certificate.as_ref().map_or(0.0, of)
 }
 
-/// Problem of one curve whose mean square error is, except for a factor and a constant, the weighted sum of the errors of the walkers.
+/// Problem with one target curve. Its mean square error is the weighted sum of the errors of the walkers, except for a factor and a constant.
 fn weighed(problem: &Problem, walkers: &Walkers, weights: &[f64]) -> Problem {
     let Some(target) = &problem.target else {
         return problem.clone();

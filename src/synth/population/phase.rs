@@ -1,6 +1,7 @@
-//! Adjustable phases of the walkers' cycles. The problem is not convex, so laws and phases are optimised alternately. For a lower bound, every
-//! harmonic of every walker may shift separately. Then only amplitudes count, |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||, and the bound is the optimum of a
-//! problem with equal phases and without limits.
+//! Adjustable phases of the walkers' cycles. The problem is not convex, so laws and phases are optimised alternately.
+//!
+//! For a lower bound, every harmonic of every walker may have its own phase. Then only amplitudes matter: |γ Ψₙ − Yₙ| ≥ |γ |Ψₙ| − |Yₙ||. The
+//! bound is the optimum of a problem with equal phases and without limits.
 
 use std::f64::consts::TAU;
 
@@ -11,17 +12,17 @@ use crate::law::Law;
 use crate::poly::amplitudes;
 use crate::problem::{Served, Walkers};
 
-/// Number of equal angles for the force of a law.
+/// Number of equally spaced angles at which the force of a law is evaluated.
 const SAMPLES: usize = 1024;
-/// Number of harmonics that are used to determine a phase.
+/// Number of harmonics from which a phase is determined.
 const HARMONICS: usize = 100;
-/// Number of trial phases.
+/// Number of trial phases on a grid over the turn.
 const TRIED: usize = 720;
 const STEPS: usize = 6;
-/// Maximum number of iterations for the bound.
+/// Maximum number of iterations for the lower bound.
 const ROUNDS: usize = 60;
 
-/// (cosine, sine) amplitudes of the harmonics 1, 2, …
+/// Cosine and sine amplitudes of the harmonics 1, 2, … of equally spaced samples.
 fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
     amplitudes(samples)
         .into_iter()
@@ -30,13 +31,13 @@ fn waves(samples: &[f64]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Harmonics of the force of a law, N.
+/// Cosine and sine amplitudes of the force of a law, N.
 pub fn of_law(drive: &Drive, law: &Law) -> Vec<(f64, f64)> {
     let at = (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
     waves(&at.map(|x| drive.force(law.svaj(x))).collect::<Vec<_>>())
 }
 
-/// Delay of a walker's cycle for which it fits the force best, rad.
+/// Delay of a walker's cycle, rad, for which the cycle fits the force best. `force` contains the harmonics of the force.
 pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     let own = waves(&walker.target.force_n);
     let terms: Vec<[f64; 3]> = (1..)
@@ -69,7 +70,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     phase.0
 }
 
-/// Amplitudes of the walkers' harmonics, N, as targets that do not depend on the phase.
+/// Amplitudes of the walkers' harmonics, scaled by the units of the walkers, as targets that do not depend on the phase.
 pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     let aim = |walker: &Served| {
         let own = waves(&walker.target.force_n);
@@ -86,7 +87,7 @@ pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     walkers.each.iter().map(aim).collect()
 }
 
-/// Lower bound of the measure over all phases, as a mean square.
+/// Lower bound of the objective over all phases and laws, as a mean square.
 pub fn bound(walkers: &Walkers) -> f64 {
     let aims = amplitudes_of(walkers);
     let shares: Vec<f64> = walkers.each.iter().map(|w| w.share).collect();

@@ -1,14 +1,14 @@
-//! Report of a design for several walkers, from their errors.
+//! Report on a design for several walkers, from their force errors.
 
 use super::errors::{dot, measure, tail};
 use crate::problem::Walkers;
 use crate::scene::{ErrorMeasure, Robust};
 use crate::synth::report::walkers::{OfPopulation, WalkerError};
 
-/// Default fraction of the walkers above which errors belong to the mean of the worst.
+/// Default fraction of the walkers that are not included in the mean of the largest errors.
 const USUAL_TAIL: f64 = 0.9;
 
-/// Report from the mean square errors of the walkers.
+/// Report from the mean square error and the phase, rad, of each cycle.
 pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
     let each = walkers.each.iter().zip(squares).zip(phases);
     let each = each.map(|((walker, square), phase)| {

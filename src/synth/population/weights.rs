@@ -1,7 +1,11 @@
-//! Weights of the walkers for which the cam of the weighted mean is optimal. For weights λ the sum Σ λ_w e_w² is, except for a constant, one mean
-//! square distance from one curve, (Σ λ γ y)/(Σ λ γ²). Its optimum minus its duality gap is a lower bound of the worst error. It is also a lower
-//! bound of the mean of the worst tenth if no weight exceeds its share of this tenth. The next weights are the multipliers of the same problem over
-//! the convex hull of the previous laws, all of which satisfy the convex limits (theory §8).
+//! Search for weights of the walkers, such that the cam for the weighted mean curve is the optimum of the objective.
+//!
+//! For weights λ, the sum Σ λ_w e_w² is the mean square distance from one curve, (Σ λ γ y)/(Σ λ γ²), except for a factor and a constant. The
+//! minimum of this sum, reduced by its duality gap, is a lower bound of the worst error. It is also a lower bound of the mean of the worst
+//! tenth, if no weight exceeds the share of the walker in this tenth.
+//!
+//! The next weights are the multipliers of the same problem over the convex hull of the previous laws. All laws of the hull satisfy the convex
+//! limits (theory §8).
 
 use splineqp::{Square, least_worst};
 
@@ -9,7 +13,7 @@ use super::errors::{Aim, dot, measure, norm};
 use crate::scene::Robust;
 use crate::synth::qp::PROVED;
 
-/// Fraction of the force of a law below which it is linearly dependent on the others.
+/// Fraction of the force of a law below which this force is linearly dependent on the other forces.
 const DEPENDENT: f64 = 1e-9;
 
 /// State of the search for weights.
@@ -17,17 +21,17 @@ pub struct Weights<'a> {
     robust: Robust,
     shares: &'a [f64],
     aims: &'a [Aim],
-    /// Forces of the computed laws.
+    /// Forces of the laws that have been computed, at the nodes.
     laws: Vec<Vec<f64>>,
     /// Weights of the laws in the best combination.
     pub best: Vec<f64>,
-    /// Objective of the best combination.
+    /// Objective of the best combination, which is an upper bound of the optimum.
     pub upper: f64,
     /// Lower bound of the objective over all laws of the family.
     pub lower: f64,
-    /// Weighted sum of the squares for the combination to which the last weights belong.
+    /// Weighted sum of the mean square errors of the combination from which the last weights were computed.
     hull: f64,
-    /// Whether the last law is not better than this combination, so that the next weights would be the same.
+    /// Whether the last law is not better than this combination. The next weights would then equal the last ones.
     is_settled: bool,
 }
 
@@ -46,7 +50,8 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Adds the law designed for given weights. `gap` is an upper bound of the difference between its half mean square and the minimum, N².
+    /// Adds the force of a law designed for given weights. `gap` is an upper bound, N², of the difference between half the mean square force
+    /// error of this design problem and its minimum.
     pub fn take(&mut self, weights: &[f64], force: Vec<f64>, gap: f64) {
         let squares = self.squares(&force);
         let both = weights.iter().zip(self.aims);
@@ -71,7 +76,7 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Force of a combination of laws.
+    /// Force of the weighted sum of the laws with the weights `parts`.
     pub fn force(&self, parts: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.laws[0].len()];
         for (part, law) in parts.iter().zip(&self.laws) {
@@ -82,12 +87,12 @@ impl<'a> Weights<'a> {
         out
     }
 
-    /// Whether the best law is optimal within 1e-6.
+    /// Whether the best combination is proved to be optimal within a relative gap of 1e-6.
     pub fn is_proved(&self) -> bool {
         self.upper - self.lower <= PROVED * self.upper
     }
 
-    /// Maximum weight of each walker.
+    /// Maximum weight of each walker; `None` without such a limit.
     fn caps(&self) -> Option<Vec<f64>> {
         match self.robust {
             Robust::Tail(part) => Some(self.shares.iter().map(|p| p / (1.0 - part)).collect()),
@@ -95,8 +100,9 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Weights for the next law; `None` if the convex hull does not determine any. If combinations satisfy the limits, the best one of the hull is
-    /// added too. Otherwise nothing can be proved, and the search ends with the first law that does not enlarge the hull.
+    /// Weights for the next law; `None` if the convex hull does not determine weights. If `combines` is true, weighted sums of the laws satisfy
+    /// the limits, and the best sum in the hull is kept too. Otherwise optimality cannot be proved, and the search ends with the first law that
+    /// does not enlarge the hull.
     pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
         if self.is_settled && !combines {
             return None;
@@ -135,7 +141,7 @@ pub fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Orthonormal axes of the differences between laws and a centre.
+/// Orthonormal basis of the differences between the laws and a centre.
 pub fn axes(laws: &[Vec<f64>], centre: &[f64]) -> Vec<Vec<f64>> {
     let mut out: Vec<Vec<f64>> = Vec::new();
     for law in laws {

@@ -1,31 +1,31 @@
-//! Names of the equalities of a program.
+//! Conditions on the law, which name the equalities of a program.
 
 use serde::Serialize;
 use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// A condition on the law, as in the scene.
+/// Condition on the law: an entry of the scene, or contact with the base circle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Demand {
-    /// A value at a point of the law.
+    /// A value that is prescribed at a point of the law.
     AtPoint {
         /// Position of the entry in the scene, counted from 1.
         point: usize,
-        /// Cam angle of the prescribed point.
+        /// Cam angle of the point.
         at: Quantity,
         /// Quantity that is prescribed at the point.
         given: Given,
     },
-    /// A dwell of the law.
+    /// A constant lift that is prescribed in a dwell.
     InDwell {
         /// Position of the entry in the scene, counted from 1.
         dwell: usize,
     },
-    /// The law touches its base circle at some angle.
+    /// Contact with the base circle at some angle.
     OnBaseCircle,
 }
 
@@ -43,7 +43,7 @@ pub enum Given {
 }
 
 impl Demand {
-    /// Name of the condition in `summary.json`: its position in the scene.
+    /// Name of the condition in `summary.json`, which contains the position of its entry in the scene.
     pub fn name(self) -> String {
         match self {
             Demand::AtPoint { point, at, given } => {

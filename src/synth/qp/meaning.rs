@@ -1,12 +1,12 @@
-//! Relation of the bounds of a cam's program to the scene.
+//! Relation between the bound of a limit in a program and the value of this limit in the scene.
 
 use super::{LeftSide, Limit};
 use crate::criterion::Criterion;
 
-/// Relation of a bound to the value of the scene.
+/// Relation between the bound of a limit and its value in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Meaning {
-    /// The bound is not a value of the scene: the base circle, a monotone flank, the objective.
+    /// The bound does not come from a value of the scene. Examples are the base circle, a monotone flank and a minimised peak.
     #[default]
     Structure,
     /// The value of the scene is factor·bound + offset.
@@ -16,34 +16,34 @@ pub enum Meaning {
         /// Offset of the value.
         offset: f64,
     },
-    /// The value of the scene is factor·bound²: a mean square whose root is limited.
+    /// The value of the scene is factor·bound². The bound limits a root mean square, and the value is proportional to the mean square.
     Square {
         /// Factor of the squared bound.
         factor: f64,
     },
-    /// A limit with the size among the variables. Its bound is not a value of the scene.
+    /// The limit contains the size as a variable, and its bound is not a value of the scene.
     Sized,
-    /// A pressure-angle limit with the size among the variables: its angle is in the weights, not in the bound.
+    /// A pressure-angle limit that contains the size as a variable. The angle determines the weights of the limit, not its bound.
     PressureAngle,
-    /// A limit on the distance of a roller centre or face from the cam centre along the motion. The value is the diameter of the finished cam:
-    /// 2 (√(bound² + offset²) − radius).
+    /// A limit on the distance of a roller centre or a face from the cam centre, measured along the motion. The value of the scene is the
+    /// diameter of the finished cam, 2 (√(bound² + offset²) − radius).
     Diameter {
         /// Offset of the follower, m.
         offset: f64,
         /// Radius of the roller, m; 0 for a face.
         radius: f64,
     },
-    /// A pressure-angle limit for a given prime circle: bound = tan·D ± e. Its value is the prime radius.
+    /// A pressure-angle limit for a given prime circle, with bound = tan·D ± e. The value of the scene is the prime radius.
     PrimeRadius {
         /// Tangent of the permitted angle.
         tan: f64,
-        /// Offset of the follower with its sign in the bound, m.
+        /// Offset of the follower, m, with the sign that it has in the bound.
         offset: f64,
     },
 }
 
 impl Meaning {
-    /// The value of the scene is the bound times a factor.
+    /// Relation in which the value of the scene is the bound times a factor.
     pub fn times(factor: f64) -> Meaning {
         Meaning::Value {
             factor,
@@ -51,7 +51,7 @@ impl Meaning {
         }
     }
 
-    /// Value of the scene for a bound; `None` if the bound is not such a value.
+    /// Value of the scene that corresponds to a bound; `None` if the bound is not related to such a value.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {
             Meaning::Structure | Meaning::Sized | Meaning::PressureAngle => None,
@@ -66,7 +66,7 @@ impl Meaning {
         }
     }
 
-    /// Derivative |d value / d bound|, to convert multipliers.
+    /// Derivative |d value / d bound|, which converts multipliers.
     pub fn slope(self, bound: f64) -> f64 {
         match self {
             Meaning::Structure | Meaning::Sized | Meaning::PressureAngle => 1.0,
@@ -80,7 +80,8 @@ impl Meaning {
         }
     }
 
-    /// Attaches this relation to a limit. A bound that is not a value of the scene has no margin, because a dwell lies on the base circle.
+    /// Attaches this relation to a limit. A bound that is not a value of the scene is enforced without a margin, because a dwell may lie on the
+    /// base circle.
     pub fn of(self, limit: Limit) -> Limit {
         Limit {
             meaning: self,
@@ -90,7 +91,7 @@ impl Meaning {
     }
 }
 
-/// A limit whose bound is not a value of the scene, until a [`Meaning`] is attached.
+/// A limit whose bound is not related to a value of the scene. [`Meaning::of`] adds a relation.
 pub fn structural(
     name: impl Into<Criterion>,
     side: impl Into<LeftSide>,

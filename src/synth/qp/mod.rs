@@ -1,4 +1,4 @@
-//! Convex programs of `splineqp` with limits and equalities that are named as in scenes.
+//! Convex programs of `splineqp` whose limits and equalities have the names of the scene.
 
 mod demand;
 mod meaning;
@@ -14,7 +14,7 @@ pub use splineqp::{
     TOLERANCE, Values, Variable, apply, certificate, only, solve_equalities,
 };
 
-/// Names of limits and equalities in a scene.
+/// Types that name the limits and equalities of a program as in a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OfScene;
 
@@ -32,11 +32,11 @@ pub type Equality = splineqp::Equality<OfScene>;
 pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
 
-/// Jerk, in typical lifts per rad³, whose mean square costs as much as a radius of one typical lift if the size is minimised. It is large enough not
-/// to affect the size, and small enough to keep the law smooth.
+/// Jerk, in units of the typical lift per rad³. If the size is minimised, the mean square of this jerk has the same cost as a radius of one
+/// typical lift. It is so large that it does not affect the size, and small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
 
-/// Weight μ of ½ μ mean(j²), which smooths the law of the smallest cam.
+/// Weight μ of the term ½ μ mean(j²), which keeps the law of the smallest cam smooth. `length` is the typical lift, m.
 pub fn smoothing(cost: f64, length: f64) -> f64 {
     let unit = SIZE_JERK * length;
     cost / (unit * unit)

@@ -1,21 +1,21 @@
-//! Further variables of a cam's program: sizes of the cam, and the ranges of stroke and face.
+//! Additional variables of a cam's program: sizes of the cam, and the lower ends of the ranges of lift and contact.
 
 use super::{Program, Solution, TOLERANCE, Values, Variable};
 
-/// Base radius of a flat-faced cam, prime radius Rp of a roller cam, m.
+/// Base radius of a flat-faced cam, or prime radius Rp of a roller cam, m.
 pub const RADIUS: Variable = Variable::nth(1);
 /// Height D of the roller centre above the cam centre at s = 0, m.
 pub const RISE: Variable = Variable::nth(2);
 /// Offset e of the follower, m.
 pub const OFFSET: Variable = Variable::nth(3);
-/// Minimum lift, m, if the stroke is measured from it and not from the base circle.
+/// Minimum lift, m, from which the stroke is measured if the level of the law is determined.
 pub const LOWEST: Variable = Variable::nth(4);
-/// Minimum velocity, m/rad, at which the range of a flat face of limited length begins.
+/// Minimum velocity, m/rad, at which the range of the contact on a flat face of limited length begins.
 pub const FACE_END: Variable = Variable::nth(5);
-/// Variables of the cam's size in the cone Rp ≥ ‖(D, e)‖.
+/// Variables for the size of the cam, which form the cone Rp ≥ ‖(D, e)‖.
 pub const SIZES: [Variable; 3] = [RADIUS, RISE, OFFSET];
 
-/// Declares the variables in a new program. Unused variables have no effect.
+/// Declares the additional variables in a new program. Unused variables have no effect.
 pub fn declare(program: &mut Program) {
     let length = program.length;
     for name in ["Rp", "D", "e"] {
@@ -25,7 +25,8 @@ pub fn declare(program: &mut Program) {
     program.least_value("face end", 1, length);
 }
 
-/// The program with its sizes fixed at those of the solution, enlarged by `room`. Without a cone the solver is accurate up to rounding errors.
+/// The program with the sizes of a solution as constants, enlarged by the fraction `room`. Without a cone, the solver is accurate up to rounding
+/// errors.
 pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     let mut sizes = solution.extra;
     sizes[RISE] *= 1.0 + room;
@@ -36,14 +37,14 @@ pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     held.with_constant(&SIZES, &sizes)
 }
 
-/// Whether the limits on the size alone are satisfied.
+/// Whether sizes satisfy the limits that contain only sizes.
 pub fn keep(program: &Program, sizes: &Values) -> bool {
     let limits = program.limits.iter();
     let mut alone = limits.filter(|l| l.is_on_variables_alone());
     alone.all(|l| l.room(sizes) >= -program.settings.tolerance * l.size(l.bound))
 }
 
-/// Sizes clamped to the limits on the size alone.
+/// Sizes clamped to the upper limits that contain only sizes.
 pub fn within(program: &Program, sizes: &Values) -> Values {
     let mut out = *sizes;
     let limits = program.limits.iter();
@@ -61,7 +62,7 @@ pub fn within(program: &Program, sizes: &Values) -> Values {
     out
 }
 
-/// The program with its limits on the size alone relaxed to the given sizes, and with a cost on each of them.
+/// The program in which the limits that contain only sizes are relaxed to the given sizes. The sizes with an upper limit have the given cost.
 pub fn priced(program: &Program, sizes: &Values, cost: f64) -> Program {
     let mut priced = program.clone();
     let limits = priced.limits.iter_mut();
@@ -88,7 +89,7 @@ mod tests {
         program
     }
 
-    /// A program with Rp of at most 5 and a cone.
+    /// A program with a limit of 5 on Rp and with the cone of the sizes.
     fn limited() -> Program {
         let mut program = program();
         let mut most = Limit::on(Criterion::BaseCircle, [0.0; 5]).at_most(5.0);

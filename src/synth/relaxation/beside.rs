@@ -1,4 +1,4 @@
-//! Parallel searches on all cores; meanwhile the calling thread polls the stop condition ([`Halt`]).
+//! Parallel searches on all cores, while the calling thread polls its stop condition ([`Halt`]).
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -9,13 +9,13 @@ use gaitcam_base::threads;
 
 use crate::halt::Halt;
 
-/// Time between two polls of the caller's stop condition.
+/// Time between two polls of the stop condition of the caller.
 const LOOK: Duration = Duration::from_millis(10);
 
 /// Results of `search` for all items, in the order of the items. The searches do not depend on each other.
 ///
-/// Each search polls its own stop condition. The stop condition of the caller may work only on the caller's thread (as in Python). This thread polls
-/// it and sets the flag of the others.
+/// The stop condition of the caller may work only in the thread of the caller, as in Python. This thread therefore polls the condition, and sets
+/// a flag that the searches poll.
 pub fn beside<T: Sync, R: Send>(
     items: &[T],
     halt: &Halt,
@@ -66,7 +66,7 @@ pub fn beside<T: Sync, R: Send>(
     found.into_iter().map(|(_, result)| result).collect()
 }
 
-/// Signals the end of a thread, also after a panic.
+/// Signals the end of a search thread, also after a panic.
 struct End<'a> {
     done: &'a AtomicUsize,
     caller: &'a Thread,

@@ -1,5 +1,5 @@
-//! Relaxations of a scene whose smallest cam is too large. Each trial computes the smallest cam with another value, and its excess over the limit on
-//! the prime radius.
+//! Relaxations of a scene whose smallest cam is too large. Each trial changes one value and computes the smallest cam, and by how much its prime
+//! radius exceeds the limit.
 
 use super::relaxable::Relaxable;
 use crate::cam::LimitKind;
@@ -13,7 +13,7 @@ use crate::synth::synthesis::kept;
 const TRIALS: usize = 12;
 /// Factor by which the limit on the prime radius is multiplied to make it inactive.
 const NO_LIMIT: f64 = 10.0;
-/// Relative extension of a step beyond the value that the slope predicts, so that the step ends within the limit.
+/// Relative extension of a step beyond the value that the slope predicts, so that the smallest cam satisfies the limit after the step.
 const BEYOND: f64 = 0.02;
 /// Relative first step if the slope is unknown.
 const FIRST_STEP: f64 = 0.05;
@@ -29,7 +29,7 @@ pub struct BySize<'a> {
 }
 
 impl<'a> BySize<'a> {
-    /// Creates the search; `None` if law and size are not variables of one program, or if the smallest cam satisfies the limit.
+    /// Computes the smallest cam. `None` if law and size are not variables of one program, or if the smallest cam satisfies the limit.
     pub fn of(problem: &Problem, search: &'a Search) -> Option<Self> {
         let kind = LimitKind::PrimeRadius;
         let most = problem.limits[kind]?;
@@ -47,8 +47,8 @@ impl<'a> BySize<'a> {
         })
     }
 
-    /// Value for which the smallest cam has the permitted size, by regula falsi from the multipliers. The range is between a value with a cam that is
-    /// too large and a value without effect. `None` if no value is sufficient.
+    /// Value for which the smallest cam has the permitted size; `None` if no value is sufficient. The value is found by regula falsi, with the
+    /// first slope from the multipliers. `range` contains a value for which the cam is too large, and a value at which the limit has no effect.
     pub fn value(
         &self,
         number: Relaxable,
@@ -108,7 +108,7 @@ impl<'a> BySize<'a> {
         works.map(|(value, _)| value)
     }
 
-    /// Decrease of the smallest cam's prime radius per unit of relaxation of a value.
+    /// Decrease of the prime radius of the smallest cam per unit by which a value is relaxed.
     fn worth(&self, number: Relaxable) -> f64 {
         let all = self.smallest.easing.iter();
         let own = all.filter(|easing| number.is_measured_by(easing.limit));

@@ -1,5 +1,7 @@
-//! Suggested changes: for every limit, the minimum change with which the whole design passes. Each is confirmed by a complete design. The convex
-//! program (`iis`) includes only its own rows. A size that follows the law, a check on the finished profile or the accuracy may still fail.
+//! Suggested changes: for every limit, the minimum change with which the complete design passes.
+//!
+//! Each change is confirmed by a complete design. The convex program (`iis`) is not sufficient, because it contains only its own rows. A size
+//! that is computed after the law, a check of the finished profile, or the accuracy may still fail.
 
 mod beside;
 mod by_size;
@@ -24,30 +26,31 @@ use beside::beside;
 use by_size::BySize;
 use relaxable::{Relaxable, relaxables};
 
-/// Relative margins of a sufficient value, tried in sequence, because a design may fail exactly at the edge.
+/// Relative margins beyond a sufficient value, tried one after the other, because a design may fail exactly at the edge of feasibility.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
-/// Relative margins of a value that is sufficient for one motion of the machine, because this motion changes with the cam.
+/// Relative margins beyond a value that is sufficient for one motion of the machine, because this motion changes with the cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
-/// Factor above which a change is not suggested.
+/// Factor between old and new value above which a change counts as unreasonably large. It is also the largest common relative change of
+/// several limits that is tried.
 const FAR: f64 = 10.0;
-/// Relative change that is tried first.
+/// Relative change of several limits that is tried first.
 const SMALL: f64 = 0.01;
-/// Relative tolerance of a value whose magnitude is unknown.
+/// Tolerance of a value, relative to the first sufficient value, if the rounding step becomes too small.
 const SMALLEST: f64 = 1e-7;
-/// Relative tolerance of a sufficient value for a machine that responds to the cam.
+/// Relative tolerance of a sufficient value, for a machine that responds to the cam.
 const ON_MACHINE: f64 = 5e-3;
-/// Minimum relative distance from the old value at which a better value is searched.
+/// Relative distance by which a sufficient value is reduced to test whether a smaller change is also sufficient.
 const BACK: f64 = 1e-3;
 
 impl Design {
-    /// The design with suggested changes. Changes of a conflict are tested and corrected; changes for a failed check are computed. A design that
-    /// passes is returned unchanged.
+    /// The design with suggested changes. For conflicting limits, the changes are tested and corrected. For a failed check, they are computed. A
+    /// design that passes is returned unchanged.
     #[must_use]
     pub fn relaxed(self) -> Design {
         self.relaxed_with(&Search::default())
     }
 
-    /// The design with suggested changes, within the stop condition of a search.
+    /// The design with suggested changes. The computation ends early at the stop condition of `search`.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Design {
         // Limits affect neither the mean of the force nor open questions about the recording nor a prescribed law. If the solver stopped, the limits
@@ -129,7 +132,7 @@ fn with_relaxations(problem: &Problem, search: &Search, design: Design) -> Desig
     }
 }
 
-/// A conflict with suggested changes. Members for which no sufficient change was found have no value.
+/// Adds the suggested changes to a conflict. Limits for which no sufficient change was found have no value.
 fn with_cures(why: Infeasible, found: &[Relaxation], cures: Vec<Reason>) -> Infeasible {
     let Infeasible {
         conflict,
@@ -155,7 +158,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// Middle of two values; for different magnitudes their geometric mean.
+/// Middle of two values. If their magnitudes differ, it is the geometric mean.
 fn middle(works: f64, fails: f64) -> f64 {
     if fails > 0.0 && works / fails > 4.0 {
         (works * fails).sqrt()
@@ -164,10 +167,10 @@ fn middle(works: f64, fails: f64) -> f64 {
     }
 }
 
-/// Values that may be relaxed, with trial values.
+/// Values that may be relaxed, each with a trial value or its present value.
 type Values = [(Relaxable, f64)];
 
-/// The problem with the given values.
+/// The problem with the given values of limits.
 fn changed(problem: &Problem, values: &Values) -> Problem {
     let start = problem.clone();
     (values.iter()).fold(start, |problem, (number, value)| {
@@ -175,7 +178,8 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// A complete design that passes. If the accuracy is a limit, the law with minimum force error is tried, because it is computed fastest.
+/// A complete design that passes; `None` if there is none. If the force error is limited, the law with minimum force error is tried, because it
+/// takes the least time to compute.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));
@@ -185,7 +189,7 @@ fn passing(problem: &Problem, search: &Search) -> Option<Design> {
 
 struct Relaxing<'a> {
     problem: &'a Problem,
-    /// The problem in which each design has its own machine motion; in the other problem the motion of the given design is fixed.
+    /// The problem in which each design has its own machine motion. In `problem`, the motion of the given design is fixed.
     asked: &'a Problem,
     search: &'a Search,
     /// Magnitude of the force, N.
@@ -207,7 +211,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// Minimum sufficient change of each single value.
+    /// Minimum sufficient change of each value alone.
     fn each(&self, numbers: &Values, design: &Design) -> Vec<Relaxation> {
         let known = || design.infeasible.iter().flat_map(|i| &i.relaxations);
         let is_hinted = known().any(|r| r.to.is_some());
@@ -244,8 +248,8 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, for which the optimum passes. For non-convex limits or many walkers, the search for feasible designs ends
-    /// at a different law. It minimises the force error if the accuracy is a limit.
+    /// The value, or a slightly weaker one, for which the optimum itself passes. The value `to` was found with other laws. For non-convex limits
+    /// or many walkers, the search ended at the first passing law. For a limited force error, this error was minimised.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
         let problem = self.problem;
         let is_same = NonconvexLimits::of(problem).is_none()
@@ -259,19 +263,19 @@ impl<'a> Relaxing<'a> {
         values.find(|to| self.passes_as_asked(&[(number, *to)]))
     }
 
-    /// Whether the optimum in the machine with another inertia passes.
+    /// Whether the optimum passes in the machine with the suggested inertia.
     fn passes_on(&self, machine: &Relaxation) -> bool {
         let inertia = machine.to.map(|to| self.asked.with(machine.limit, to));
         let kept = inertia.and_then(|problem| synthesis::kept(&problem, self.search).ok());
         kept.flatten().is_some()
     }
 
-    /// Whether the optimum with the given values passes in its machine.
+    /// Whether the optimum with the given values passes in a machine with its own motion.
     fn passes_as_asked(&self, values: &Values) -> bool {
         synthesis::kept(&changed(self.asked, values), self.search).is_ok_and(|d| d.is_some())
     }
 
-    /// Reason that lists the changes; one of the changes is sufficient.
+    /// Reason that lists the suggested changes, of which one is sufficient.
     fn cure(&self, found: &[Relaxation]) -> Reason {
         let measures = self.problem.cam.measures();
         if !found.is_empty() && found.iter().all(|r| self.is_far(r)) {
@@ -281,12 +285,13 @@ impl<'a> Relaxing<'a> {
         smallest_relaxations(found, measures)
     }
 
-    /// Design with one changed value, if it passes.
+    /// Design with one changed value; `None` if it does not pass.
     fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
         passing(&number.with(self.problem, value), self.search)
     }
 
-    /// The value of the convex program, or a slightly larger change, for which the design passes.
+    /// The value of the convex program, or a slightly larger change, for which the complete design passes. `None` if a small margin is not
+    /// sufficient.
     fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
         // At the edge of feasibility, a program is hard to solve: if small margins are not sufficient, the value is rejected.
         let [none, less, most, _] = ROOMS;
@@ -304,7 +309,8 @@ impl<'a> Relaxing<'a> {
         Some(weakest)
     }
 
-    /// Rounded value nearest to `fails` with which the design passes, found by bisection from the rounded value `works`.
+    /// Rounded value nearest to `fails` for which the design passes. It is found by bisection, from the rounded value `works` for which the
+    /// design passes.
     fn edge(&self, number: Relaxable, works: f64, fails: f64) -> f64 {
         let (mut works, mut fails) = (works, fails);
         // Towards zero the steps decrease without end, so the tolerance is relative to the first value.
@@ -328,8 +334,7 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// A value, or a slightly larger change, for which the design passes in its machine. The iteration starts from the motion of the design to be
-    /// relaxed.
+    /// The value, or a slightly larger change, for which the design passes in a machine with its own motion. `None` if no margin is sufficient.
     fn on_machine(&self, number: Relaxable, to: f64) -> Option<f64> {
         if self.problem.on_shaft.is_none() {
             return Some(to);
@@ -347,7 +352,8 @@ impl<'a> Relaxing<'a> {
         Some(number.rounded(edge))
     }
 
-    /// Value nearest to `from` for which the design passes, rounded towards the weaker limit.
+    /// Value nearest to `from` for which the design passes, rounded towards the weaker limit. `hint` is the value of the convex program. `None`
+    /// if the design fails even without the limit.
     fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
         if let Some(to) = hint.and_then(|hint| self.near(number, hint)) {
             return Some(to);
@@ -377,7 +383,8 @@ impl<'a> Relaxing<'a> {
         Some(self.edge(number, works, fails))
     }
 
-    /// Diameter of the smallest cam, if the size is minimised: the law of minimum force error, with which other values are searched, is larger.
+    /// Smallest permitted diameter, m, if the size is minimised: the diameter of the smallest cam. Other values are searched with the law of
+    /// minimum force error, whose cam is larger. `None` for other values.
     fn of_smallest_cam(&self, number: Relaxable, from: f64) -> Option<f64> {
         let is_diameter = number.key.limit == Some(LimitKind::Diameter);
         if !is_diameter || self.problem.objective() != Minimise::Size {
@@ -392,14 +399,15 @@ impl<'a> Relaxing<'a> {
         Some(number.with_room(own.worst, 0.0))
     }
 
-    /// A value for which the design passes, from one at its edge: rounded towards the weaker limit, with the necessary margin.
+    /// A value for which the design passes, from a value at the edge of feasibility. It is rounded towards the weaker limit, with a margin if
+    /// necessary.
     fn passing_from(&self, number: Relaxable, works: f64) -> Option<f64> {
         // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         let mut rounded = ROOMS.map(|room| number.with_room(works, room)).into_iter();
         rounded.find(|to| self.tried(number, *to).is_some())
     }
 
-    /// Passing end of a range between a passing and a failing value, when the range is `precise` enough.
+    /// Passing end of a range between a passing and a failing value. The range is bisected until it is not longer than `precise`.
     fn bisected(
         &self,
         mut works: f64,
@@ -418,8 +426,9 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// Accuracy that is sufficient with a given number of spans. The minimised error does not depend on the accuracy, so only the accuracy of the
-    /// design itself is sufficient, if no other check fails. The outer `None` means that a search is necessary.
+    /// Sufficient accuracy for a given number of spans. The minimised error does not depend on the required accuracy, so the error of the design
+    /// itself is sufficient if no other check fails. The outer `None` means that a search is necessary, and the inner `None` that no accuracy is
+    /// sufficient.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
@@ -447,7 +456,7 @@ impl<'a> Relaxing<'a> {
         }
     }
 
-    /// Whether a change is too large to be suggested.
+    /// Whether a change is unreasonably large (by a factor above `FAR`).
     fn is_far(&self, relaxation: &Relaxation) -> bool {
         let from = relaxation.from.abs();
         let to = relaxation.to.map_or(from, f64::abs);

@@ -1,15 +1,15 @@
-//! Step sizes of the relaxation of a key, and rounding of its value. The key table states which keys are relaxable, and in which direction.
+//! Relaxable values of a scene: step sizes, trial values and rounding. The key table states which keys are relaxable, and in which direction.
 
 use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::report::named::criterion_of;
 
-/// Factor of the first relaxation of a limit; it tests whether this limit alone suffices.
+/// Factor of the first relaxation of a limit, after which the limit has no effect.
 const AWAY: f64 = 1e4;
-/// Factor of the first relaxation of a size of the cam.
+/// Factor of the first relaxation of a size of the cam, after which its limit has no effect.
 const FAR_LARGER: f64 = 30.0;
-/// Pressure angle that has the effect of no limit, rad.
+/// Pressure angle, rad, at which a limit has no effect.
 const STEEPEST: f64 = 1.55;
 
 /// A value of the scene that may be relaxed.
@@ -21,7 +21,7 @@ pub struct Relaxable {
     criterion: Criterion,
 }
 
-/// Relaxable values of a problem, in the order of the report.
+/// Relaxable values of a problem, each with its present value, in the order of the report.
 pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
     let of = |key: &'static Key| {
         let relax = key.relax?;
@@ -43,12 +43,12 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
 }
 
 impl Relaxable {
-    /// Name of the value among conflicts and suggested changes.
+    /// Name of the value in conflicts and suggested changes.
     pub fn criterion(self) -> Criterion {
         self.criterion
     }
 
-    /// Whether the value is the accuracy. It is relative to the mean force, while its check is in newtons.
+    /// Whether the value is the accuracy. The accuracy is relative to the mean force, while its check is in newtons.
     pub fn is_accuracy(self) -> bool {
         self.key.section() == "accuracy"
     }
@@ -71,12 +71,12 @@ impl Relaxable {
         self.relax == Relax::Up
     }
 
-    /// +1 if a larger value is a weaker limit, otherwise −1.
+    /// Direction of the weaker limit: +1 if a larger value is weaker, otherwise −1.
     pub fn sign(self) -> f64 {
         if self.grows() { 1.0 } else { -1.0 }
     }
 
-    /// A value for which the limit has no effect.
+    /// A value at which the limit has no effect. `from` is the present value, and `force` the magnitude of the force, N.
     pub fn away(self, from: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => STEEPEST,
@@ -88,7 +88,7 @@ impl Relaxable {
         }
     }
 
-    /// The value relaxed by a fraction.
+    /// The value `from` relaxed by the fraction `share`.
     pub fn eased(self, from: f64, share: f64, force: f64) -> f64 {
         match (self.key.range, self.relax) {
             (Range::Acute, _) => (from * (1.0 + share)).min(STEEPEST),
@@ -98,7 +98,7 @@ impl Relaxable {
         }
     }
 
-    /// The value relaxed by a fraction and rounded.
+    /// The value relaxed by the fraction `room` and rounded towards the weaker limit.
     pub fn with_room(self, value: f64, room: f64) -> f64 {
         self.rounded(value + room * value.abs() * self.sign())
     }
@@ -108,12 +108,12 @@ impl Relaxable {
         self.on_step(value, 1e-9)
     }
 
-    /// Next rounded value that is weaker.
+    /// The next rounded value, which is a weaker limit.
     pub fn after(self, value: f64) -> f64 {
         self.on_step(value + 1e-3 * self.step(value) * self.sign(), 0.0)
     }
 
-    /// Distance between rounded values.
+    /// Difference between adjacent rounded values.
     pub fn step(self, value: f64) -> f64 {
         match self.key.range {
             Range::Acute => 1e-2_f64.to_radians(),
@@ -121,7 +121,7 @@ impl Relaxable {
         }
     }
 
-    /// Number of decimals of a value with four digits; negative above 10 000. A force is rounded at most to micronewtons.
+    /// Number of decimals of a value with four significant digits; negative above 10 000. Forces are rounded to at most micronewtons.
     fn decimals(self, value: f64) -> i32 {
         let least = if self.key.range == Range::Any {
             1e-3
@@ -131,7 +131,8 @@ impl Relaxable {
         3 - libm::log10(value.abs().max(least)).floor() as i32
     }
 
-    /// The value rounded to whole steps, towards the weaker limit. Values within the fraction `same` of a step are unchanged.
+    /// The value rounded to a multiple of the step, towards the weaker limit. A value closer to a multiple than the fraction `same` of a step is
+    /// rounded to that multiple.
     fn on_step(self, value: f64, same: f64) -> f64 {
         let steps = value / self.step(value);
         let whole = if self.grows() {

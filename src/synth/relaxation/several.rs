@@ -1,4 +1,4 @@
-//! Suggested changes of several limits, if no single change is sufficient.
+//! Suggested changes of several limits, for designs that no single change makes feasible.
 
 use std::mem::discriminant;
 
@@ -11,7 +11,7 @@ use crate::synth::report::reason::Reason;
 use crate::synth::synthesis;
 
 impl Relaxing<'_> {
-    /// Reasons and values for changes of several limits, if no single change is sufficient.
+    /// Reasons and values for common changes of several limits, if no single change is sufficient.
     pub fn several(&self, numbers: &Values, known: &[Reason]) -> (Vec<Reason>, Vec<Relaxation>) {
         if let Some(all) = self.together(numbers) {
             let changes = changes(&all, self.problem.cam.measures());
@@ -31,7 +31,7 @@ impl Relaxing<'_> {
         }
     }
 
-    /// The smallest common relative change of several limits that suffices; empty if there is none.
+    /// Values after the smallest common relative change of several limits that is sufficient; empty if there is none.
     pub fn several_limits(&self, limits: &Values) -> Vec<Relaxation> {
         if limits.len() < 2 || self.search.halt.is_asked() {
             return Vec::new();
@@ -39,7 +39,8 @@ impl Relaxing<'_> {
         self.together(limits).unwrap_or_default()
     }
 
-    /// Changes if some limits are infeasible even without the others. These limits, or all, are relaxed together from their feasible values.
+    /// Changes if some limits are infeasible even without the other limits. First these limits are relaxed to values at which each is feasible
+    /// alone. If this is not sufficient, these limits, or all limits, are relaxed further by a common relative change.
     fn with_those_out_of_reach(
         &self,
         numbers: &Values,
@@ -83,7 +84,8 @@ impl Relaxing<'_> {
         }
     }
 
-    /// Limits that are infeasible even if the limits in `free` have no effect, with the values at which they become feasible.
+    /// Limits that are infeasible even without the other limits, with the values at which they become feasible. In `free`, every limit has a
+    /// value without effect.
     fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
         let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
@@ -109,7 +111,7 @@ impl Relaxing<'_> {
         tried.into_iter().flatten().collect()
     }
 
-    /// Values of all limits after the minimum common relative change that is sufficient.
+    /// Values of all limits after the minimum common relative change that is sufficient; `None` if no change is sufficient.
     fn together(&self, numbers: &Values) -> Option<Vec<Relaxation>> {
         let eased = |share: f64| -> Vec<(Relaxable, f64)> {
             let by =
@@ -138,7 +140,7 @@ impl Relaxing<'_> {
         Some(all.collect())
     }
 
-    /// A relative change, or a slightly larger one, for which the optimum passes in its machine.
+    /// The relative change, or a slightly larger one, for which the optimum passes in a machine with its own motion.
     fn share_on_machine(
         &self,
         share: f64,
@@ -160,7 +162,7 @@ fn tells_the_same(one: &Reason, other: &Reason) -> bool {
     }
 }
 
-/// A relative change, rounded up to a thousandth.
+/// A relative change, rounded up to a multiple of 0.001.
 fn rounded(share: f64) -> f64 {
     (1e3 * share - 1e-9).ceil() / 1e3
 }

@@ -1,4 +1,4 @@
-//! End of a compliant follower with a polydyne cam.
+//! Report on the end of a compliant follower with a polydyne cam.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::problem::Note;
 use crate::units::{Dimension, Quantity};
 
-/// Motion of the end of a flexible follower with a polydyne cam (`law.polydyne`).
+/// Motion of the end of a compliant follower with a polydyne cam (`law.polydyne`).
 ///
 /// ```
 /// use gaitcam::scene;
@@ -28,16 +28,16 @@ pub struct End {
     pub law: Law,
     /// Stiffness of the follower train, N/m (for an arm N·m/rad).
     pub stiffness: f64,
-    /// Damping at the end of the follower, N·s/m.
+    /// Damping at the end of the follower, N·s/m (for an arm N·m·s/rad).
     pub damping: f64,
-    /// Deviation of the end from its law with this cam; `None` without a steady state.
+    /// Deviation of the end from its law, with this cam; `None` without a steady state.
     pub miss: Option<Miss>,
-    /// Deviation of the end from its law with a cam that has this law without the polydyne correction.
+    /// Deviation of the end from its law, with a cam that has the law of the end instead of the polydyne law; `None` without a steady state.
     pub plain_miss: Option<Miss>,
 }
 
 impl End {
-    /// Notes on speed, stiffness and deviation.
+    /// Notes on speed (rad/s), stiffness and deviation.
     pub fn notes(&self, speed: f64) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {
             speed: Quantity::new(speed, Dimension::AngularSpeed),

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::drive::Drive;
 
-/// Comparison of the cam's force with the target, N. All values are those of the continuous law.
+/// Comparison of the force of a cam with the target. All values are exact for the continuous law.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -19,15 +19,15 @@ use crate::drive::Drive;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ForceReport {
-    /// Root mean square error over the cycle, N.
+    /// Root mean square of the force error over the cycle, N.
     pub rms_error_n: f64,
-    /// Maximum absolute error, N.
+    /// Maximum absolute force error, N.
     pub max_error_n: f64,
-    /// RMS error in percent of the mean target.
+    /// RMS force error in percent of the mean target.
     pub rms_error_percent_of_mean: f64,
     /// Mean of the target, N.
     pub target_mean_n: f64,
-    /// Mean of the cam's force, N.
+    /// Mean force of the cam, N.
     pub mean_n: f64,
     /// Minimum force of the cam, N.
     pub min_n: f64,
@@ -36,7 +36,7 @@ pub struct ForceReport {
 }
 
 impl ForceReport {
-    /// Converts the report to N: forces at the lever of an arm instead of moments about its pivot.
+    /// Converts a report with moments about the pivot of an arm, N·m, to forces at the lever of the arm, N. Other reports are unchanged.
     #[must_use]
     pub fn newtons(self, drive: &Drive) -> ForceReport {
         ForceReport {

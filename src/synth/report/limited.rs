@@ -1,4 +1,4 @@
-//! Effects of limits on a design: active limits, gains from relaxing them, conflicts.
+//! Effects of limits on a design: active limits, gains from relaxing limits, conflicts.
 
 use serde::{Serialize, Serializer};
 
@@ -11,23 +11,23 @@ use crate::units::Dimension;
 use crate::wording::{self, Language};
 
 impl Infeasible {
-    /// Names of the conflicting limits, as in `summary.json`.
+    /// Names of the conflicting limits and conditions, as in `summary.json`.
     pub fn names(&self) -> Vec<String> {
         self.conflict.iter().map(|c| c.name()).collect()
     }
 
-    /// Message of the conflict and the suggested changes.
+    /// Message on the conflict, with the suggested changes.
     pub fn sentence(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
 
-    /// The conflict as an error, for a scene without a result.
+    /// The conflict as an error, for a scene without a law.
     pub(in crate::synth) fn no_law(&self) -> NoDesignError {
         let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
         NoDesignError::NoLaw { reason }
     }
 
-    /// Key of the invalid conditions; for points and dwells the key of the law.
+    /// Key of the conflicting conditions: points, dwells, or the table of the law for both.
     pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
         let named = |of: fn(&Demand) -> bool| {
             let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));
@@ -58,9 +58,9 @@ impl Infeasible {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Binding {
-    /// Name of the limit.
+    /// Limit that is active.
     pub limit: Criterion,
-    /// Multiplier: gain of the objective per unit of the limit (SI).
+    /// Multiplier: gain of the objective per unit by which the limit is relaxed, in SI units.
     pub multiplier: f64,
     /// Cam angle at which the limit is active, rad.
     #[serde(rename = "at_rad")]
@@ -83,21 +83,21 @@ pub struct Binding {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Easing {
-    /// Name of the limit, or key of the scene if they differ.
+    /// Limit, or given value of the scene, that is relaxed.
     pub limit: Criterion,
     /// Present value of the limit, in SI units.
     pub from: f64,
     /// Relaxed value of the limit, in SI units.
     pub to: f64,
-    /// Quantity that the design minimises.
+    /// Quantity that the design minimises, to which the gain refers.
     pub objective: Minimised,
-    /// Present value of the objective.
+    /// Present value of this quantity, in SI units.
     pub before: f64,
-    /// Value of the objective with the relaxed limit.
+    /// Value of this quantity with the relaxed limit, in SI units.
     pub after: f64,
 }
 
-/// Objective of a scene.
+/// Quantity that a design minimises.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimised {
@@ -107,11 +107,11 @@ pub enum Minimised {
     WeightedRmsError,
     /// Maximum force error, N.
     MaxError,
-    /// Base or prime radius, m.
+    /// Base radius for a flat face, otherwise prime radius, m.
     Radius,
     /// RMS of a derivative with respect to the cam angle, m/radᵏ.
     RmsDerivative(usize),
-    /// Maximum of a derivative with respect to the cam angle, m/radᵏ.
+    /// Maximum absolute value of a derivative with respect to the cam angle, m/radᵏ.
     PeakDerivative(usize),
 }
 
@@ -165,7 +165,7 @@ impl Conflicting {
         }
     }
 
-    /// Name of the member in text.
+    /// Name of the member in messages.
     pub fn sentence(self, language: Language) -> String {
         match self {
             Conflicting::Limit(limit) => wording::catalogue(language).name(limit.name()),
@@ -175,7 +175,7 @@ impl Conflicting {
 }
 
 impl Easing {
-    /// Displayed name of the objective, its unit, and the factor from SI.
+    /// Name of the minimised quantity in messages, its displayed unit, and the factor from SI units to this unit.
     pub fn in_words(&self, measures: Measures, language: Language) -> (String, &'static str, f64) {
         let unit = match self.objective {
             Minimised::RmsError | Minimised::WeightedRmsError | Minimised::MaxError => {
@@ -191,7 +191,7 @@ impl Easing {
     }
 }
 
-/// Reason why no such cam exists.
+/// Reason why no cam satisfies the scene: conflict and suggested changes.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -213,13 +213,14 @@ impl Easing {
 pub struct Infeasible {
     /// Conflicting limits or conditions.
     pub conflict: Vec<Conflicting>,
-    /// Minimum change of each conflicting limit that makes the other limits feasible.
+    /// Sufficient change of each conflicting limit. It starts as the minimum change for which the other limits of the program are feasible.
+    /// `relaxed` replaces it by a change with which the complete design passes.
     pub relaxations: Vec<Relaxation>,
     /// The conflict as reasons, with suggested changes.
     pub reasons: Vec<Reason>,
 }
 
-/// Minimum change of one limit for which the other limits are feasible.
+/// Change of one limit that is sufficient while all other limits are unchanged.
 ///
 /// ```
 /// use gaitcam::synth::synthesise;
@@ -236,7 +237,7 @@ pub struct Infeasible {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Relaxation {
-    /// Name of the limit.
+    /// Limit that is changed.
     pub limit: Criterion,
     /// Key of the limit, as used with `--set`.
     pub key: &'static str,
@@ -247,7 +248,7 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// Whether the change gives up a part of the goal: it allows a larger force error.
+    /// Whether the change gives up a part of the target: it permits a larger force error.
     pub fn is_goal(&self) -> bool {
         matches!(
             self.limit,

@@ -1,4 +1,4 @@
-//! Method of a law, and reasons against simpler families. The messages are in `wording/en/solver.ftl`.
+//! Solution method of a law, and reasons against simpler families. The messages are in `wording/en/solver.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// Method by which a law was computed.
+/// Method by which the law of a design was computed.
 ///
 /// ```
 /// use gaitcam::synth::Method;
@@ -26,19 +26,19 @@ use crate::wording::{self, Language};
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum Method {
-    /// A given programme, without a solution step.
+    /// Segments of a given programme, without an optimisation.
     Programme,
     /// Interpolation: the number of conditions equals the number of coefficients, so the law is the solution of one linear system.
     Interpolation,
-    /// Harmonics inverted one by one, with the RMS force of the omitted harmonics.
+    /// Closed form for each harmonic. `rest` is the RMS force of the omitted harmonics.
     Spectral { harmonics: usize, rest: Quantity },
-    /// Harmonics with limits, by exchange iterations.
+    /// Harmonics under limits, by the exchange method.
     Harmonics {
         harmonics: usize,
         rounds: usize,
         violation: f64,
     },
-    /// A search for the angles of rise and fall.
+    /// Search for the angles of rise and fall of a double harmonic.
     Search {
         rise: Quantity,
         from: Quantity,
@@ -46,11 +46,11 @@ pub enum Method {
         steps: usize,
         error: Quantity,
     },
-    /// Least squares without active limits.
+    /// Least squares, because no limit is active.
     NoLimitActive,
-    /// Exchange method: rows are added at the extrema until no limit is exceeded.
+    /// Exchange method: rows are added at the points of maximum violation until no limit is violated.
     Exchange { rounds: usize, violation: f64 },
-    /// A sequence of convex programs.
+    /// Sequence of convex programs, for limits that are not convex.
     Sequence {
         programs: usize,
         ended: Ended,
@@ -89,7 +89,7 @@ pub enum Ended {
     SmallGain,
 }
 
-/// Reason why the harmonics in closed form were not used.
+/// Reason why harmonics in closed form were not used.
 ///
 /// ```
 /// use gaitcam::scene::{Family, Gait, LawSpec};
@@ -117,38 +117,38 @@ pub enum Ended {
 #[non_exhaustive]
 #[allow(missing_docs)]
 pub enum PassedOver {
-    /// The harmonics do not reach the accuracy of the force.
+    /// The harmonics do not reach the required accuracy of the force.
     Accuracy {
         family: &'static str,
         excess: Quantity,
     },
-    /// The cam of the harmonics violates a limit.
+    /// The cam of the harmonics fails a check.
     Check {
         family: &'static str,
         check: Criterion,
         value: Quantity,
         limit: Quantity,
     },
-    /// The closed form does not apply to the problem.
+    /// The closed form is not possible. `fault` is the reason.
     Fault { family: &'static str, fault: String },
 }
 
 impl Method {
-    /// Clause that describes the method.
+    /// Clause of a message that describes the method.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "method", self)
     }
 }
 
 impl Ended {
-    /// Clause that describes the reason.
+    /// Clause of a message that describes why the sequence ended.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "ended", self)
     }
 }
 
 impl PassedOver {
-    /// Clause that describes the reason.
+    /// Clause of a message that describes why harmonics were not used.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "passed-over", self)
     }

@@ -1,4 +1,4 @@
-//! Report of a design as plain data: method and certificate, active limits, conflicts, reasons for the verdict.
+//! Report on a design as plain data: method and certificate, active limits, conflicts, reasons for the verdict.
 
 pub mod end;
 pub mod force;

@@ -4,7 +4,7 @@ use crate::cam::{Criterion, LimitKind, Measures, Unit};
 use crate::scene::keys::{self, Key};
 use crate::units::Dimension;
 
-/// Criteria that are not limits, with the keys that set them.
+/// Criteria that are not limits, with the keys that set their values.
 const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Bore, "cam.bore"),
     (Criterion::BaseRadius, "cam.base_radius"),
@@ -15,7 +15,7 @@ const KEYS: [(Criterion, &str); 7] = [
     (Criterion::Band, "gait.band"),
 ];
 
-/// Key of a row or of a suggested change, as used with `--set`; empty if there is no key.
+/// Key of the scene that sets the value of a criterion, as used with `--set`; empty if there is no such key.
 pub fn key_of(criterion: Criterion) -> &'static str {
     if let Some(key) = criterion.limit().and_then(keys::of_limit) {
         return key.path;
@@ -24,13 +24,13 @@ pub fn key_of(criterion: Criterion) -> &'static str {
     found.map_or("", |k| k.1)
 }
 
-/// Name of a relaxable key among conflicts and suggested changes.
+/// Criterion of a relaxable key in conflicts and suggested changes; `None` if the key has no criterion.
 pub fn criterion_of(key: &Key) -> Option<Criterion> {
     let beside = || KEYS.iter().find(|k| k.1 == key.path).map(|k| k.0);
     key.limit.map(Criterion::Limit).or_else(beside)
 }
 
-/// Dimension of a limit or check.
+/// Physical dimension of the value of a criterion. `measures` is the kind of motion.
 pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     let oscillating = measures == Measures::Oscillating;
     let of_limit = |kind: LimitKind| {
@@ -62,7 +62,7 @@ pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
     }
 }
 
-/// Common unit of a limit or check.
+/// Displayed unit of the value of a criterion.
 pub fn unit(measures: Measures, criterion: Criterion) -> Unit {
     Unit::of(dimension(measures, criterion))
 }

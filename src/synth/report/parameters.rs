@@ -1,4 +1,4 @@
-//! Basis functions of the coefficients of a law, so that other programs can evaluate it.
+//! Basis functions to which the coefficients of a law belong, so that other programs can evaluate the law.
 
 use serde::Serialize;
 
@@ -24,26 +24,27 @@ use crate::synth::qp::Basis;
 pub enum Functions {
     /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, with tᵢ₊ₙ = tᵢ + 2π.
     BSpline {
-        /// Knots of one turn, rad, in JSON `knots_rad`. Multiple knots are repeated.
+        /// Knots of one turn, rad (`knots_rad` in JSON). Multiple knots are repeated.
         #[serde(rename = "knots_rad")]
         knots: Vec<f64>,
     },
     /// Harmonics 1, cos θ, sin θ, cos 2θ, sin 2θ …
     Fourier,
-    /// Powers 1, u, u² … with u from 0 to 1 over a range; the law is constant outside the range.
+    /// Powers 1, u, u² … with u from 0 to 1 over a range of angles. Outside this range, the law is constant.
     Monomial {
-        /// Range of the powers, rad, in JSON `range_rad`.
+        /// Range of angles from u = 0 to u = 1, rad (`range_rad` in JSON).
         #[serde(rename = "range_rad")]
         range: [f64; 2],
     },
-    /// Double harmonic: level and lift, m; start and angle of the rise, and angle of the fall, rad.
+    /// Parameters of a double harmonic instead of basis functions. Their order is level and lift, m, then start of the rise, angle of the rise
+    /// and angle of the fall, rad.
     DoubleHarmonic,
-    /// Lifts of the segments of a programme.
+    /// Lifts of the segments of a programme, m (rad for an arm), instead of coefficients of basis functions.
     Segments,
 }
 
 impl Functions {
-    /// Basis functions of a program.
+    /// Basis functions of the program that determined the coefficients.
     pub(in crate::synth) fn of(basis: &Basis) -> Self {
         match basis {
             Basis::Spline { space, .. } => Functions::BSpline {
@@ -53,7 +54,7 @@ impl Functions {
         }
     }
 
-    /// Changes the coefficients so that the lift of the law changes by a constant.
+    /// Changes the coefficients so that the lift of the law increases by the constant `by`. Coefficients of segments are unchanged.
     pub(in crate::synth) fn raise(&self, coefficients: &mut [f64], by: f64) {
         match self {
             Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),

@@ -20,28 +20,28 @@ use crate::wording::{self, Language};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Doubt {
-    /// A limit is exceeded by more than the solver's tolerance.
+    /// A limit is violated by more than the solver's tolerance.
     Limits,
     /// The duality gap or the gradient of the Lagrangian is above 1e-6.
     Gap,
-    /// The touching angle on the base circle results from a search, without a proof.
+    /// The touching angle on the base circle is the result of a search without a proof.
     TouchingAngle,
     /// A sequence of convex programs ends in a local optimum.
     Local,
-    /// No law was found that satisfies the non-convex limits, so they are omitted.
+    /// No law was found that satisfies the non-convex limits, so the law was computed without these limits.
     LeftOut,
     /// The motion of shaft or floor was fixed. Laws with other machine motions were not compared.
     FixedMotion,
 }
 
 impl Doubt {
-    /// Clause that describes the reason.
+    /// Clause of a message that describes the reason.
     pub fn sentence(self, language: Language) -> String {
         wording::sentence(language, "doubt", &self)
     }
 }
 
-/// Reason why a certificate is not a proof.
+/// Reason why a certificate does not prove that the law is optimal; `None` if it does.
 pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
     if !certificate.keeps_limits() {
         Some(Doubt::Limits)

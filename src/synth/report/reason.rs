@@ -10,7 +10,7 @@ use crate::synth::qp::{Demand, Stop};
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// Reason for a verdict.
+/// Reason for the verdict on a design, or suggested change.
 ///
 /// ```
 /// use gaitcam::synth::Reason;
@@ -35,7 +35,7 @@ pub enum Reason {
     AllHold,
     /// The search was stopped early.
     OutOfTime,
-    /// The mean of the target differs from the weight of the moved mass.
+    /// The mean target force differs from the weight of the moved mass, which is the mean force of every law on a moving axis.
     MeanForce {
         mean: Quantity,
         weight: Quantity,
@@ -65,7 +65,7 @@ pub enum Reason {
     LiftJumps { at: Quantity },
     /// The velocity has a jump.
     VelocityJumps { at: Quantity },
-    /// The acceleration has a jump, and so has the force.
+    /// The acceleration has a jump, so the inertia force has a jump too.
     AccelerationJumps { at: Quantity },
     /// A negative contact force would be necessary to keep the follower on the cam.
     LiftsOff {
@@ -99,11 +99,11 @@ pub enum Reason {
         radius: Quantity,
         allowed: Quantity,
     },
-    /// Minimum base radius that removes the undercut.
+    /// Suggestion: a base radius that is sufficient for the curvature limit.
     BaseRadiusWorks { radius: Quantity },
-    /// General suggestion for the profile.
+    /// Suggestion: a larger base circle or a smaller roller.
     EnlargeBaseCircle,
-    /// General suggestion for the profile of a translating cam.
+    /// Suggestion for a translating cam: a longer travel or a smaller roller.
     LengthenTravel,
     /// The follower interferes with the cam away from the contact.
     Interference { at: Quantity, depth: Quantity },
@@ -132,7 +132,7 @@ pub enum Reason {
         angle: Quantity,
         allowed: Quantity,
     },
-    /// The pressure angle is larger than usual, on a side without a limit.
+    /// The pressure angle exceeds the usual maximum, on a side without a limit in the scene.
     LargePressureAngle {
         at: Quantity,
         angle: Quantity,
@@ -155,40 +155,40 @@ pub enum Reason {
         value: Quantity,
         allowed: Quantity,
     },
-    /// A derivative with a limit is infinite, because the derivative of the next lower order jumps.
+    /// A limited derivative is infinite, because the derivative of the next lower order has a jump.
     LimitUnbounded { limit: Criterion, at: Quantity },
     /// The contact pressure is infinite, because the radius of curvature of the profile is zero or negative there.
     PressureUnbounded { at: Quantity },
-    /// The conditions contradict each other as equations.
+    /// The conditions contradict each other, even without limits.
     DemandsContradict { demands: Vec<Demand> },
-    /// The conditions are infeasible on or above the base circle.
+    /// The conditions are infeasible for a law that is nowhere below the base circle.
     DemandsInfeasible { demands: Vec<Demand> },
-    /// One limit is infeasible together with the conditions.
+    /// One limit is infeasible under the conditions, even without the other limits.
     LimitInfeasible { limit: Criterion },
     /// A minimum contact force is required, although the drive has neither a spring nor a force at rest.
     NothingPresses,
     /// The limits are infeasible together.
     LimitsInfeasible { limits: Vec<Criterion> },
-    /// No law was found that satisfies these limits. Some are non-convex, so this does not prove infeasibility.
+    /// No law was found that satisfies these limits. Because some of the limits are non-convex, this does not prove infeasibility.
     NoLawFound { limits: Vec<Criterion> },
     /// The solver stopped early, so nothing is proved.
     SolverStopped { stop: Stop },
     /// A sufficient change of one limit.
     Relaxation { changes: Vec<Change> },
-    /// Changes of several limits; one of the changes is sufficient.
+    /// Sufficient changes of several limits. One of the changes is sufficient.
     Relaxations { changes: Vec<Change> },
     /// No change of a single limit is sufficient.
     NoRelaxation,
-    /// Changes that are each sufficient, but larger than a factor of ten.
+    /// Changes of which one is sufficient. Each of them changes its value by more than a factor of ten.
     FarRelaxations { changes: Vec<Change> },
-    /// Values that are sufficient together, because no change of a single limit is.
+    /// Changes that are sufficient together. No change of a single limit is sufficient.
     AllTogether { changes: Vec<Change> },
-    /// Values that are sufficient together, because some limits are infeasible even without the others.
+    /// Changes that are sufficient together. Some of these limits are infeasible even without the other limits.
     FarTogether { changes: Vec<Change> },
-    /// Limits that are infeasible even without the others, with the values at which they become feasible. With these values the other limits still
-    /// fail.
+    /// Limits that are infeasible even without the other limits, with the values at which each becomes feasible. These values together are not
+    /// sufficient.
     OutOfReach { changes: Vec<Change> },
-    /// The design also fails without any limit; the failed checks follow.
+    /// The design fails even without the limits. The reasons that follow describe the failed checks.
     NotTheLimits,
 }
 
@@ -198,7 +198,7 @@ pub enum Reason {
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
 pub enum Change {
-    /// Key as used with `--set`, present value and sufficient value.
+    /// Change of one limit: key as used with `--set`, present value and sufficient value.
     Change {
         key: &'static str,
         limit: Criterion,
@@ -219,13 +219,13 @@ impl Reason {
     }
 }
 
-/// Joins several reasons to one text.
+/// Messages of several reasons, joined to one text.
 pub fn sentences<'a>(reasons: impl IntoIterator<Item = &'a Reason>, language: Language) -> String {
     let all: Vec<String> = reasons.into_iter().map(|r| r.sentence(language)).collect();
     all.join(" ")
 }
 
-/// A position on the law: an angle, or a length of travel.
+/// Position on the law: a cam angle, or for a translating cam a length of travel.
 pub fn place(measures: Measures, at: f64) -> Quantity {
     match measures {
         Measures::Straight => Quantity::length(at),
@@ -233,7 +233,7 @@ pub fn place(measures: Measures, at: f64) -> Quantity {
     }
 }
 
-/// Value of a limit with its unit, for a cam with these measures.
+/// Value of a criterion with its physical dimension, for this kind of motion.
 pub fn quantity(measures: Measures, limit: Criterion, value: f64) -> Quantity {
     Quantity::new(value, dimension(measures, limit))
 }

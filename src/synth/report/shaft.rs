@@ -29,20 +29,20 @@ use crate::dynamics::{InTime, Shaft};
 pub struct OnShaft {
     /// Motion of the shaft.
     pub shaft: Shaft,
-    /// Force error over time, with the varying speed of the motor.
+    /// Force error over time, with the varying speed of the shaft; `None` without a target.
     pub force_time: Option<InTime>,
-    /// Force error over time of the law for constant speed, driven by this motor.
+    /// Force error over time of the law for constant speed, on the shaft driven by this motor; `None` without a target.
     pub at_constant_speed: Option<InTime>,
-    /// Number of programs solved in addition to the one at constant speed.
+    /// Number of iterations of design and simulation, in addition to the design for constant speed.
     pub rounds: usize,
-    /// Ratio of the last two changes of the target between iterations; `None` for fewer than two changes.
+    /// Ratio of the last two changes between iterations; `None` if there are fewer than two changes.
     pub contraction: Option<f64>,
-    /// Estimate from inertia and energy of the load.
+    /// Estimate of ripple and force change from inertia and energy of the load.
     pub forecast: Forecast,
-    /// Shaft speed at equal cam angles, rad/s.
+    /// Shaft speed, rad/s, at equally spaced cam angles.
     #[serde(skip)]
     pub speed: Vec<f64>,
-    /// Time since cam angle 0 at equal cam angles, s.
+    /// Time since cam angle 0, s, at equally spaced cam angles.
     #[serde(skip)]
     pub time: Vec<f64>,
 }
@@ -65,12 +65,12 @@ pub struct OnShaft {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Forecast {
-    /// Difference of maximum and minimum speed, relative to the mean.
+    /// Speed ripple: difference of maximum and minimum speed, relative to the mean.
     pub ripple: f64,
     /// RMS change of the force, in percent of its mean.
     pub force_change_percent_of_mean: f64,
-    /// Change that is neglected, in percent of the mean.
+    /// Force change up to which constant speed is accurate enough, in percent of the mean.
     pub neglected_percent_of_mean: f64,
-    /// Whether constant speed is sufficiently accurate.
+    /// Whether constant speed is accurate enough for the design.
     pub is_negligible: bool,
 }

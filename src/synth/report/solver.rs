@@ -1,4 +1,4 @@
-//! Solution method of a design.
+//! Report on the solution method of a design.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use super::proof::Doubt;
 use crate::synth::qp::Certificate;
 use crate::wording::Language;
 
-/// Accepted convex program of a sequence.
+/// Accepted step of a sequence of convex programs.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -24,15 +24,15 @@ use crate::wording::Language;
 pub struct Step {
     /// Prime radius after the step, m.
     pub prime_radius: f64,
-    /// Objective after the step.
+    /// Value of the objective after the step.
     pub merit: f64,
-    /// Minimum relative distance from undercut or from the curvature limit, not negative.
+    /// Minimum clearance h/w of the non-convex limits over the law after the step.
     pub clearance: f64,
-    /// Accepted fraction of the step.
+    /// Accepted fraction of the step, from 0 to 1.
     pub taken: f64,
 }
 
-/// Method of solution.
+/// Class of the solution method.
 ///
 /// ```
 /// use gaitcam::synth::Tier;
@@ -52,7 +52,7 @@ pub struct Step {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Tier {
-    /// Closed form for each harmonic.
+    /// Closed form for each harmonic, without limits.
     Spectral,
     /// Least squares with equalities: one factorisation.
     Equality,
@@ -65,7 +65,7 @@ pub enum Tier {
 }
 
 impl Tier {
-    /// Name of the method in `summary.json`.
+    /// Name of the class in `summary.json`.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -86,26 +86,27 @@ impl Tier {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SolverReport {
-    /// Method of the law.
+    /// Class of the solution method.
     pub tier: Tier,
-    /// Details of the solution method.
+    /// Details of the solution method, such as numbers of iterations.
     pub method: Method,
-    /// Reason why the harmonics in closed form were not used, if they were tried first.
+    /// Reason why harmonics in closed form were not used; `None` if they were not tried.
     pub passed_over: Option<PassedOver>,
-    /// Total number of iterations of all solves.
+    /// Total number of iterations of all programs.
     pub iterations: usize,
-    /// Whether the limits hold for the continuous law, and no law of the family is better by more than 1e-6 of the objective.
+    /// Whether the law is proved optimal. The limits then hold for the continuous law, and no law of the family improves the objective by more
+    /// than 1e-6 of its value.
     pub certified: bool,
-    /// Reason why the law is not certified.
+    /// Reason why the law is not certified; `None` for a certified law.
     pub doubt: Option<Doubt>,
-    /// Proved distance from the optimum; `None` if nothing was minimised.
+    /// Proved distance from the optimum; `None` if no quantity was minimised by a program.
     pub certificate: Option<Certificate>,
-    /// Steps of the sequence of convex programs, if one was necessary.
+    /// Steps of the sequence of convex programs; empty without a sequence.
     pub steps: Vec<Step>,
 }
 
 impl SolverReport {
-    /// Report of an exact method.
+    /// Report on a method that needs no numerical proof.
     pub(crate) fn of(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         SolverReport {
             tier,
@@ -119,7 +120,7 @@ impl SolverReport {
         }
     }
 
-    /// Message on the method, and on the reason against simpler families.
+    /// Message on the method, and on the reason why harmonics were not used.
     pub fn status(&self, language: Language) -> String {
         let missed = self.passed_over.iter().map(|p| p.sentence(language));
         let all: Vec<String> = std::iter::once(self.method.sentence(language))

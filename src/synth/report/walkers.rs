@@ -1,10 +1,10 @@
-//! Errors of a cam for each of several walkers.
+//! Force errors of one cam for several walkers.
 
 use serde::Serialize;
 
 use crate::scene::ErrorMeasure;
 
-/// Errors of one cam for a population.
+/// Force errors of one cam for a population of walkers.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -23,42 +23,42 @@ pub struct OfPopulation {
     pub walkers: usize,
     /// Number of cycles of all walkers.
     pub cycles: usize,
-    /// Name of the objective.
+    /// Name of the objective over the walkers: mean, worst or tail.
     pub robust: String,
-    /// Measure of the errors: relative or absolute.
+    /// Measure of the errors: relative to the mean force of each walker, or absolute.
     pub error: &'static str,
-    /// Root of the minimised value, in percent of each walker's mean force; for absolute errors in percent of the mean over all. It is compared with
-    /// `accuracy.rms`.
+    /// Square root of the objective, in percent of each walker's mean force. For absolute errors, it is in percent of the mean force of all
+    /// walkers. It is compared with `accuracy.rms`.
     pub objective_percent: f64,
-    /// Maximum RMS force error, in percent of the walker's mean force.
+    /// Maximum RMS force error, in percent of the mean force of the walker.
     pub worst_percent: f64,
-    /// Weighted mean of the RMS force errors, in percent of each mean force.
+    /// Weighted mean of the RMS force errors, in percent of the mean force of each walker.
     pub mean_percent: f64,
-    /// Mean of the largest errors, in percent: of the worst tenth, or of the fraction in the objective.
+    /// Mean of the largest RMS force errors, in percent. It covers the worst tenth of the walkers, or the fraction in the objective.
     pub cvar_percent: f64,
     /// Maximum RMS force error, N.
     pub worst_n: f64,
-    /// Mean RMS force error, N.
+    /// Weighted mean of the RMS force errors, N.
     pub mean_n: f64,
-    /// Mean of the largest errors, N.
+    /// Mean of the largest RMS force errors, N.
     pub cvar_n: f64,
-    /// Name of the walker with the maximum error.
+    /// Name of the walker with the maximum RMS force error.
     pub worst_walker: String,
-    /// Objective minus its proved lower bound, relative to the objective (a mean square).
+    /// Difference between the objective, a mean square, and its proved lower bound, relative to the objective.
     pub gap: f64,
-    /// Lower bound of `objective_percent` over all laws and phases; `None` if the phases are given.
+    /// Lower bound of `objective_percent` over all laws and phases; `None` if the phases are not adjustable.
     pub bound_percent: Option<f64>,
-    /// Number of computed designs.
+    /// Number of designs that were computed.
     pub rounds: usize,
-    /// Index of the cycle with the maximum error.
+    /// Index of the cycle with the maximum error in `each`.
     #[serde(skip)]
     pub worst: usize,
-    /// Errors of each cycle.
+    /// Errors for each cycle.
     #[serde(skip)]
     pub each: Vec<WalkerError>,
 }
 
-/// Errors of a cam for one walker.
+/// Force error of a cam for one cycle of a walker, with the adjusted machine.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -75,15 +75,15 @@ pub struct WalkerError {
     pub walker: String,
     /// Mass of the machine for this walker, kg.
     pub mass_kg: f64,
-    /// Speed of the cam, rad/s.
+    /// Speed of the cam for this walker, rad/s.
     pub speed_rad_per_s: f64,
     /// Phase of the walker's cycle at cam angle 0, rad.
     pub phase_rad: f64,
-    /// RMS force error, in percent of the mean force.
+    /// RMS force error, in percent of the mean force of the walker.
     pub rms_error_percent: f64,
     /// RMS force error, N.
     pub rms_error_n: f64,
-    /// Weight of the walker in a mean.
+    /// Weight of the cycle in a mean over the walkers.
     pub share: f64,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,

@@ -1,4 +1,4 @@
-//! A law on its cam, with force and checks; for every family, every iterate of a polydyne cam and the finished design.
+//! A law on its cam, with force and checks. It is used for every family, for the iterates of a polydyne cam and for the finished design.
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, PrimeCircle};
 use crate::error::Result;
@@ -11,23 +11,24 @@ use crate::synth::sizing;
 /// A law on its cam, with its force and all checks.
 #[derive(Clone)]
 pub struct CheckedCam {
-    /// Cam of the law. The minimum lift is on the base circle unless the drive or a condition determines the level.
+    /// Cam of the law. The minimum lift is on the base circle, unless the drive or a condition determines the level.
     pub cam: Cam,
-    /// Shift of the law to the base circle, in units of its lift.
+    /// Shift by which the law was raised to the base circle, m or rad.
     pub raised: f64,
-    /// Law of the end of a compliant follower, with the same shift.
+    /// Law of the end of a compliant follower, with the same shift; `None` without a polydyne cam.
     pub end: Option<Law>,
     /// Second cam of a conjugate pair, if any.
     pub conjugate: Option<Conjugate>,
-    /// Groove of a barrel, with both walls.
+    /// Groove of a barrel cam, with both walls.
     pub groove: Option<BarrelGroove>,
-    /// Comparison of force and target, N.
+    /// Comparison of achieved force and target.
     pub force: ForceReport,
     /// Checks of every limit of the problem, and of general requirements.
     pub checks: Vec<Check>,
 }
 
-/// Cam of a law. `end` is the law of the end of a compliant follower; `circle` is a size for which the law satisfies its limits.
+/// Cam of a law, with force and checks. `end` is the law of a compliant follower's end. `circle` is a prime circle on which the law satisfies
+/// its limits.
 ///
 /// # Errors
 ///
@@ -46,7 +47,7 @@ pub fn checked_cam(
     checked(problem, cam, raised, end)
 }
 
-/// Checks of a problem for a cam.
+/// The cam with force and checks for a problem.
 fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result<CheckedCam> {
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
@@ -73,7 +74,7 @@ fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result
 }
 
 impl CheckedCam {
-    /// The cam with the force and the checks of another problem.
+    /// The same cam with the force and the checks of another problem.
     ///
     /// # Errors
     ///
@@ -82,19 +83,19 @@ impl CheckedCam {
         checked(problem, self.cam.clone(), self.raised, self.end.clone())
     }
 
-    /// Law that determines the force.
+    /// Law that determines the force: the law of the follower's end for a polydyne cam, otherwise the law of the cam.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().unwrap_or(&self.cam.law)
     }
 
-    /// First failed check.
+    /// First failed check; `None` if every check passes.
     pub fn broken(&self) -> Option<&Check> {
         self.checks.iter().find(|check| !check.pass)
     }
 }
 
-/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is also tried: the best offset for the pressure
-/// angle may not be the best offset for the curvature, and a smaller prime radius may have a larger diameter.
+/// Smallest cam of a law that satisfies the limits, near a given circle. The offset of this circle is tried too: the best offset for the pressure
+/// angle may not be the best one for the curvature, and a cam with a smaller prime radius may have a larger diameter.
 fn cam_about(
     problem: &Problem,
     law: Law,
@@ -123,7 +124,7 @@ fn is_too_wide(problem: &Problem, cam: &Cam) -> bool {
     diameter_check(problem, cam, LimitKind::Diameter).is_some_and(|check| !check.pass)
 }
 
-/// The law, shifted so that its minimum is on the base circle unless the drive or a condition determines the level.
+/// The law, raised or lowered until its minimum is on the base circle. If the drive or a condition determines the level, the law is unchanged.
 fn on_base_circle(problem: &Problem, law: &Law) -> Law {
     if problem.level_is_known() {
         return law.clone();

@@ -1,4 +1,4 @@
-//! Cam of a law, with the size in the scene or with the minimum feasible size.
+//! Cam of a law, with the size that the scene gives or with the minimum feasible size.
 
 pub mod checked_cam;
 mod notes;
@@ -19,26 +19,26 @@ use crate::units::Quantity;
 
 /// Relative accuracy of a prime radius from bisection.
 const BISECTION: f64 = 1e-12;
-/// Growth factor of the prime circle in the search for a feasible size.
+/// Factor between successive trial sizes in the search for a feasible size.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
-/// Relative margin added to a size from bisection, so that its limits hold in spite of rounding errors.
+/// Relative margin that is added to a size from bisection, so that limits hold in spite of rounding errors.
 const ROUNDING: f64 = 1e-9;
-/// Fraction of the travel of the follower that counts as zero.
+/// Default radius of a cam, relative to the travel of the follower, if nothing requires a larger one.
 const NOTHING: f64 = 1e-4;
-/// Variation of s(θ) + s(θ + π), relative to the stroke, below which the breadth is constant.
+/// Variation of s(θ) + s(θ + π), relative to the stroke, below which the breadth counts as constant.
 const BREADTH: f64 = 1e-9;
 /// Number of angles at which the breadth is compared.
 const BREADTH_POINTS: usize = 720;
 
-/// Cam of a law whose zero is the base circle.
+/// Cam of a law whose lift 0 is on the base circle.
 ///
 /// `pressing` is the law that determines the force: the law of the cam, or of the end of a polydyne follower.
 ///
 /// # Errors
 ///
-/// A missing dimension of the follower; impossible dimensions, such as an arm that is too short, a pivot inside the cam, or a breadth that the law
-/// does not have.
+/// A dimension of the follower is missing, or the dimensions are impossible. Examples are an arm that is too short, a pivot inside the cam, or a
+/// law without constant breadth.
 pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     let follower = match (problem.cam.follower, problem.cam.breadth) {
         (FollowerKind::FlatTranslating, None) => flat(problem, &law, pressing),
@@ -51,7 +51,7 @@ pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
     Ok(Cam { law, follower })
 }
 
-/// Second cam of a conjugate pair, if the scene has one.
+/// Second cam of a conjugate pair; `None` if the scene has no pair.
 pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem
         .cam
@@ -91,8 +91,8 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
         .map_err(|e| e.at_key("cam.depth"))
 }
 
-/// Minimum base radius for which the law satisfies the curvature limit of the scene without undercut, with the other dimensions of `cam`; `None` if
-/// no size is sufficient.
+/// Minimum base radius, m, for which the law satisfies the curvature limit of the scene without undercut. The other dimensions are those of
+/// `cam`. `None` if no size is sufficient.
 pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
         rho_min: problem.limits[LimitKind::Curvature].unwrap_or(0.0),
@@ -102,7 +102,7 @@ pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     smallest_for(cam, &limits).ok()
 }
 
-/// Depth of the groove of a barrel; the default is the diameter of the roller.
+/// Depth of the groove of a barrel, m. The default is the diameter of the roller.
 fn depth(problem: &Problem) -> f64 {
     problem.cam.depth.unwrap_or(2.0 * problem.cam.roller_radius)
 }
@@ -117,7 +117,8 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     Follower::FlatTranslating { base_radius }
 }
 
-/// Cam of constant breadth, if the law has a constant breadth. Its base (prime) radius is half the difference of breadth and lift.
+/// Cam of constant breadth; an error if the breadth of the law is not constant. The base or prime radius is half the difference of breadth and
+/// lift.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at_key("cam.breadth");
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + PI).s;
@@ -192,7 +193,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(libm::hypot(distance, offset), offset)
 }
 
-/// Default radius if nothing determines the size.
+/// Default radius of a cam, m, if no limit and no hole determines the size.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
@@ -202,7 +203,7 @@ fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     }
 }
 
-/// Cam with a follower of any other kind, with the given base radius or the minimum feasible one.
+/// Cam with any other kind of follower, with the given or the minimum feasible base radius.
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
     let given = problem.base_radius();
@@ -237,7 +238,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     fitting(problem, cam.law, follower.with_base_radius(base))
 }
 
-/// Creates the cam and checks that the follower suits the law. With `pivot_beside` the pivot is beside the cam.
+/// Creates the cam and checks whether the follower is possible for the law. If `pivot_beside` is set, the pivot is beside the cam.
 fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     let new = if problem.cam.pivot_beside {
         Cam::beside
@@ -247,11 +248,11 @@ fn fitting(problem: &Problem, law: Law, follower: Follower) -> Result<Cam> {
     new(law, follower).map_err(|e| e.at_key("cam"))
 }
 
-/// Checks that an arm of the given lengths reaches the prime circle, for any law.
+/// Checks whether an arm of the given length reaches the prime circle. The result does not depend on the law.
 ///
 /// # Errors
 ///
-/// The invalid length.
+/// The arm or its pivot distance is invalid.
 pub fn check_arm(problem: &Problem) -> Result<()> {
     let Some(base) = problem
         .base_radius()
@@ -266,13 +267,13 @@ pub fn check_arm(problem: &Problem) -> Result<()> {
     cam.check_beside().map_err(|e| e.at_key("cam"))
 }
 
-/// Follower of the scene with the given base radius.
+/// Follower of the scene for a base radius, m.
 fn on_base_circle(problem: &Problem, base: f64) -> Result<Follower> {
     let (radius, offset) = (problem.cam.roller_radius, problem.cam.offset);
     follower(problem, base, base + radius, offset.unwrap_or(0.0))
 }
 
-/// Follower of the scene for a radius: the base radius if it has no roller or arc, otherwise the prime radius.
+/// Follower of the scene for given radii, m. A follower with a roller or an arc uses the prime radius, other followers the base radius.
 fn follower(
     problem: &Problem,
     base_radius: f64,
@@ -344,7 +345,7 @@ mod tests {
         cam(problem, law.clone(), &law).unwrap()
     }
 
-    /// tan φ = A sin θ/(D + A − A cos θ) is maximum for D = A (1/sin φ − 1).
+    /// The tangent of the pressure angle is A sin θ/(D + A − A cos θ). The maximum pressure angle is φ for D = A (1/sin φ − 1).
     #[test]
     fn the_smallest_roller_cam_of_one_wave_has_the_pressure_angle_that_is_allowed() {
         let follower =

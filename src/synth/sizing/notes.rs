@@ -9,12 +9,12 @@ use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::synth::limits;
 use crate::units::{Dimension, Quantity};
 
-/// Design shear stress of a shaft of mild steel, Pa.
+/// Permitted shear stress of a shaft of mild steel, Pa.
 const SHEAR: f64 = 40e6;
-/// Ratio of the hole and the minimum shaft diameter above which a wrong unit is likely.
+/// Ratio of the bore and the required shaft diameter above which the unit of the bore is probably wrong.
 const WIDE_HOLE: f64 = 8.0;
 
-/// All notes on the size.
+/// All notes on the size of a cam.
 pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     let (size, wall) = (chosen_size(problem, cam), thin_wall(problem, cam));
     let shaft = shaft(problem, cam, pressing);
@@ -22,7 +22,7 @@ pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
     [size, wall, shaft, roller].into_iter().flatten().collect()
 }
 
-/// Note on a roller that is larger than the cam, which suggests a wrong unit.
+/// Note on a roller that is larger than the cam, because its unit may be wrong.
 fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     let follower = &cam.follower;
     let largest = follower.base_radius() + problem.lever() * cam.law.stroke();
@@ -33,7 +33,7 @@ fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on a thin wall around the hole for the shaft. A hole that intersects the profile is a failed check.
+/// Note on a thin wall around the hole for the shaft. If the hole intersects the profile, a check fails instead.
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let hole = problem.cam.hole()?;
     let wall = cam.follower.base_radius() - hole.reach();
@@ -45,7 +45,8 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on the base circle, or the given hole, compared with the steel shaft that the torque requires.
+/// Note on a base circle that is too small for the steel shaft that the torque requires. If a bore is given, the note is on a bore that is much
+/// larger than this shaft.
 fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;
@@ -75,7 +76,7 @@ fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     }
 }
 
-/// Note on default values of the size.
+/// Note on default values that determine the size.
 fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;

@@ -1,9 +1,9 @@
 //! Double-harmonic family: one rise, one fall and a dwell (Campillo de Blas 2017), with the best approximation of the force.
 //!
-//! For given angles the force is linear in the lift and in the level, which follow from two linear equations. Only the start and the angles of rise
-//! and fall are searched. The search uses a grid over the whole turn, then the Nelder–Mead method from the best grid points. The last digits of a
-//! sine differ between platforms. The number of steps is therefore fixed and the resulting angles are rounded, so that a scene gives the same law on
-//! every platform.
+//! For given angles the force is linear in the lift of the rise and in the level of the dwell. These two values follow from two linear
+//! equations, so the search varies only the start and the angles of rise and fall. The search uses a grid over the whole turn, then the
+//! Nelder–Mead method from the best grid points. The last digits of a sine differ between platforms. The number of steps is therefore fixed and
+//! the resulting angles are rounded, so that a scene gives the same law on every platform.
 
 mod projection;
 
@@ -27,34 +27,35 @@ use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 use projection::Projection;
 
-/// Minimum duration of rise and fall, rad; shorter ones would be impacts.
+/// Minimum angle of rise and fall, rad. A smaller angle would cause an impact.
 const SHORTEST: f64 = 0.2;
-/// Number of grid points from which the angles are searched.
+/// Number of grid points from which searches begin.
 const STARTS: usize = 6;
-/// Number of iterations of the search from each grid point, sufficient to compare the best candidates.
+/// Number of iterations of each first search, sufficient to compare the candidates.
 const ROUGH: u64 = 25;
-/// Number of candidates whose search is continued. Without a dwell, rise and fall can be exchanged.
+/// Number of candidates for which the search is continued. Two are needed because a law without a dwell is found twice, with rise and fall
+/// exchanged.
 const FINALISTS: usize = 2;
-/// Number of iterations of the continued searches.
+/// Number of iterations of each continued search.
 const ITERATIONS: u64 = 60;
-/// Number of parts of a turn to which the angles are rounded. One part is 6 µrad: more than the rounding errors of the search, and less than the
-/// accuracy of manufacturing.
+/// Number of parts of a turn to which the angles are rounded. One part is 6 µrad. This is more than the rounding errors of the search and less
+/// than the accuracy of manufacturing.
 const PARTS: f64 = 1_048_576.0;
-/// Relative difference of mean squares up to which a law that begins with its rise precedes one that begins with its fall. Without a dwell, both are
-/// the same law.
+/// Relative difference of mean square errors below which two laws are equal. The law that begins with its rise is then preferred to the law that
+/// begins with its fall. Without a dwell, both are the same law.
 const TIE: f64 = 1e-9;
-/// Initial size of the simplex, rad: one step of the grid.
+/// Size of the simplex at the start of a search, rad. It is about one step of the grid.
 const SIMPLEX: f64 = 0.065;
-/// Size of the simplex with which a search is continued, rad.
+/// Size of the simplex at the start of a continued search, rad.
 const FINE_SIMPLEX: f64 = 0.01;
-/// Number of iterations of all searches.
+/// Total number of iterations of all searches.
 const STEPS: usize = STARTS * ROUGH as usize + FINALISTS * ITERATIONS as usize;
 
-/// Double harmonic of a problem, with the statistics of the search. Its lift is within the permitted stroke.
+/// Double-harmonic law of a problem, with a report on the search. The stroke of the law is within its limit.
 ///
 /// # Errors
 ///
-/// The search finds no lift that changes the force.
+/// No double harmonic is better than a constant force, or the search fails.
 pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let stroke = problem.limits[LimitKind::Stroke];
@@ -97,7 +98,7 @@ pub fn double_harmonic_law(problem: &Problem) -> Result<SolvedLaw> {
     })
 }
 
-/// Phase, rise and fall, rad, with the arithmetic operations of the Nelder–Mead method.
+/// Start of the rise, angle of the rise and angle of the fall, rad, with the arithmetic operations that the Nelder–Mead method requires.
 #[derive(Clone, Copy)]
 struct Angles([f64; 3]);
 
@@ -123,13 +124,13 @@ impl CostFunction for &Projection {
     type Param = Angles;
     type Output = f64;
 
-    /// Mean square difference of the force at the best lift and level.
+    /// Mean square force error, N², at the best lift and level for these angles.
     fn cost(&self, p: &Self::Param) -> std::result::Result<f64, argmin::core::Error> {
         Ok(self.nearest(admissible(p.0)).square)
     }
 }
 
-/// Start, rise and fall of the best approximation, rad.
+/// Start of the rise and angles of rise and fall of the best approximation, rad.
 fn best(force: &Projection) -> Result<[f64; 3]> {
     let mut found = Vec::new();
     for start in force.starts(SHORTEST, STARTS) {
@@ -154,7 +155,7 @@ fn best(force: &Projection) -> Result<[f64; 3]> {
     Ok(angles)
 }
 
-/// Best angles of a search from given angles, rad; `None` if the search evaluates no angles.
+/// Best angles of a search that begins at `start`, rad; `None` if the search evaluates no angles.
 fn searched(
     force: &Projection,
     start: [f64; 3],
@@ -182,7 +183,7 @@ fn rounded(angles: [f64; 3]) -> [f64; 3] {
     admissible(admissible(angles).map(part))
 }
 
-/// Clamps angles to the permitted range: minimum rise and fall, and a sum of at most one turn.
+/// Clamps angles, rad, to the permitted range: minimum rise and fall, and a sum of at most one turn.
 fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
     let (mut rise, mut fall) = (rise.max(SHORTEST), fall.max(SHORTEST));
     let both = rise + fall;
@@ -194,7 +195,7 @@ fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
     [phase.rem_euclid(TAU), rise, fall]
 }
 
-/// Unit rise, fall and dwell, with the rise starting at the phase.
+/// Law with a unit rise, a fall and a dwell. The rise begins at the first of the angles, rad.
 fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
     let segment = |motion: Rise, lift: f64, angle: f64| Segment {
         motion,
@@ -219,7 +220,7 @@ mod tests {
     use crate::force::{Feet, ForceCurve, model};
     use crate::scene::built_in;
 
-    /// Problem for the machine of the footbridge, whose force depends on the acceleration, or of the heel tester, whose force depends on the lift.
+    /// Problem for one of two machines. On the footbridge the force depends on the acceleration, and in the heel tester on the lift.
     fn problem(machine: &str, force: impl Fn(&Drive, f64) -> f64) -> Problem {
         let scene = built_in(machine).unwrap().scene().unwrap();
         let scene = scene.with("law.family", "double-harmonic").unwrap();
@@ -272,8 +273,8 @@ mod tests {
         }
     }
 
-    /// Mean square difference from a force at equal angles: without a spring by the normal equation; with a spring for the best of many levels, with
-    /// the law above its base circle.
+    /// Mean square difference between the force of a law and given forces at equally spaced angles. Without a spring, the lift follows from the
+    /// normal equation. With a spring, the best of many levels is used, with the law above its base circle.
     fn distance(problem: &Problem, wanted: &[f64], shape: &Law, ahead: usize) -> f64 {
         let w = problem.drive.weights();
         let n = wanted.len();

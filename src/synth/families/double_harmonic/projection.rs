@@ -1,4 +1,4 @@
-//! Projection of a force onto double harmonics: the linear parameters in closed form.
+//! Projection of a force onto double harmonics. For given angles, lift and level follow in closed form.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -7,19 +7,19 @@ use nalgebra::Complex;
 use crate::drive::Drive;
 use crate::poly::{Cells, amplitudes};
 
-/// Number of samples of the force for its harmonics.
+/// Number of samples of the force from which its harmonics are computed.
 const SAMPLES: usize = 512;
-/// Number of harmonics that are used.
+/// Maximum number of harmonics of the force in the projection.
 const HARMONICS: usize = 64;
 /// Fraction of the force below which an amplitude is a rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Number of harmonics that are used to choose the starts.
+/// Number of harmonics in the choice of the initial angles.
 const COARSE: usize = 32;
-/// Number of steps of a turn in the choice of the starts.
+/// Number of grid steps of a turn in the choice of the initial angles.
 const STEPS: usize = 96;
-/// Angle h below which its sine is computed as h − h³/6.
+/// Angle h, rad, below which sin h / h is computed as 1 − h²/6.
 const SMALL: f64 = 1e-4;
-/// Powers of i: rotations by 0°, 90° and 180°.
+/// Powers of i (0, 1, 2): rotations by 0°, 90° and 180°.
 const QUARTERS: [Complex<f64>; 3] = [
     Complex::new(1.0, 0.0),
     Complex::new(0.0, 1.0),
@@ -29,18 +29,18 @@ const QUARTERS: [Complex<f64>; 3] = [
 /// Start of the rise, and angles of rise and fall, rad.
 pub(super) type Angles = [f64; 3];
 
-/// Harmonics of a force without its static part, and the weights of a drive.
+/// Harmonics of a force minus the force at rest, and the weights of a drive.
 pub(super) struct Projection {
-    /// Complex harmonics a − ib of the force a cos kθ + b sin kθ, from the first on.
+    /// Complex harmonics a − ib of the force terms a cos kθ + b sin kθ, k = 1, 2, …
     waves: Vec<Complex<f64>>,
     mean: f64,
     square: f64,
-    /// Weights of lift, velocity and acceleration.
+    /// Weights of lift, velocity and acceleration in the force.
     weights: [f64; 3],
     stroke: f64,
 }
 
-/// Best double harmonic for given angles.
+/// Best double harmonic for given angles, with its error.
 pub(super) struct Nearest {
     /// Lift of the rise, m, at most the stroke; negative if the law falls first.
     pub lift: f64,
@@ -50,7 +50,7 @@ pub(super) struct Nearest {
     pub square: f64,
 }
 
-/// Means of the force of a unit shape over a turn, and its product with the harmonics of the target.
+/// Mean and mean square of the force of a unit law over a turn, and the mean product of this force with the target without its mean.
 struct Means {
     mean: f64,
     square: f64,
@@ -58,7 +58,7 @@ struct Means {
 }
 
 impl Projection {
-    /// Projection of a force, N, over a turn, for a drive and for lifts up to a stroke.
+    /// Projection of a force over a turn, N, for a drive and a maximum stroke.
     pub fn new(force: &Cells, drive: &Drive, stroke: Option<f64>) -> Projection {
         let at = |i| force.at(TAU * i as f64 / SAMPLES as f64) - drive.rest_force;
         let samples: Vec<f64> = (0..SAMPLES).map(at).collect();
@@ -80,8 +80,8 @@ impl Projection {
         }
     }
 
-    /// Best double harmonic for given angles. Lift and, with a spring, level follow from two linear equations. If the law would be below the base
-    /// circle, it is placed on it.
+    /// Best double harmonic for given angles. The lift, and with a spring also the level, follow from linear equations. If the law would be
+    /// below the base circle, its dwell or its minimum is placed on the base circle.
     pub fn nearest(&self, angles: Angles) -> Nearest {
         self.fit(&self.means(angles))
     }
@@ -124,7 +124,7 @@ impl Projection {
         }
     }
 
-    /// Best law whose level is a multiple of its lift.
+    /// Best law whose level is `level` times its lift, with the lift between the bounds `lifts`.
     fn along(&self, product: f64, square: f64, level: f64, lifts: [f64; 2]) -> Nearest {
         let lift = best(product, square, lifts);
         Nearest {
@@ -148,7 +148,7 @@ impl Projection {
         }
     }
 
-    /// Force of a unit rise (sign 1) or of a unit fall (sign −1), which is the same motion reversed.
+    /// Force of a unit rise (`sign` = 1) or of a unit fall (`sign` = −1) over an angle, rad. The fall is the reversed rise.
     fn motion(&self, angle: f64, sign: f64) -> Motion {
         let [s, v, a] = self.weights;
         let rate = PI / angle;
@@ -163,7 +163,7 @@ impl Projection {
         }
     }
 
-    /// Initial angles of the search: the best non-adjacent points of a grid of starts, rises and falls.
+    /// Initial angles for the searches, rad: the best points, not adjacent to each other, of a grid of starts, rises and falls.
     pub fn starts(&self, shortest: f64, count: usize) -> Vec<Angles> {
         let step = TAU / STEPS as f64;
         let least = (shortest / step).ceil() as usize;
@@ -203,7 +203,7 @@ impl Projection {
             .collect()
     }
 
-    /// Products of a motion that begins at each step of the turn.
+    /// Mean, mean square and products with the target of a motion, one product for each start on the grid.
     fn row(&self, motion: Motion) -> Row {
         let step = TAU / STEPS as f64;
         let waves: Vec<Complex<f64>> = (1..)
@@ -225,7 +225,7 @@ impl Projection {
     }
 }
 
-/// Lift between two bounds with the minimum mean square error.
+/// Lift between two bounds that minimises the mean square error.
 fn best(product: f64, square: f64, [low, high]: [f64; 2]) -> f64 {
     let free = if square > 0.0 { product / square } else { 0.0 };
     free.clamp(low, high)
@@ -237,14 +237,14 @@ struct Row {
     products: Vec<f64>,
 }
 
-/// Whether all three angles differ by less than three steps.
+/// Whether two grid points are neighbours: all three angles differ by less than three steps.
 fn are_neighbours(a: [usize; 3], b: [usize; 3]) -> bool {
     let apart = |i: usize| a[i].abs_diff(b[i]);
     let around = apart(0).min(STEPS - apart(0));
     around.max(apart(1)).max(apart(2)) < 3
 }
 
-/// Force c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx over an angle, with x from 0 to 1.
+/// Force of a motion over an angle, c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx, with x from 0 to 1.
 struct Motion {
     angle: f64,
     terms: [(f64, f64); 3],
@@ -281,7 +281,7 @@ impl Motion {
     }
 }
 
-/// Mean of e^{2ihx} over x from 0 to 1: e^{ih} sin h / h. `wave` is e^{ih}.
+/// Mean of e^{2ihx} over x from 0 to 1, which is e^{ih} sin h / h. `wave` is e^{ih}.
 fn mean_of_wave(h: f64, wave: Complex<f64>) -> Complex<f64> {
     wave * if h.abs() < SMALL {
         1.0 - h * h / 6.0

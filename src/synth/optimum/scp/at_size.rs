@@ -1,13 +1,13 @@
-//! Non-convex limits at the size of a program's solution.
+//! Non-convex limits for the size of the cam in a solution.
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
 use crate::synth::qp::{ByVariable, Limit, OFFSET, Program, RADIUS, RISE, Solution, Variable};
 
-/// Non-convex limits of a program that has sizes among its variables.
+/// Non-convex limits of a program in which sizes may be variables.
 pub struct AtSize {
     limits: NonconvexLimits,
-    /// Sizes among the variables of the program.
+    /// Sizes that are variables of the program.
     present: ByVariable<bool>,
     /// Sizes that a step may change.
     free: ByVariable<bool>,
@@ -27,7 +27,7 @@ impl AtSize {
         }
     }
 
-    /// The limits with a fixed size.
+    /// The same limits with sizes that a step may not change.
     pub fn held(&self) -> Self {
         AtSize {
             limits: self.limits.clone(),
@@ -41,7 +41,7 @@ impl AtSize {
         self.free
     }
 
-    /// Limits at the size of a solution.
+    /// Limits for the size of the cam in a solution.
     pub fn of(&self, solution: &Solution) -> NonconvexLimits {
         let given = self.limits.size();
         let of = |k: Variable, given: f64| {

@@ -1,4 +1,4 @@
-//! Final law of a sequence, which satisfies the limits up to rounding errors.
+//! Final law of a sequence of convex programs, which satisfies the limits up to rounding errors.
 
 use super::at_size::AtSize;
 use super::linearised::{Room, contacts, least_of, linearised};
@@ -7,10 +7,11 @@ use super::trial::solved;
 use crate::synth::limits::ENLARGED;
 use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TOLERANCE, sizes};
 
-/// Maximum number of linearisations for the final law.
+/// Maximum number of linearisations for the nearest law.
 const HELD_ROUNDS: usize = 6;
 
-/// Optimum near the last law that satisfies the limits up to rounding errors, or at a slightly larger size.
+/// Optimum of the program that is linearised about the last law, with limits satisfied up to rounding errors. `None` if it violates the limits
+/// more than the last law.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -21,7 +22,8 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
     (found.violation < current.violation).then_some(found)
 }
 
-/// Law nearest to the last one that satisfies the limits up to rounding errors, at a slightly larger size.
+/// Law that satisfies the limits up to rounding errors and is nearest to the last law. If the size is a variable, it is slightly enlarged for
+/// this law. `None` if no such law was found.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size remains unchanged.
     let free = at_size.free();

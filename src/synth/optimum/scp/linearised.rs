@@ -8,22 +8,22 @@ use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
-/// Number of rows per span of the law.
+/// Number of grid intervals per span of the law, at whose ends the limits are linearised.
 const ROWS_PER_PIECE: usize = 4;
-/// Clearance, relative to the largest term, above which a point has no row. The line search checks such points.
+/// Clearance h, relative to the largest term of h, above which a point has no row. The line search checks such points.
 const FAR: f64 = 0.6;
-/// Clearance h/w below which minima of h become rows.
+/// Clearance h/w below which the minima of h are points of linearisation too.
 const NEAR: f64 = 0.05;
-/// Distance, in units of the span, below which two points coincide.
+/// Distance, relative to the span, below which two points coincide.
 const COINCIDENT: f64 = 1e-6;
-/// Relative slack below which a limit may become active in the next step.
+/// Relative distance of a convex limit from its bound below which the limit may become active in the next step.
 const SOON: f64 = 0.03;
-/// Violation, relative to w, below which the margin is increased.
+/// Violation, relative to w, up to which the margin of a limit is increased.
 pub const NEARLY: f64 = 1e-3;
 
-/// Margin of h, relative to w, for each limit.
+/// Margins h/w that the linearised limits keep, one for each limit.
 pub struct Room {
-    /// Minimum margin of all limits.
+    /// Minimum margin, common to all limits.
     level: f64,
     each: Vec<f64>,
 }
@@ -41,7 +41,7 @@ impl Room {
         self.each.get(limit).map_or(least, |own| own.max(least))
     }
 
-    /// Increases the margin of each violated limit by slightly more than its violation, because minima shift between iterations. Margins of satisfied
+    /// Increases the margin of each violated limit by twice its violation, because minima of h move between iterations. Margins of satisfied
     /// limits are unchanged.
     pub fn widen(&mut self, clear: &[f64]) {
         self.each.resize(clear.len(), f64::NEG_INFINITY);
@@ -54,12 +54,12 @@ impl Room {
     }
 }
 
-/// Minimum of the clearances of several limits.
+/// Smallest of several clearances.
 pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// Initial rows of the next program: contacts of the last solution, and maxima of limits near their bounds.
+/// Initial rows of the next program: the active rows of the last solution, and the maxima of limits near their bounds.
 pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     let mut out = program.seeds_of(&solution.active);
     let soon = |limit: &Limit| {
@@ -75,7 +75,7 @@ pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     out
 }
 
-/// Rows h₀ + ∇h·(step) ≥ room·w at points where h can become zero in one step, after the rows of the program.
+/// Fixed rows of the program, followed by the linearised limits h₀ + ∇h·step ≥ margin·w at the points where h can become zero in one step.
 pub fn linearised(
     program: &Program,
     current: &Solution,
@@ -116,7 +116,7 @@ pub fn linearised(
     out
 }
 
-/// Points of linearisation of a law: a grid, minima of h between the grid points, and the contacts of the last program.
+/// Points at which the limits are linearised: a grid, the minima of h between the grid points, and the active points of the last program.
 fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLimits) -> Vec<Peak> {
     let mut places = grid(program);
     // The rows of the grid bound h between their points only to second order, so the minima of h also become rows.
@@ -138,7 +138,7 @@ fn places(program: &Program, current: &Solution, law: &Law, limits: &NonconvexLi
     places
 }
 
-/// Points of linearisation that every law of the program has.
+/// Points of linearisation that do not depend on the law: a grid over all spans.
 fn grid(program: &Program) -> Vec<Peak> {
     let mut out = Vec::new();
     for (piece, ends) in program.basis.breaks().windows(2).enumerate() {
@@ -150,7 +150,7 @@ fn grid(program: &Program) -> Vec<Peak> {
     out
 }
 
-/// A row that does not belong to a limit of the program.
+/// Row of a program that does not come from one of its limits.
 fn row(
     program: &Program,
     name: Criterion,
@@ -171,7 +171,8 @@ fn row(
     }
 }
 
-/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 over the whole turn. X₀ is at least 4ρ/3, so that the restriction is sufficient.
+/// Rows of the sufficient restriction a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 at the points of the grid. X₀ is the value of X for the last law, but at
+/// least 4ρ/3, for which the restriction is sufficient.
 pub fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
     let present = program.present();
     let law = Law::of(&program.basis, &current.x);

@@ -8,19 +8,20 @@ use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
 use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, Values, sizes, smoothing};
 
-/// Maximum number of tightening steps.
+/// Maximum number of steps of the continuation.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 2e-3;
-/// Maximum number of optima with the restriction.
+/// Maximum number of programs with the restriction or with linearised limits.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
-/// Weight of the distance term relative to a minimised peak.
+/// Weight of the distance between laws, relative to a minimised peak.
 const HEAVY: f64 = 1e3;
-/// Fractions of a step that are tried.
+/// Fractions of a step that are tried if the complete step is too long.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
 
-/// Best feasible point reached from the `starts`. They satisfy the convex limits, except those on the size.
+/// Best feasible point that is reached from the `starts`. The starts satisfy the convex limits, except limits on the size. `None` if no feasible
+/// point is found.
 pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<Solution> {
     let each = starts.iter();
     let each = each.filter_map(|start| feasible(program, start, at_size));
@@ -35,8 +36,9 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible; otherwise the optimum with the sufficient restriction, tightened a few times about its own X. There is no such
-/// restriction for followers on an arm; their linearised limits are solved until they hold.
+/// The start itself if it is feasible. Otherwise the result is the optimum with the sufficient restriction, which is repeatedly computed again
+/// about the last law. For followers on an arm there is no such restriction, so the linearised limits are solved repeatedly until the limits
+/// hold.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
@@ -79,9 +81,9 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
     None
 }
 
-/// Feasible start by continuation. The non-convex limits and the limits on the size are relaxed by the violation of the given law, then tightened
-/// stepwise to their values. Each step selects the law nearest to the previous one, because minimising the objective could leave the region in which
-/// the linearisation is valid.
+/// Feasible start by continuation. The non-convex limits and the limits on the size are first relaxed by the violation of the given law. They
+/// are then tightened in steps to their values. Each step computes the law nearest to the previous law. Minimising the objective instead could
+/// leave the region in which the linearisation is valid.
 pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let first = least_of(&at_size.clear(program, start)).min(ROOM);
     let asked = sizes::within(program, &start.extra);
@@ -124,7 +126,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
     None
 }
 
-/// Law nearest to the previous one, with its size, that satisfies h ≥ level · w, by repeated linearisation.
+/// Law nearest to the law `before`, with the same size, that satisfies h ≥ level · w. It is computed by repeated linearisation.
 fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -> Option<Solution> {
     let mut near = nearest_to(program, before);
     let at_size = at_size.held();
@@ -158,7 +160,7 @@ fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -
     None
 }
 
-/// Program for the law nearest to the previous one in the mean square of the acceleration, with the same size.
+/// Program for the law nearest to the law `before` in the mean square of the acceleration, with the same size.
 fn nearest_to(program: &Program, before: &Solution) -> Program {
     let mut near = program.clone();
     near.limits.retain(|l| !l.is_on_variables_alone());
@@ -176,7 +178,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near
 }
 
-/// Start by reducing a cam that is too large until its size is permitted.
+/// Feasible start from a cam that is too large. Its size is reduced until it is permitted.
 pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
     let smallest = of_least_size(program, &large.extra);
     let convex = solved(&smallest);
@@ -190,7 +192,7 @@ pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<S
     small(&found).then_some(found)
 }
 
-/// Program of the smallest feasible cam, without the limits on its size that the given sizes exceed.
+/// Program for the smallest feasible cam. Limits on the size are relaxed to the sizes `large`.
 pub fn of_least_size(program: &Program, large: &Values) -> Program {
     let mut smooth = Quadratic::zero(&program.basis);
     smooth.add_energy(&program.basis, 3, smoothing(program.length, program.length));

@@ -8,18 +8,19 @@ use crate::synth::qp::{Program, Row, SIZES, Solution, structural};
 use crate::synth::report::method::Ended;
 use crate::synth::report::solver::Step;
 
-/// Maximum number of steps.
+/// Maximum number of steps of a sequence.
 const MOST_STEPS: usize = 40;
-/// Minimum relative improvement of the merit, predicted and actual, below which the sequence ends.
+/// Relative improvement of the objective, predicted or actual, below which the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
 /// Maximum number of second-order corrections before a step is shortened.
 const CORRECTIONS: usize = 5;
 /// Fraction of the predicted gain below which a corrected step is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
-/// Minimum length of a step.
+/// Minimum fraction of a step, and minimum trust region.
 pub const SHORTEST: f64 = 1e-4;
 
-/// Steps from a feasible start until the objective no longer improves or the law is good `enough`.
+/// Steps from a feasible start until the objective no longer improves, or until `enough` is true for the law. Returns the last solution, the
+/// steps, and the reason for the end.
 pub fn descended(
     program: &Program,
     start: Solution,
@@ -50,7 +51,7 @@ pub fn descended(
 
 /// Outcome of a step.
 pub enum Outcome {
-    /// The step was accepted; the new solution and the step.
+    /// The step was accepted. Contains the new solution and the record of the step.
     Taken(Solution, Step),
     /// The step failed; a shorter one may succeed.
     Failed(Ended),
@@ -58,10 +59,10 @@ pub enum Outcome {
     Finished(Ended),
 }
 
-/// One step: the optimum with the limits linearised about the last law, corrected or shortened until the limits hold.
+/// One step: the optimum with the limits linearised about the last law. It is corrected or shortened until the limits hold.
 ///
-/// `reach` is the trust region: the maximum relative reduction of the size in one step. It is necessary because an objective that contains only the
-/// size uses the linear rows to their limit.
+/// `reach` is the trust region: the maximum relative reduction of the size in one step. It is necessary if the objective is the size alone,
+/// because the optimum then lies at the edge of the linearised limits.
 pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Outcome {
     if program.halt.is_asked() {
         return Outcome::Finished(Ended::OutOfTime);
@@ -113,8 +114,8 @@ pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut
     Outcome::Taken(trial, one)
 }
 
-/// Second-order correction: linearises again at the end of the step until the non-convex limits hold. Returns the corrected end with its clearance;
-/// `None` if this fails.
+/// Second-order correction of a step: the limits are linearised again at its end until the non-convex limits hold. Returns the corrected end and
+/// its clearance h/w; `None` if this fails.
 pub fn corrected(
     program: &Program,
     target: &Solution,
@@ -148,7 +149,8 @@ pub fn corrected(
     None
 }
 
-/// Longest fraction of a step, by halving, that satisfies every limit and gains more than `least`, with its clearance.
+/// Largest fraction of a step, found by halving, for which every limit holds and the gain exceeds `least`. Returns the solution, its clearance
+/// h/w and the fraction.
 pub fn shortened(
     program: &Program,
     current: &Solution,
@@ -169,12 +171,12 @@ pub fn shortened(
     None
 }
 
-/// Whether a smaller trust region gives another step: a size has a cost, and the region is not too small.
+/// Whether a smaller trust region can give another step. This requires a size with a cost and a region that is not too small.
 pub fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
 
-/// Program with lower bounds on the sizes that have a cost; `part` is their maximum relative decrease.
+/// Program with lower bounds on the sizes that have a cost. A size can decrease by at most the fraction `part`.
 pub fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     let mut out = program.clone();
     if part.is_finite() {

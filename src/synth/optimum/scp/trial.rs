@@ -2,17 +2,17 @@
 
 use crate::synth::qp::{Program, Solution, apply};
 
-/// Relative excess over a limit above which a result is not a solution.
+/// Relative violation of a limit above which a result does not count as a solution.
 const BROKEN: f64 = 1e-4;
-/// Margin of h, relative to w, for the finished cam's check.
+/// Margin of h, relative to w, with which the check of the finished cam passes.
 pub const ROOM: f64 = 1e-9;
 
-/// Solution of a program, if it has one.
+/// Solution of a program; `None` without a solution or if a limit is violated.
 pub fn solved(program: &Program) -> Option<Solution> {
     program.solve().ok().filter(|s| s.violation <= BROKEN)
 }
 
-/// A point between two solutions. Convex limits that hold at both solutions also hold at this point.
+/// Point between two solutions, at the fraction `part` of the way. Convex limits that hold at both solutions also hold there.
 pub fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
