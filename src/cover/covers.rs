@@ -11,7 +11,7 @@ use crate::synth::population::alone::points;
 use crate::synth::population::errors::{in_tail, tail};
 use crate::synth::{Design, Search};
 
-/// A number of cams with the walkers assigned to them.
+/// A set of cams, and the assignment of the walkers to them.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -34,14 +34,14 @@ pub struct Cover {
     pub cams: Vec<Design>,
     /// Assigned cam and errors of each cycle.
     pub each: Vec<Assigned>,
-    /// Weighted mean of the RMS force errors. This value and those below are in percent of each walker's mean force or in newtons, as `law.error` of
-    /// the scene specifies.
+    /// Weighted mean of the RMS force errors. This value and the following ones are in percent of each walker's mean force or in newtons, as
+    /// `law.error` of the scene specifies.
     pub mean: f64,
     /// Maximum RMS force error.
     pub worst: f64,
-    /// Minimised value: the maximum error, or the root of the mean square over all walkers or over the worst ones.
+    /// Minimised quantity: the maximum error, or the root mean square error over all walkers or over the worst ones.
     pub objective: f64,
-    /// Lower bound of the objective for this number and kind of cams; `None` for non-convex limits.
+    /// Lower bound of the objective for this number of cams of this family and size; `None` for non-convex limits.
     pub bound: Option<f64>,
 }
 
@@ -88,7 +88,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// Converts a trial to a cover.
+    /// Converts a trial with `count` cams to a cover.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();
@@ -117,7 +117,7 @@ impl People<'_> {
         })
     }
 
-    /// Lower bound of the mean square error. For one cam, the certificate of its design gives the bound.
+    /// Lower bound of the mean square error, or of the maximum one. For one cam, the certificate of its design can raise the bound.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;

@@ -14,7 +14,7 @@ const PARTS: usize = 5;
 /// Minimum number of walkers for whom a cam is designed.
 const FEWEST: usize = 4;
 
-/// Errors of the walkers for whom cams were designed, and of new walkers.
+/// Errors of the walkers for whom cams were designed, and of new walkers, for one number of cams and of walkers.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -44,7 +44,7 @@ pub struct Fold {
     pub out_worst: f64,
 }
 
-/// Mean and maximum of errors.
+/// Accumulates the mean and the maximum of errors.
 #[derive(Default, Clone, Copy)]
 struct Errors {
     count: f64,
@@ -64,8 +64,8 @@ impl Errors {
     }
 }
 
-/// Errors inside and outside the sample, for 1 to k cams and for increasing numbers of walkers, by five-fold cross-validation. Empty for fewer than
-/// ten walkers.
+/// Errors for the walkers of the design and for new walkers, by five-fold cross-validation. The number of cams is 1 to k, and the number of walkers
+/// of the design increases. Empty for fewer than ten walkers.
 ///
 /// # Errors
 ///
