@@ -145,8 +145,8 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// Design objective of each cam, from the current errors. If the objective of the cover counts only the worst walkers, the share that a cam
-    /// counts moves half way to the fraction of its walkers that are among the worst of all.
+    /// Design objective of each cam, from the current errors. If the objective of the cover counts only the worst walkers, each cam is designed for a
+    /// share of its walkers. This share moves half way to the fraction of these walkers that are among the worst of all.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();

@@ -97,8 +97,8 @@ pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Lower bound of the mean square error of the worst walkers. `shares` are the weights of all cycles, and `start` the initial weights of the worst
-/// ones.
+/// Lower bound of the mean square error of the worst walkers for k cams. `part` is the fraction of the walkers that are not among the worst. `shares`
+/// are the weights of all cycles, and `start` the initial weights of the worst ones.
 ///
 /// Each admissible set of weights gives a lower bound, which is concave in the weights. Frank–Wolfe steps (1956) increase the weights of the cycles
 /// that are farthest from the best affine subspace.
@@ -116,8 +116,8 @@ pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f
     best
 }
 
-/// Lower bound of the weighted mean square error of k cams. The second result is the mean square error of each point, computed with its distance from
-/// the best affine subspace of k − 1 dimensions.
+/// Lower bound of the weighted mean square error of k cams, and the mean square error of each point for the best affine subspace. The subspace has k
+/// − 1 dimensions; the error of a point contains its squared distance from the subspace.
 fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let weights: Vec<f64> = points
         .iter()

@@ -14,7 +14,8 @@ const PARTS: usize = 5;
 /// Minimum number of walkers for whom a cam is designed.
 const FEWEST: usize = 4;
 
-/// Errors of the walkers for whom cams were designed, and of new walkers, for one number of cams and of walkers.
+/// Result of the cross-validation for one number of cams and one number of walkers: errors of the walkers for whom the cams were designed, and of new
+/// walkers.
 ///
 /// ```
 /// use gaitcam::synth::Search;

@@ -35,7 +35,7 @@ pub struct Averaged {
     pub mean: Vec<f64>,
 }
 
-/// Cycles of a log.
+/// Cycles of a log: mean speed, and harmonics of the measured quantities over each cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
     /// Mean speed of the cam, rad/s.

@@ -19,7 +19,7 @@ pub(super) struct Estimate {
     pub ends: [f64; 2],
 }
 
-/// Result of a fit.
+/// Result of a least-squares fit to several logs.
 pub(super) struct Fit {
     /// Unknown phase shifts with their intervals.
     pub shifts: Vec<Estimate>,
@@ -199,8 +199,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Factor from the variance of the coefficients of a repeatable residual to the variance of an estimate. It is the larger of two values: for
-/// residuals that are independent in each log, and for a residual that is equal in all logs.
+/// Factor by which the variance of the coefficients of a repeatable residual is multiplied to give the variance of an estimate. It is the larger of
+/// two values. One is for residuals that are independent in each log, the other for a residual that is equal in all logs.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];

@@ -115,7 +115,7 @@ pub(super) fn angle(i: usize) -> f64 {
     TAU * i as f64 / ANGLES as f64
 }
 
-/// A parameter of the machine or of the log.
+/// A parameter of the machine or of the log, with its effect on the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
     /// Key of the parameter in the scene. Parameters without a key have a name such as `log.bias`.
@@ -147,7 +147,7 @@ pub(super) enum Effect {
     Compliance,
 }
 
-/// Parameters of a machine and its log: the parameters of the scene, the friction of the guide, and the zero of the load cell.
+/// Terms of the model for a machine and its log: the parameters in the scene, the friction of the guide, and the zero of the load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();

@@ -17,8 +17,8 @@ use crate::units::Quantity;
 pub(super) const LONGEST_DELAY: f64 = 0.05;
 /// Minimum fraction of the energy of the alternating force that the harmonics must contain.
 const HELD: f64 = 0.999;
-/// Range of the ratio of measured to modelled force, for the alternating and the mean force. Outside this range, the unit or the machine is another
-/// one.
+/// Range of the ratio of measured to modelled force, for the alternating and the mean force. Outside this range, the log has another unit or belongs
+/// to another machine.
 const SIZES: [f64; 2] = [0.4, 2.5];
 /// Ratio of the alternating force to that of the model below which it counts as zero.
 const NO_FORCE: f64 = 0.02;

@@ -35,8 +35,8 @@ const MAX_DEGREE: usize = 40;
 /// Ratio of the minimum to the maximum singular value below which the conditions do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold up to rounding
-/// errors relative to the maximum value.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The errors of the conditions are of the
+/// size of rounding errors, relative to the largest value of the polynomial.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};

@@ -2,9 +2,6 @@
 //!
 //! Peak factors (theory §7): a rise by h over the angle β has the peak velocity Cv·h/β, the peak acceleration Ca·h/β² and the peak jerk Cj·h/β³. The
 //! factor Ct = max|a·v| scales the inertia torque.
-//!
-//! Peak factors (theory §7): a rise by h over β has the peak velocity Cv·h/β, the peak acceleration Ca·h/β² and the peak jerk Cj·h/β³. Ct = max|a·v|
-//! scales the inertia torque.
 
 mod ends;
 mod formula;
@@ -165,8 +162,11 @@ impl Rise {
         }
     }
 
-    /// The motion with a name of the catalogue, in English or Spanish, or `dwell`; `R` and `G` are rest and constant velocity in VDI 2143. Parameters may follow the name: `scca 0.25 0.25 0.5` (b, c, d),
-    /// `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at both ends).
+    /// The motion with a name of the catalogue in English or Spanish, or `dwell`. The letters `R` and `G` denote rest and constant velocity, as in
+    /// VDI 2143.
+    ///
+    /// Parameters can follow the name: `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), or `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest
+    /// at both ends).
     ///
     /// # Errors
     ///

@@ -158,7 +158,7 @@ fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
 }
 
 impl Problem {
-    /// Resolves speed, mass, target and band of a scene. If the phase is free, the cycle starts at cam angle 0.
+    /// Resolves speed, mass, target and band of a scene. If the phase is free, the problem has the phase 0.
     ///
     /// # Errors
     ///
@@ -270,7 +270,7 @@ impl Problem {
         *self.length.get_or_init(typical)
     }
 
-    /// Whether the problem has a single force and a rigid machine with constant speed.
+    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne cam.
     pub fn is_plain(&self) -> bool {
         let is_one = self.walkers.is_none() && self.on_shaft.is_none();
         is_one && self.machine.is_plain() && !self.law.polydyne

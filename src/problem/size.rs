@@ -135,7 +135,7 @@ pub enum Size {
 }
 
 /// Minimum automatic base radius, m. It leaves the wall of a hub around the bore, if the limits on prime radius and diameter permit this wall.
-/// `highest` is the maximum lift, m, if known. If it is not known and the diameter is limited, the radius contains only the bore.
+/// `highest` is the maximum lift, m, if known. If it is not known and the diameter is limited, the base circle contains only the bore without a wall.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
     let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let of_diameter = match (limits[LimitKind::Diameter], highest) {

@@ -206,7 +206,7 @@ impl Admission {
 ///
 /// # Errors
 ///
-/// No column has this name; the error contains the nearest name.
+/// No column has this name. The error contains the nearest name.
 pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     let name = match name.trim() {
         "force_error" => "force_rms_error_percent",

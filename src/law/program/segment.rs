@@ -18,7 +18,7 @@ use crate::law::{Law, Rise};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segment {
-    /// Shape of the motion.
+    /// Motion of the catalogue that determines the shape.
     pub motion: Rise,
     /// Change of lift, m (rad for an oscillating follower): positive for a rise, negative for a fall, 0 for a dwell.
     pub lift: f64,
@@ -26,7 +26,7 @@ pub struct Segment {
     pub angle: f64,
 }
 
-/// Extent of a programme.
+/// Extent of a programme: a number of turns, or a length of travel.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};

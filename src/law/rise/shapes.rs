@@ -108,8 +108,6 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
 
 /// Half a turn of an eccentric disc under a roller, with ratio = (disc radius + roller radius) / eccentricity. The ratio is infinite for a flat face,
 /// which moves in simple harmonic motion. For a roller, a polynomial approximates the square root √(ratio² − sin²) up to rounding errors.
-///
-/// For a roller, a polynomial approximates the root √(ratio² − sin²) up to rounding errors.
 pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     if ratio.is_infinite() && ratio > 0.0 {
         return Ok(simple_harmonic());

@@ -46,7 +46,7 @@ pub struct Projection {
     degree: usize,
     /// Values at the nodes of [`Cells::nearest`], N.
     pub values: Vec<f64>,
-    /// Integral of the squared difference between force and approximation, N².
+    /// Integral over the turn of the squared difference between force and approximation, N² rad.
     rest: OnceLock<f64>,
 }
 

@@ -36,8 +36,6 @@ const MOST_TURNS: usize = 100;
 
 /// All keys, in the order of a scene file. A row must follow the rows on which its conditions depend. The columns are path, kind and range of the
 /// value, default, field, and conditions.
-///
-/// Columns: path, kind and range of the value, default, field, conditions.
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     row("name", TEXT, "cam", field!(name)),

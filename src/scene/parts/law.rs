@@ -3,7 +3,7 @@
 use super::{ErrorMeasure, Gait, Robust};
 use crate::law::Rise;
 
-/// Family of laws.
+/// Family of functions to which the law belongs.
 ///
 /// ```
 /// use gaitcam::scene::Family;
@@ -84,7 +84,7 @@ impl ShaftSpeed {
     }
 }
 
-/// Objective of the law.
+/// Quantity that the design of the law minimises.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};

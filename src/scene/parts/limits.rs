@@ -7,8 +7,6 @@ use crate::cam::LimitKind;
 /// Limits of the design in SI units, indexed by [`LimitKind`]; `None`: no limit. [`LimitKind::PressureAngle`] is one bound for rise and fall, so
 /// [`Limits::set`] and [`Limits::with`] set both.
 ///
-/// [`LimitKind::PressureAngle`] is one bound for rise and fall: [`Limits::set`] and [`Limits::with`] set both.
-///
 /// ```
 /// use gaitcam::LimitKind;
 /// use gaitcam::scene::Limits;

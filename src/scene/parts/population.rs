@@ -22,7 +22,7 @@ pub enum Robust {
     Mean,
     /// Maximum force error over the walkers.
     Worst,
-    /// Mean square of the largest errors: those above the quantile with this fraction of the walkers (conditional value at risk).
+    /// Mean square of the largest errors, for the walkers above the quantile with this fraction of the walkers (conditional value at risk).
     Tail(f64),
 }
 

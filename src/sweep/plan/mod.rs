@@ -81,7 +81,7 @@ impl List {
     }
 }
 
-/// How the values of the axes are combined to rows.
+/// Method that combines the values of the axes to rows.
 ///
 /// ```
 /// use gaitcam::sweep::{Method, Plan, Sampling};
@@ -124,7 +124,7 @@ pub struct Plan {
     pub list: Option<List>,
     /// Varied keys, each with its values.
     pub axes: Vec<Axis>,
-    /// How the values of the axes are combined to rows.
+    /// Method that combines the values of the axes to rows.
     pub sampling: Sampling,
 }
 
