@@ -14,7 +14,7 @@ const TURNS: usize = 30;
 const IDLE: usize = 4;
 /// Change of a cam's share of the worst walkers below which the share counts as constant.
 const SETTLED: f64 = 1e-4;
-/// Number of starts from distant walkers, in addition to the start from the cover with one cam fewer.
+/// Number of starts from distant walkers, in addition to the start from the result with one cam fewer.
 const STARTS: usize = 3;
 
 /// Assignment of the walkers to the cams at one alternation, with the resulting errors.
@@ -145,8 +145,8 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// Design objective of each cam, from the current errors. If the objective of the cover counts only the worst walkers, each cam is designed for a
-    /// share of its walkers. This share moves half way to the fraction of these walkers that are among the worst of all.
+    /// Design objective of each cam, from the current errors. If only the worst walkers count, each cam is designed for a share of its walkers. This
+    /// share moves half way to the fraction of these walkers that are among the worst of all.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();

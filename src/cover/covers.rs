@@ -1,4 +1,4 @@
-//! Covers with 1 to k cams, and their lower bounds.
+//! Sets of 1 to k cams for many walkers, with lower bounds of their errors.
 
 use super::alternation::{Columns, Trial};
 use super::bound;
@@ -45,11 +45,12 @@ pub struct Cover {
     pub bound: Option<f64>,
 }
 
-/// Computes the covers with 1 to k cams, with at most one cam per walker. Every cam has the family and size of the common cam's law.
+/// Designs a set of cams for each number of cams from 1 to k, and assigns the walkers to the cams. There is at most one cam per walker. Every cam has
+/// the family and size of the common cam's law.
 ///
 /// # Errors
 ///
-/// The errors of the design of one cam; the force belongs to a single walker.
+/// Errors of the design of a cam; a force that belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -88,7 +89,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// Converts a trial with `count` cams to a cover.
+    /// Set of `count` cams that results from a trial, with the errors of all cycles.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();

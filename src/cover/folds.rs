@@ -31,7 +31,7 @@ const FEWEST: usize = 4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fold {
-    /// Number of cams in the cover.
+    /// Number of cams in the set.
     pub cams: usize,
     /// Number of walkers for whom the cams were designed.
     pub walkers: usize,

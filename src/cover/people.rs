@@ -1,4 +1,4 @@
-//! Walkers of a cover, their individual cams, and the cam of any group of walkers.
+//! Walkers of a population, their individual cams, and the cam of any group of walkers.
 
 use std::collections::HashMap;
 
@@ -9,7 +9,7 @@ use crate::scene::{ErrorMeasure, Robust, Scene};
 use crate::synth::population::{alone::Point, hold};
 use crate::synth::{Design, Search, design};
 
-/// Walkers of a cover, with the common cam and the individual cams.
+/// Walkers of a population, with the common cam and the individual cams.
 pub struct People<'a> {
     /// Scene with the family and size of the law of the common cam.
     pub scene: Scene,

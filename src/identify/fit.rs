@@ -9,7 +9,8 @@ use super::least_squares::{Bounded, Column, difference, dot, inverse, product};
 /// Number of trial values of a phase shift per turn. The best one is then refined.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
-/// Number of standard deviations by which the energy of the residual must exceed the noise to count as a repeatable error.
+/// Number of standard deviations by which the sum of squares of the residual must exceed its mean for pure noise. Only then does the residual count
+/// as a repeatable error.
 pub(super) const EXCESS: f64 = 3.0;
 
 /// Estimate of a parameter, with the ends of its 95 % interval. The ends are infinite if the data do not determine the parameter.

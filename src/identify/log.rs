@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Fault, LogError, Placed, Result};
 
-/// Columns of a log in SI units, in the order of [`LogColumns`].
+/// Names of the columns of a log in SI units, in the order of [`LogColumns`].
 pub(super) const NAMES: [&str; 5] = [
     "time_s",
     "theta_rad",

@@ -34,7 +34,7 @@ pub struct NextRun {
     pub speed_rad_per_s: f64,
     /// Speed of the cam, relative to the first log.
     pub relative_speed: f64,
-    /// Parameters that are not identified by the existing logs, but by these logs and the further run together.
+    /// Keys of the parameters that the existing logs and the further run identify together, but not the existing logs alone.
     pub identifies: Vec<&'static str>,
 }
 

@@ -165,7 +165,8 @@ pub fn recut(
     Ok((next, recut, found))
 }
 
-/// Sum of the learned force of the design and the correction, as harmonics of the cam angle, N at the lever of the drive.
+/// Sum of the learned force of the design and the correction, as harmonics of the cam angle, N. For an arm, it is the force at the lever of the
+/// drive.
 fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmonic> {
     let problem = &design.problem;
     let sum: Vec<f64> = (0..ANGLES)

@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// Equivalent scaling of a force whose multiple, with the factor `times`, is scaled by `self`.
+    /// The scaling for a force F, if `self` is the scaling for the force `times` · F.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,

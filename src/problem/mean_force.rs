@@ -26,7 +26,7 @@ impl MeanForce {
         }
     }
 
-    /// The properties of the force multiplied by a factor.
+    /// Mean, duration, spread and noise of the force multiplied by `factor`.
     pub fn times(self, factor: f64) -> MeanForce {
         MeanForce {
             mean_n: factor * self.mean_n,

@@ -63,7 +63,7 @@ impl ThroughFloor {
 }
 
 impl Extra {
-    /// Terms for an added force, N, without other additions.
+    /// Terms that consist only of an added force, N.
     pub fn of_force(force: PiecewisePoly) -> Extra {
         Extra {
             force,

@@ -129,7 +129,7 @@ impl Target {
         values.map(|force| self.scaling.at(*force)).collect()
     }
 
-    /// Integral of the squared difference and maximum difference over the turn between the target and a force, N² rad and N.
+    /// Difference between the target and a force over the turn: integral of its square, N² rad, and its maximum, N.
     fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {

@@ -14,7 +14,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
-/// Relative tolerance within which the weights of a drive are a multiple of those of another drive.
+/// Relative tolerance of the check that the force coefficients of one drive are a multiple of those of another drive.
 const SAME: f64 = 1e-12;
 
 /// A walker, or one cycle of a walker, for whom a cam is designed.

@@ -97,7 +97,8 @@ impl End {
             .unwrap_or(3)
     }
 
-    /// Segments that fit an end, for four cases: end without velocity and acceleration, with acceleration only, with velocity only, and with both.
+    /// Segments that fit an end of a rise. The four entries are for an end without velocity and acceleration, with acceleration only, with velocity
+    /// only, and with both.
     pub const JOINS: [&'static str; 4] = [
         "dwell",
         "return of equal acceleration",

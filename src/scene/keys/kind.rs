@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// All dimensions that occur, each once.
+    /// Dimensions for all kinds of motion of follower and cam, each once.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {

@@ -54,7 +54,7 @@ impl Limits {
         }
     }
 
-    /// The limits with one limit set, in SI units.
+    /// Copy of the limits in which one limit has the value `bound`, in SI units.
     #[must_use]
     pub fn with(mut self, kind: LimitKind, bound: f64) -> Limits {
         self.set(kind, Some(bound));

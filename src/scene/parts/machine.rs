@@ -70,7 +70,7 @@ pub struct MachineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSpec {
-    /// Decrease of the torque per speed, referred to the camshaft, N·m·s/rad.
+    /// Decrease of the torque per increase of the speed, referred to the camshaft, N·m·s/rad.
     pub slope: Option<f64>,
     /// Torque of the motor at standstill, N·m.
     pub stall_torque: Option<f64>,

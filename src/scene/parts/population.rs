@@ -22,7 +22,7 @@ pub enum Robust {
     Mean,
     /// Maximum force error over the walkers.
     Worst,
-    /// Mean square of the largest errors, for the walkers above the quantile with this fraction of the walkers (conditional value at risk).
+    /// Mean square force error of the worst walkers (conditional value at risk). The number is the fraction of the walkers that are not counted.
     Tail(f64),
 }
 

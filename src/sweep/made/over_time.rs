@@ -53,8 +53,8 @@ impl OverTime {
         (square - gained).max(0.0).sqrt()
     }
 
-    /// Mean products of functions with the optimal phase. The last function is the derivative of the target with respect to the phase; it is removed
-    /// from the result.
+    /// Corrects the mean products of functions for the optimal phase. The last function must be the derivative of the target with respect to the
+    /// phase; it is removed from the result.
     pub fn free_of_phase(mut products: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let of_rate = products.pop().unwrap_or_default();
         let bend = of_rate.last().copied().unwrap_or_default();
