@@ -35,8 +35,8 @@ pub struct Extra {
 /// to the law.
 ///
 /// The force in the program is P + Δ with fixed Δ, but the true force is T P + const. T multiplies harmonic n by the response Gₙ of the floor, which
-/// tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h = (T − G∞)*π with the adjoint operator (T − G∞)*,
-/// and π is the derivative of the Lagrangian with respect to the force (theory §10).
+/// tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h = `(T − G∞)* π`, where `*` denotes the adjoint
+/// operator, and π is the derivative of the Lagrangian with respect to the force (theory §10).
 #[derive(Debug, Clone)]
 pub struct ThroughFloor {
     /// Objective of the program to which these terms belong.
