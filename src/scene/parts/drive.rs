@@ -31,7 +31,7 @@ pub struct DriveSpec {
     pub spring_rate: f64,
     /// Preload of the spring on a fixed axis, with the follower on the base circle, N (N·m for an arm).
     pub preload: f64,
-    /// Damping coefficient on a fixed axis, N·s/m (N·m·s/rad for an arm).
+    /// Damping coefficient on a fixed axis, N·s/m; not available for an arm.
     pub damping: f64,
     /// Distance from the pivot at which the target force and the piston act on an arm, m; `None`: the length of the arm, or the pivot distance for a
     /// flat face.

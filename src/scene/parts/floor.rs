@@ -25,7 +25,7 @@ pub struct FloorSpec {
     pub frequency: Option<f64>,
     /// Damping ratio of the mode.
     pub damping: Option<f64>,
-    /// Ordinate of the mode shape at the feet, relative to its maximum; 1 by default.
+    /// Ordinate of the mode shape at the feet, in the normalisation to which the modal mass belongs; 1 by default.
     pub ordinate: f64,
 }
 

@@ -62,9 +62,9 @@ pub struct Gait {
     pub adjust: Option<Adjust>,
     /// Weight of the walker for a load model, N; `None`: 700 N.
     pub body_weight: Option<f64>,
-    /// Name of the time column of a recording; `None`: recognised.
+    /// Name of the time column of a recording; `None`: the column is recognised.
     pub time: Option<String>,
-    /// Names of the force columns of a recording; empty: recognised.
+    /// Names of the force columns of a recording; empty: the columns are recognised.
     pub force: Vec<String>,
     /// Unit of the force columns of a recording, as written.
     pub unit: Option<String>,
