@@ -1,6 +1,6 @@
 //! Suggestion of a further run that identifies the remaining parameters, by Fisher information.
 //!
-//! For runs with the columns J₁, J₂ …, the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹, where σ² is the variance of a component of the
+//! For runs with the columns J₁, J₂ …, the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹. Here σ² is the variance of a component of the
 //! noise and of the repeatable residual.
 
 use nalgebra::{DMatrix, DVector};

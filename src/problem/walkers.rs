@@ -1,8 +1,8 @@
 //! Walkers of a population. The machine is adjusted for each walker.
 //!
-//! The force of the machine for walker w is F_w = R_w + β_w (F − R), where F is the force and R the force at rest of the reference machine. Mass and
-//! speed change the force at rest R_w and the factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The forces for all walkers are therefore linear
-//! in the same law.
+//! The force of the machine for walker w is F_w = R_w + β_w (F − R). F is the force of the reference machine, and R its force at rest. Mass and speed
+//! change the force at rest R_w and the factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The forces for all walkers are therefore linear in the
+//! same law.
 
 use std::f64::consts::TAU;
 

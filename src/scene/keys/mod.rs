@@ -1,7 +1,7 @@
 //! The key table, with one row for each key of a scene file.
 //!
-//! The rows of [`KEYS`] are used for reading and writing TOML, changing single values, sweeps, suggested changes, suggestions in messages, the JSON
-//! Schema and the reference page. A new key needs one row in `table.rs`, its field, and its two texts in `wording/*/keys.ftl`.
+//! The rows of [`KEYS`] are used to read and write TOML, to change single values, for sweeps and for suggested changes. Messages, the JSON Schema and
+//! the reference page also use them. A new key needs one row in `table.rs`, its field, and its two texts in `wording/*/keys.ftl`.
 
 mod field;
 mod kind;

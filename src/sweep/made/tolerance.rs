@@ -72,8 +72,8 @@ impl Part {
     }
 }
 
-/// A symmetric tolerance of a quantity. The errors of samples are uniformly distributed within the tolerance. For the profile, the sum of the amplitudes
-/// is distributed from 0 to the half width.
+/// A symmetric tolerance of a quantity. The errors of samples are uniformly distributed within the tolerance. For the profile, the sum of the
+/// amplitudes is distributed from 0 to the half width.
 ///
 /// ```
 /// use gaitcam::sweep::Tolerance;

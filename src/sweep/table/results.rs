@@ -16,8 +16,8 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
     names
 };
 
-/// Names of the columns of words, which follow the numbers. They contain the outcome (`built`, `infeasible` or `error`), the verdict, the solution
-/// method, the active or conflicting limits, the violated limits, the error, and the codes of the warnings about the recording.
+/// Names of the columns of words, which follow the numbers. `outcome` is `built`, `infeasible` or `error`. `tier` is the solution method, `binding`
+/// the active or conflicting limits, and `failed` the violated limits. `warnings` contains the codes of the warnings about the recording.
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
