@@ -1,8 +1,8 @@
 //! Lower bounds of the error of k cams.
 //!
-//! For each walker, p is the force of the individual cam and o² its mean square error. The force p is the nearest point of a convex set that contains
-//! the force ψ of any shared cam. The shared cam therefore has the mean square error e² ≥ o² + γ² ‖ψ − p‖² for this walker. The factor γ of the
-//! walker converts newtons to the measure of the error. The walkers are therefore treated as points, and the shared cams as centres.
+//! For each walker, p is the force of the individual cam and o² its mean square error. The force p is the point of a convex set that is nearest to
+//! the target of the walker. The force ψ of every shared cam is in this set, so its mean square error for the walker is e² ≥ o² + γ² ‖ψ − p‖². The
+//! factor γ of the walker converts newtons to the measure of the error. The walkers are therefore treated as points, and the shared cams as centres.
 //!
 //! Of k + 1 walkers, at least two share a cam, which bounds the maximum error. The mean square error is bounded by the spread of the points minus the
 //! k − 1 largest eigenvalues of their scatter matrix (Ding and He, 2004; theory §8).
