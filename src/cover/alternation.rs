@@ -10,14 +10,14 @@ use crate::synth::population::errors::{in_tail, measure};
 
 /// Maximum number of alternations.
 const TURNS: usize = 30;
-/// Maximum number of alternations without improvement while the worst shares still change.
+/// Maximum number of consecutive alternations without improvement, while the shares of the worst walkers still change.
 const IDLE: usize = 4;
-/// Change of the share of a cam's worst walkers below which the share is constant.
+/// Change of a cam's share of the worst walkers below which the share counts as constant.
 const SETTLED: f64 = 1e-4;
-/// Number of starts from distant walkers, in addition to the start from the cover with one cam fewer.
+/// Number of starts from distant walkers, in addition to the start from the result with one cam fewer.
 const STARTS: usize = 3;
 
-/// Cams and their walkers during the search.
+/// Assignment of the walkers to the cams at one alternation, with the resulting errors.
 pub struct Trial {
     /// Index of the assigned cam of each walker.
     pub owner: Vec<usize>,
@@ -25,17 +25,17 @@ pub struct Trial {
     pub objectives: Vec<Robust>,
     /// Mean square error of each cycle under the assigned cam.
     pub squares: Vec<f64>,
-    /// Number of infeasible cams, and the objective.
+    /// Number of infeasible cams, then the objective. Trials are compared in this order.
     pub value: (usize, f64),
 }
 
 /// Whether a cam satisfies its limits, and the errors of all cycles with this cam.
 pub type Column = (bool, Vec<f64>);
-/// Error columns, by the walkers of the cam and its objective.
+/// Cache of the columns. The key is the walkers of a cam and the objective of its design.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {
-    /// Best result of all starts.
+    /// Best trial with `count` cams over all starts. `owner` and `before` are the assignment and the errors with one cam fewer.
     pub fn best_of(
         &self,
         count: usize,
@@ -64,7 +64,7 @@ impl People<'_> {
         Ok(best)
     }
 
-    /// Assigns every walker to the nearest of `count` distant walkers.
+    /// Assigns every walker to the nearest of `count` walkers that are far apart from each other. `first` is the first of these walkers.
     fn far_apart(&self, first: usize, count: usize) -> Vec<usize> {
         let own = |w: usize| &self.points[self.cycles[w][0]];
         let distance = |a: usize, b: usize| {
@@ -91,7 +91,7 @@ impl People<'_> {
         filled(owner, count, &|_, _| 0.0)
     }
 
-    /// Alternates between design and assignment.
+    /// Alternates between designing the cams and assigning the walkers, from an initial assignment. Returns the best trial.
     pub fn alternated(
         &self,
         mut owner: Vec<usize>,
@@ -145,8 +145,8 @@ impl People<'_> {
         best.ok_or_else(one_walker)
     }
 
-    /// Objective of each cam, from the present errors. If only the worst walkers count, the share of a cam moves half way to the fraction of its
-    /// walkers among the worst.
+    /// Design objective of each cam, from the current errors. If only the worst walkers count, each cam is designed for a share of its walkers. This
+    /// share moves half way to the fraction of these walkers that are among the worst of all.
     fn objectives(&self, owner: &[usize], now: &[Robust], squares: &[f64]) -> Vec<Robust> {
         let Robust::Tail(part) = self.scene.law.robust else {
             return now.to_vec();
@@ -193,7 +193,7 @@ impl People<'_> {
     }
 }
 
-/// Assigns each walker to its best cam, with every cam used. An unused cam receives the worst walker of a shared cam.
+/// Assigns walkers to the unused cams. Each unused cam receives the walker with the largest error among the cams with several walkers.
 fn filled(mut owner: Vec<usize>, count: usize, error: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
     let size = |owner: &[usize], cam: usize| owner.iter().filter(|o| **o == cam).count();
     for cam in 0..count {

@@ -1,7 +1,11 @@
-//! Lower bounds for k cams. The error of a cam for walker w is at least e² ≥ o² + γ² ‖ψ − p‖². Here p is the force of the walker's individual cam, o
-//! its error, and ψ the force of the shared cam; p is the nearest point of a convex set that contains ψ. Walkers are therefore points, and cams are
-//! centres. Of k + 1 walkers, two share a cam; this bounds the worst error. A mean square error is bounded by the spread of the points minus the k −
-//! 1 largest eigenvalues of their scatter matrix (Ding and He, 2004; theory §8).
+//! Lower bounds of the error of k cams.
+//!
+//! For each walker, p is the force of the individual cam and o² its mean square error. The force p is the point of a convex set that is nearest to
+//! the target of the walker. The force ψ of every shared cam is in this set, so its mean square error for the walker is e² ≥ o² + γ² ‖ψ − p‖². The
+//! factor γ of the walker converts newtons to the measure of the error. The walkers are therefore treated as points, and the shared cams as centres.
+//!
+//! Of k + 1 walkers, at least two share a cam, which bounds the maximum error. The mean square error is bounded by the spread of the points minus the
+//! k − 1 largest eigenvalues of their scatter matrix (Ding and He, 2004; theory §8).
 
 use nalgebra::DMatrix;
 
@@ -9,11 +13,11 @@ use crate::synth::population::alone::Point;
 use crate::synth::population::errors::{dot, in_tail, norm};
 use crate::synth::population::weights::{axes, less};
 
-/// Number of walkers from which farthest-point sets are started.
+/// Maximum number of walkers from which the search for a set of distant walkers is started.
 const BEGINNINGS: usize = 32;
 /// Number of steps of a bisection.
 const STEPS: usize = 60;
-/// Number of steps for the weights of the worst walkers.
+/// Number of Frank–Wolfe steps for the weights of the worst walkers.
 const STEPS_OF_WEIGHTS: usize = 200;
 
 impl Point {
@@ -22,7 +26,7 @@ impl Point {
         (off.sum::<f64>().sqrt() - self.slack - other.slack).max(0.0)
     }
 
-    /// Mean square error of the worse of two walkers that share a cam.
+    /// Lower bound of the mean square error of the worse of two walkers that share a cam.
     fn shared(&self, other: &Point) -> f64 {
         let distance = self.distance(other);
         let error = |p: &Point, x: f64| p.least + (p.scale * x).powi(2);
@@ -68,7 +72,8 @@ pub fn worst(points: &[Point], cams: usize) -> f64 {
         .fold(alone, f64::max)
 }
 
-/// Coordinates of the points in the space that they span. The number of coordinates of a law is the number of functions of its basis.
+/// Replaces each point by its coordinates in an orthonormal basis of the affine hull of all points; distances are unchanged. For laws, this reduces
+/// the nodes to the dimension of the hull, which is at most the number of basis functions.
 pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     let Some(first) = points.first().map(|p| p.at.clone()) else {
         return points;
@@ -87,13 +92,16 @@ pub fn compressed(points: Vec<Point>) -> Vec<Point> {
     each.collect()
 }
 
-/// Lower bound of the mean square error of k cams over walkers with these shares.
+/// Lower bound of the weighted mean square error of k cams. `shares` are the weights of the cycles.
 pub fn mean(points: &[Point], shares: &[f64], cams: usize) -> f64 {
     spread(points, shares, cams).0
 }
 
-/// Lower bound of the mean square error of the worst walkers; `shares` are the shares of the walkers. Each admissible weighting gives a bound, and the
-/// bound is concave in the weights. Steps of the Frank–Wolfe method (1956) increase the weights of the walkers farthest from the best plane.
+/// Lower bound of the mean square error of the worst walkers for k cams. `part` is the fraction of the walkers that are not among the worst. `shares`
+/// are the weights of all cycles, and `start` the initial weights of the worst ones.
+///
+/// Each admissible set of weights gives a lower bound, which is concave in the weights. Frank–Wolfe steps (1956) increase the weights of the cycles
+/// that are farthest from the best affine subspace.
 pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f64]) -> f64 {
     let mut weights = start.to_vec();
     let mut best = mean(points, shares, cams);
@@ -108,7 +116,8 @@ pub fn tail(points: &[Point], part: f64, shares: &[f64], cams: usize, start: &[f
     best
 }
 
-/// Lower bound of the weighted mean square error, with the squared distance of each point from the nearest plane of k − 1 dimensions.
+/// Lower bound of the weighted mean square error of k cams, and the mean square error of each point for the best affine subspace. The subspace has k
+/// − 1 dimensions; the error of a point contains its squared distance from the subspace.
 fn spread(points: &[Point], shares: &[f64], cams: usize) -> (f64, Vec<f64>) {
     let weights: Vec<f64> = points
         .iter()

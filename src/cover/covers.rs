@@ -1,4 +1,4 @@
-//! Covers with 1 to k cams, and their lower bounds.
+//! Sets of 1 to k cams for many walkers, with lower bounds of their errors.
 
 use super::alternation::{Columns, Trial};
 use super::bound;
@@ -11,7 +11,7 @@ use crate::synth::population::alone::points;
 use crate::synth::population::errors::{in_tail, tail};
 use crate::synth::{Design, Search};
 
-/// A number of cams with the walkers assigned to them.
+/// A set of cams, and the assignment of the walkers to them.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -34,22 +34,23 @@ pub struct Cover {
     pub cams: Vec<Design>,
     /// Assigned cam and errors of each cycle.
     pub each: Vec<Assigned>,
-    /// Weighted mean of the RMS force errors. This value and those below are in percent of each walker's mean force or in newtons, as `law.error` of
-    /// the scene specifies.
+    /// Weighted mean of the RMS force errors. This value and the following ones are in percent of each walker's mean force or in newtons, as
+    /// `law.error` of the scene specifies.
     pub mean: f64,
     /// Maximum RMS force error.
     pub worst: f64,
-    /// Minimised value: the maximum error, or the root of the mean square over all walkers or over the worst ones.
+    /// Minimised quantity: the maximum error, or the root mean square error over all walkers or over the worst ones.
     pub objective: f64,
-    /// Lower bound of the objective for this number and kind of cams; `None` for non-convex limits.
+    /// Lower bound of the objective for this number of cams of this family and size; `None` for non-convex limits.
     pub bound: Option<f64>,
 }
 
-/// Computes the covers with 1 to k cams, with at most one cam per walker. Every cam has the family and size of the common cam's law.
+/// Designs a set of cams for each number of cams from 1 to k, and assigns the walkers to the cams. There is at most one cam per walker. Every cam has
+/// the family and size of the common cam's law.
 ///
 /// # Errors
 ///
-/// The errors of the design of one cam; the force belongs to a single walker.
+/// Errors of the design of a cam; a force that belongs to a single walker.
 pub fn covers(
     scene: &Scene,
     force: &ForceCurve,
@@ -88,7 +89,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// Converts a trial to a cover.
+    /// Set of `count` cams that results from a trial, with the errors of all cycles.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();
@@ -117,7 +118,7 @@ impl People<'_> {
         })
     }
 
-    /// Lower bound of the mean square error. For one cam, the certificate of its design gives the bound.
+    /// Lower bound of the mean square error, or of the maximum one. For one cam, the certificate of its design can raise the bound.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;

@@ -14,7 +14,8 @@ const PARTS: usize = 5;
 /// Minimum number of walkers for whom a cam is designed.
 const FEWEST: usize = 4;
 
-/// Errors of the walkers for whom cams were designed, and of new walkers.
+/// Result of the cross-validation for one number of cams and one number of walkers: errors of the walkers for whom the cams were designed, and of new
+/// walkers.
 ///
 /// ```
 /// use gaitcam::synth::Search;
@@ -30,7 +31,7 @@ const FEWEST: usize = 4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fold {
-    /// Number of cams in the cover.
+    /// Number of cams in the set.
     pub cams: usize,
     /// Number of walkers for whom the cams were designed.
     pub walkers: usize,
@@ -44,7 +45,7 @@ pub struct Fold {
     pub out_worst: f64,
 }
 
-/// Mean and maximum of errors.
+/// Accumulates the mean and the maximum of errors.
 #[derive(Default, Clone, Copy)]
 struct Errors {
     count: f64,
@@ -64,8 +65,8 @@ impl Errors {
     }
 }
 
-/// Errors inside and outside the sample, for 1 to k cams and for increasing numbers of walkers, by five-fold cross-validation. Empty for fewer than
-/// ten walkers.
+/// Errors for the walkers of the design and for new walkers, by five-fold cross-validation. The number of cams is 1 to k, and the number of walkers
+/// of the design increases. Empty for fewer than ten walkers.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Walkers of a cover, their individual cams, and the cam of any group of walkers.
+//! Walkers of a population, their individual cams, and the cam of any group of walkers.
 
 use std::collections::HashMap;
 
@@ -9,14 +9,14 @@ use crate::scene::{ErrorMeasure, Robust, Scene};
 use crate::synth::population::{alone::Point, hold};
 use crate::synth::{Design, Search, design};
 
-/// Walkers, and their individual cams.
+/// Walkers of a population, with the common cam and the individual cams.
 pub struct People<'a> {
-    /// Scene with the family and size of the law.
+    /// Scene with the family and size of the law of the common cam.
     pub scene: Scene,
     pub population: &'a Population,
     pub problem: Problem,
     pub search: &'a Search,
-    /// Cycles of each walker.
+    /// Indices of the cycles of each walker.
     pub cycles: Vec<Vec<usize>>,
     pub shares: Vec<f64>,
     /// The common cam of all walkers.
@@ -60,7 +60,7 @@ impl<'a> People<'a> {
         ForceCurve::of_walkers(walkers)
     }
 
-    /// Designs the cam of a group of walkers.
+    /// Designs the cam of a group of walkers with the given objective.
     pub fn cam(&self, group: &[usize], objective: Robust) -> Result<Design> {
         let mut scene = self.scene.clone();
         scene.law.robust = objective;
@@ -68,7 +68,7 @@ impl<'a> People<'a> {
         design(&problem, self.search)
     }
 
-    /// Converts the root of a mean square to its output unit: percent, or newtons.
+    /// Factor that converts the root of a mean square error to percent or to newtons.
     pub fn unit(&self) -> f64 {
         match self.scene.law.error {
             ErrorMeasure::Relative => 100.0,

@@ -37,7 +37,7 @@ pub struct Assigned {
     pub parts_percent: [f64; 3],
 }
 
-/// Best of several cams for each cycle of a force. The machine is adjusted as in the scene.
+/// Assigns each cycle of a force to the best of several cams. The machine is adjusted as the scene specifies.
 ///
 /// # Errors
 ///

@@ -1,7 +1,7 @@
 //! Cycles of a log: their phases, and the harmonics of every cycle.
 //!
-//! A mean and harmonics are fitted to each cycle separately (least squares at the times of its samples). The scatter of the fits measures the noise,
-//! whether or not it is correlated.
+//! A mean and harmonics are fitted to each cycle separately, by least squares at the times of its samples. The scatter of the fits over the cycles
+//! measures the noise, whether or not it is correlated.
 
 use std::f64::consts::TAU;
 
@@ -11,18 +11,19 @@ use super::log::Log;
 use super::period::{DRIFT, LEAST_CYCLES, drift, no_cycle, period};
 use crate::error::{LogError, Result};
 
-/// Maximum number of harmonics of a cycle.
+/// Maximum number of harmonics that are fitted to a cycle.
 pub(super) const MOST: usize = 24;
 /// Minimum number of samples per cycle and harmonic. With fewer samples, the fit follows the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Range of the measured speed, relative to the expected one, outside which the angle column has another unit.
+/// Range of the ratio of measured to expected speed. Outside it, the angle column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
-/// Change of the mean cycle within the log above which the log is rejected, relative to the alternating force.
+/// Change of the mean cycle within the log, relative to the alternating force, above which the log is rejected.
 pub(super) const CHANGE: f64 = 0.05;
 pub(super) const SURPRISE: f64 = 8.0;
-/// Diagonal entry of the factor, relative to equal steps (0.7), below which a cycle has a gap.
+/// Minimum diagonal entry of the Cholesky factor of a cycle's normal equations. Equal time steps give 0.7; a smaller entry than the minimum indicates
+/// a gap in the cycle.
 const UNSEEN: f64 = 0.2;
-/// Number of iterations in which the phases of the cycles correct the period.
+/// Number of iterations in which the period is corrected by the phases of the cycles.
 const ROUNDS: usize = 4;
 
 /// Harmonics of one quantity in every cycle, and their mean: `[a₀, a₁, b₁, a₂, b₂ …]` of a₀ + Σ aₙ cos nφ + bₙ sin nφ.
@@ -34,7 +35,7 @@ pub struct Averaged {
     pub mean: Vec<f64>,
 }
 
-/// Cycles of a log.
+/// Cycles of a log: mean speed, and harmonics of the measured quantities over each cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
     /// Mean speed of the cam, rad/s.
@@ -47,7 +48,7 @@ pub struct Cycles {
     pub shaft: Option<Averaged>,
     /// Torque at the camshaft over a cycle, N·m, as harmonics.
     pub torque: Option<Averaged>,
-    /// 2π times the fraction of the period minus the cam angle, rad, as a function of the cam angle.
+    /// 2π times the elapsed fraction of the period, minus the cam angle, rad, as harmonics of the cam angle.
     pub lead: Option<Averaged>,
     /// Root mean square of the samples about the mean cycle, N.
     pub noise_rms: f64,
@@ -63,12 +64,12 @@ impl Averaged {
         Averaged { each, mean }
     }
 
-    /// Applies a linear map to every cycle.
+    /// The result of a linear map of every cycle, with the mean of the results.
     pub fn map(&self, map: impl Fn(&[f64]) -> Vec<f64>) -> Averaged {
         Averaged::of(self.each.iter().map(|cycle| map(cycle)).collect())
     }
 
-    /// Variance of the mean of each coefficient.
+    /// Variance of the mean, for each coefficient.
     pub fn variance(&self) -> Vec<f64> {
         let count = self.each.len() as f64;
         let of = |j: usize| {
@@ -80,7 +81,7 @@ impl Averaged {
 }
 
 impl Cycles {
-    /// Determines the cycles of a log of a machine whose cam turns at about `speed`, rad/s, for a force with `harmonics` harmonics.
+    /// Determines the cycles of a log for a machine whose cam turns at about `speed`, rad/s. The force of the machine has `harmonics` harmonics.
     ///
     /// # Errors
     ///
@@ -119,7 +120,7 @@ impl Cycles {
         Ok(out)
     }
 
-    /// Phase lead of every cycle relative to the mean, rad.
+    /// Phase lead of every cycle relative to the mean cycle, rad.
     fn leads(&self) -> Vec<f64> {
         let mean = &self.force.mean;
         let slope = derivative(mean);
@@ -135,14 +136,14 @@ impl Cycles {
         self.force.each.iter().map(lead).collect()
     }
 
-    /// Phase lead per cycle, in turns: the relative excess of the period.
+    /// Mean phase lead per cycle, in turns. It equals the relative error of the period.
     fn slope(&self) -> f64 {
         let leads = self.leads();
         let line = polynomial(&leads, 1);
         line[1] / TAU / leads.len() as f64
     }
 
-    /// Rejects a speed that changes over the log.
+    /// Rejects a log whose speed changes.
     fn check_drift(&self, log: &Log) -> Result<()> {
         let leads = self.leads();
         if leads.len() < 6 {
@@ -189,7 +190,7 @@ fn span(phases: &[f64]) -> f64 {
     (phases[n - 1] - phases[0] + step) / TAU
 }
 
-/// Phase of every sample, rad, and mean speed, rad/s.
+/// Phase of every sample, rad, and mean speed of the cam, rad/s.
 fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
     let Some(theta) = &log.columns.theta else {
         let time = log.columns.time.as_deref().unwrap_or_default();
@@ -221,7 +222,7 @@ fn phases(log: &Log, expected: f64) -> Result<(Vec<f64>, f64)> {
     Ok((theta.clone(), speed))
 }
 
-/// Coefficients of the polynomial through values at equal steps of [0, 1], by least squares.
+/// Coefficients of the polynomial fitted by least squares to values at equal steps of [0, 1], in ascending powers.
 fn polynomial(values: &[f64], degree: usize) -> Vec<f64> {
     let n = values.len();
     let a = DMatrix::from_fn(n, degree + 1, |i, k| (i as f64 / n as f64).powi(k as i32));
@@ -241,7 +242,7 @@ pub(super) fn derivative(harmonics: &[f64]) -> Vec<f64> {
     out
 }
 
-/// A harmonic series shifted by `shift` in phase.
+/// Harmonic series whose value at φ is the value of the given series at φ + `shift`, rad.
 pub(super) fn shifted(harmonics: &[f64], shift: f64) -> Vec<f64> {
     let mut out = harmonics.to_vec();
     for n in 1..=harmonics.len() / 2 {
@@ -271,7 +272,7 @@ fn basis(phase: f64, count: usize) -> Vec<f64> {
     out
 }
 
-/// Time in units of the period (2π) minus the cam angle, if the log contains both.
+/// 2π times the elapsed time, in periods, minus the change of the cam angle, rad, at each sample. `None` unless the log contains time and angle.
 fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     let (time, _) = log.columns.time.as_ref().zip(log.columns.theta.as_ref())?;
     let last = phases.len() - 1;
@@ -280,7 +281,7 @@ fn lead(log: &Log, phases: &[f64]) -> Option<Vec<f64>> {
     Some(time.iter().zip(phases).map(of).collect())
 }
 
-/// Fitted harmonics of force, speed and torque in every cycle.
+/// Harmonics of force, speed, torque and phase lead, fitted to every cycle.
 struct Fitted {
     by_column: [Vec<Vec<f64>>; 4],
     noise_rms: f64,

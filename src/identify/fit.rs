@@ -1,48 +1,50 @@
-//! Least squares of a linear model for several logs: parameters with physical signs, phase shifts of the logs, and confidence intervals.
+//! Least-squares fit of a linear model to several logs. It determines parameters with physical signs, phase shifts of the logs, and confidence
+//! intervals.
 
 use std::ops::Range;
 
 use super::cycles::{Averaged, derivative, shifted};
 use super::least_squares::{Bounded, Column, difference, dot, inverse, product};
 
-/// Number of trial shifts over a turn before the best one is refined.
+/// Number of trial values of a phase shift per turn. The best one is then refined.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
-/// Number of standard deviations by which the energy of the residual must exceed the noise to count as a repeatable error.
+/// Number of standard deviations by which the sum of squares of the residual must exceed its mean for pure noise. Only then does the residual count
+/// as a repeatable error.
 pub(super) const EXCESS: f64 = 3.0;
 
-/// A parameter with the ends of its 95 % interval. The ends are infinite if the columns do not determine the parameter.
+/// Estimate of a parameter, with the ends of its 95 % interval. The ends are infinite if the data do not determine the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Estimate {
     pub value: f64,
     pub ends: [f64; 2],
 }
 
-/// Result of the fit.
+/// Result of a least-squares fit to several logs.
 pub(super) struct Fit {
     /// Unknown phase shifts with their intervals.
     pub shifts: Vec<Estimate>,
     pub each: Vec<Estimate>,
     /// Cycles of every log, shifted to the phase of the machine.
     pub measured: Vec<Averaged>,
-    /// Energy of the mean residual of each log.
+    /// Sum of squares of the mean residual of each log.
     pub left: Vec<f64>,
-    /// Repeatable part of the energy of each mean residual.
+    /// Repeatable part of the sum of squares in `left`, for each log.
     pub repeats: Vec<f64>,
-    /// Variance of a component of the repeatable residual in its effective harmonics, and number of these harmonics.
+    /// Variance of each coefficient of the repeatable residual. The residual is treated as `harmonics` harmonics of equal variance.
     pub component: f64,
     pub harmonics: usize,
 }
 
-/// An unknown phase shift: a delay that several logs share, or the phase of one log.
+/// An unknown phase shift: a common delay of several logs, or the phase of one log.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shift {
     pub range: [f64; 2],
-    /// Phase delay of each log per unit of the unknown, rad; 0 for a log that the unknown does not affect.
+    /// Phase delay of each log per unit of the unknown shift, rad; 0 for logs that are not shifted.
     pub rates: Vec<f64>,
 }
 
-/// Cycles of several logs in sequence, with their unknown phase shifts.
+/// Cycles of several logs, concatenated to one vector, with their unknown phase shifts.
 #[derive(Clone, Copy)]
 struct Stack<'a> {
     runs: &'a [Averaged],
@@ -55,14 +57,14 @@ impl Stack<'_> {
         parts.map(|(shift, x)| shift.rates[run] * x).sum()
     }
 
-    /// Means of the cycles at their phases.
+    /// Mean cycles of all logs, shifted by their phases.
     fn means(self, at: &[f64]) -> Vec<f64> {
         let runs = self.runs.iter().enumerate();
         let mean = |(i, run): (usize, &Averaged)| shifted(&run.mean, self.phase(i, at));
         runs.flat_map(mean).collect()
     }
 
-    /// Entries of one log in the sequence of all logs.
+    /// Range of the entries of one log in the concatenated vector.
     fn part(self, run: usize) -> Range<usize> {
         let length = |r: &Averaged| r.mean.len();
         let from = self.runs[..run].iter().map(length).sum();
@@ -88,7 +90,7 @@ impl Stack<'_> {
     }
 }
 
-/// Fits columns to the mean cycles of several logs at the best phase shifts, searched from `start`.
+/// Fits the columns to the mean cycles of several logs, with the best phase shifts. The search for the shifts begins at `start`.
 pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start: &[f64]) -> Fit {
     let solver = Bounded::new(columns);
     let stack = Stack { runs, shifts };
@@ -124,8 +126,8 @@ pub(super) fn fit(columns: &[Column], runs: &[Averaged], shifts: &[Shift], start
     intervals(&solver, stack, &values, &at)
 }
 
-/// Intervals of the parameters. They take all columns into account, also those of parameters at their bound, because a repeatable force may be the
-/// cause.
+/// Confidence intervals of the parameters. Parameters at their bound are also treated as unknown, because a repeatable force may have moved them to
+/// the bound.
 fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit {
     let runs = stack.runs.iter().enumerate();
     let turned = |(i, run): (usize, &Averaged)| run.map(|c| shifted(c, stack.phase(i, at)));
@@ -198,8 +200,8 @@ fn intervals(solver: &Bounded, stack: Stack, values: &[f64], at: &[f64]) -> Fit 
     }
 }
 
-/// Squared effect on an estimate of a repeatable residual with unit components. It is the maximum for a residual that differs between logs and for
-/// one that is equal in all logs.
+/// Factor by which the variance of the coefficients of a repeatable residual is multiplied to give the variance of an estimate. It is the larger of
+/// two values. One is for residuals that are independent in each log, the other for a residual that is equal in all logs.
 fn size(stack: Stack, row: &[f64]) -> f64 {
     let longest = stack.runs.iter().map(|r| r.mean.len()).max().unwrap_or(0);
     let mut sum = vec![0.0; longest];
@@ -209,8 +211,8 @@ fn size(stack: Stack, row: &[f64]) -> f64 {
     dot(row, row).max(dot(&sum, &sum))
 }
 
-/// Repeatable part of a mean residual whose entries have the given variances: energy per log, variance of a component, and effective number of
-/// harmonics (participation ratio). Means that several logs share are included.
+/// Repeatable part of a mean residual whose entries have the given variances. The result is the sum of squares of each log, the variance of a
+/// coefficient, and the effective number of harmonics (participation ratio). With several logs, the means are included.
 fn repeatable(stack: Stack, left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, usize) {
     let pairs = |part: Range<usize>| -> Vec<(Range<usize>, f64)> {
         let mean = (stack.runs.len() > 1).then(|| (part.start..part.start + 1, 2.0));
@@ -245,7 +247,7 @@ fn repeatable(stack: Stack, left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, u
     )
 }
 
-/// Best of equally spaced values of one unknown phase shift, with the others fixed.
+/// Best of equally spaced values of one unknown phase shift. The other shifts are fixed.
 fn best_shift(solver: &Bounded, stack: Stack, at: &[f64], place: usize) -> f64 {
     let Shift { range, rates } = &stack.shifts[place];
     let rate = rates.iter().fold(0.0_f64, |m, r| m.max(*r));

@@ -18,7 +18,7 @@ use crate::synth::Design;
 /// Relative difference below which two logs contain the same samples.
 const SAME: f64 = 1e-9;
 
-/// Several logs with the fitted machine of a design.
+/// Several logs, and the parameters of the machine fitted to them.
 pub(super) struct Fitted {
     pub runs: Vec<Run>,
     pub terms: Vec<Term>,
@@ -54,12 +54,12 @@ impl Fitted {
         })
     }
 
-    /// Whether the logs have a common delay.
+    /// Whether the fit has a common delay of the logs as an unknown.
     pub fn has_delay(&self) -> bool {
         self.runs.iter().any(|run| run.cycles.by_angle)
     }
 
-    /// Force of a log in the model with the fitted parameters.
+    /// Modelled force of the log `run` with the fitted parameters, as harmonics.
     pub fn modelled(&self, run: usize) -> Vec<f64> {
         let mut out = vec![0.0; self.fit.measured[run].mean.len()];
         for (column, found) in self.runs[run].columns.iter().zip(&self.fit.each) {
@@ -68,14 +68,14 @@ impl Fitted {
         out
     }
 
-    /// The log whose speed is nearest to that of the design.
+    /// Index of the log whose speed is nearest to that of the design.
     pub fn nearest(&self, design: &Design) -> usize {
         let off = |i: &usize| (self.runs[*i].cycles.speed / design.problem.drive.speed - 1.0).abs();
         let all = 0..self.runs.len();
         all.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
-    /// Measured cycles of all logs at the speed and in the phase of the log `place`.
+    /// Measured cycles of all logs at nearly the speed of the log `place`, at the phases of this log.
     pub fn measured_at(&self, place: usize) -> Averaged {
         let near = |i: &usize| {
             let speed = |run: &Run| run.cycles.speed;
@@ -97,7 +97,7 @@ impl Fitted {
     }
 }
 
-/// Unknown phase shifts and the fit. `alone` contains the separate fits of the logs if there are several.
+/// Unknown phase shifts of the logs, and the fit. `alone` contains the separate fit of each log if there are several logs.
 fn fitted(runs: &[Run], alone: &[Fit]) -> (Vec<Shift>, Fit) {
     let column = |term: usize| Column {
         values: runs
@@ -132,7 +132,7 @@ fn fitted(runs: &[Run], alone: &[Fit]) -> (Vec<Shift>, Fit) {
     (shifts, fit)
 }
 
-/// Rejects a log that is given twice, also in different units.
+/// Rejects a log that is given twice, even in different units.
 fn check_copies(logs: &[Log], runs: &[Run]) -> Result<()> {
     let size = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     for (i, (log, run)) in logs.iter().zip(runs).enumerate() {

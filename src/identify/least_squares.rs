@@ -5,14 +5,14 @@ use nalgebra::{DMatrix, DVector};
 /// Fraction of the maximum singular value below which a singular value counts as zero; columns are normalised.
 const RANK: f64 = 1e-9;
 
-/// One column of the linear model.
+/// One column of the linear model: the effect of one unknown on all data.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
     pub values: Vec<f64>,
     pub is_positive: bool,
 }
 
-/// Least squares with some non-negative unknowns (Lawson and Hanson 1974), on normalised columns.
+/// Least-squares problem with some non-negative unknowns (Lawson and Hanson 1974), with normalised columns.
 pub(super) struct Bounded {
     columns: DMatrix<f64>,
     is_positive: Vec<bool>,
@@ -51,7 +51,7 @@ impl Bounded {
         sum.as_slice().to_vec()
     }
 
-    /// Values of the unknowns, and the residual sum of squares.
+    /// Solves the problem for the data `y`. Returns the unknowns and the residual sum of squares.
     pub fn solve(&self, y: &[f64]) -> (Vec<f64>, f64) {
         let y = DVector::from_column_slice(y);
         let right = self.q.tr_mul(&y);
@@ -105,7 +105,7 @@ impl Bounded {
     }
 }
 
-/// Rows of the pseudoinverse of a matrix given by its columns. A row is not finite if its column is a linear combination of the others.
+/// Rows of the pseudoinverse of a matrix that is given by its columns. A row is not finite if its column is a linear combination of the others.
 pub(super) fn inverse(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let Some(first) = columns.first() else {
         return Vec::new();

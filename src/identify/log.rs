@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Fault, LogError, Placed, Result};
 
-/// Columns of a log in SI units, in the order of [`LogColumns`].
+/// Names of the columns of a log in SI units, in the order of [`LogColumns`].
 pub(super) const NAMES: [&str; 5] = [
     "time_s",
     "theta_rad",
@@ -15,7 +15,7 @@ pub(super) const NAMES: [&str; 5] = [
 ];
 /// Minimum number of rows of a log.
 const LEAST_ROWS: usize = 32;
-/// Maximum magnitude of a number in a log, SI: 30 years, 1 GN.
+/// Maximum magnitude of a number in a log, in SI units. Times up to 30 years and forces up to 1 GN are accepted.
 pub(super) const LARGEST: f64 = 1e9;
 /// Fraction of the samples at exactly the maximum or minimum force above which the force is clipped.
 const CLIPPED: f64 = 0.02;
@@ -107,7 +107,7 @@ impl Log {
         Log::checked(path, columns, &[])
     }
 
-    /// Creates a log from columns whose rows are at the given lines of a file; no lines if there is no file.
+    /// Creates a log from columns of a file. `lines` are the line numbers of the rows, used in messages; empty without a file.
     pub(super) fn checked(path: &Path, mut columns: LogColumns, lines: &[usize]) -> Result<Log> {
         let at = |row: usize, fault: LogError| match lines.get(row) {
             Some(line) => fault.at_line(path, *line),
@@ -172,23 +172,23 @@ impl Log {
         Ok(log)
     }
 
-    /// Name of the log in messages: its file without folders.
+    /// Name of the log in messages: the file name without folders.
     pub fn name(&self) -> String {
         let name = self.path.file_name().unwrap_or(self.path.as_os_str());
         name.to_string_lossy().into_owned()
     }
 
-    /// Samples of the log; the angle does not restart.
+    /// Samples of the log. The angle increases over all turns.
     pub fn columns(&self) -> &LogColumns {
         &self.columns
     }
 
-    /// Error of the log as a whole.
+    /// Error that refers to the log as a whole.
     pub(super) fn refused(&self, fault: impl Fault) -> Error {
         fault.in_file(&self.path)
     }
 
-    /// Rejects a force that remains at its maximum or minimum.
+    /// Rejects a clipped force, which remains at its maximum or minimum.
     fn check_clipping(&self) -> Result<()> {
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let range = (self.columns.force.iter()).fold(ends, |[l, h], f| [l.min(*f), h.max(*f)]);

@@ -1,4 +1,4 @@
-//! Logs in delimited texts: columns are recognised by names and units, and converted to SI.
+//! Reading of logs in delimited text. Columns are recognised by names and units and converted to SI units.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::error::{LogError, Placed, Result};
 use crate::force::NumberTable;
 use crate::units::{Dimension, parse};
 
-/// Option that names each column, in the order of [`NAMES`], and the quantity of the column.
+/// Option that selects each column, in the order of [`NAMES`], and the quantity of the column.
 const OPTIONS: [(&str, Dimension); 5] = [
     ("time", Dimension::Time),
     ("angle", Dimension::Angle),
@@ -16,7 +16,7 @@ const OPTIONS: [(&str, Dimension); 5] = [
     ("speed", Dimension::AngularSpeed),
     ("torque", Dimension::Torque),
 ];
-/// Units of each column. Case, spaces and dots are ignored, and `per` stands for `/`.
+/// Accepted units of each quantity. Case, spaces and dots are ignored, and `per` is read as `/`.
 const UNITS: [&str; 5] = [
     "s, ms, us, min, sec, secs, seconds",
     "rad, deg, °, rev, revs, turn, turns, degrees, revolutions",
@@ -24,7 +24,7 @@ const UNITS: [&str; 5] = [
     "rad/s, deg/s, °/s, rpm, rev/s, rps, 1/min, min^-1, min⁻¹",
     "N m, N mm, kN m, lbf in, in lbf, lb in, in lb, lbf ft, ft lbf, lb ft, ft lb",
 ];
-/// Words in the names of angle, speed and torque columns. The names of time and force columns are those of recordings.
+/// Words that identify the names of angle, speed and torque columns. Time and force columns have the same names as in recordings.
 const WORDS: [&str; 5] = [
     "",
     "theta angle phi master position winkel angulo ángulo posicion posición",
@@ -32,12 +32,12 @@ const WORDS: [&str; 5] = [
     "speed omega velocity velocidad rpm drehzahl vitesse",
     "torque moment momento par drehmoment couple",
 ];
-/// Words for an angle in counts of an encoder.
+/// Words that denote an angle in counts of an encoder.
 const COUNTS: &str = "counts ticks pulses encoder cuentas pulsos";
 const ANGLE: usize = 1;
 const FORCE: usize = 2;
 
-/// Columns of a log, each given by name or by number from 1. The others are recognised by names and units.
+/// Columns of a log, each selected by name or by number from 1. Columns that are not selected are recognised by names and units.
 ///
 /// ```
 /// use gaitcam::identify::{Log, LogOptions};
@@ -52,15 +52,15 @@ const FORCE: usize = 2;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LogOptions {
-    /// Column of the time.
+    /// Name or number of the time column.
     pub time: Option<String>,
-    /// Column of the cam angle.
+    /// Name or number of the column with the cam angle.
     pub angle: Option<String>,
-    /// Column of the force of the load cell.
+    /// Name or number of the column with the force of the load cell.
     pub force: Option<String>,
-    /// Column of the speed of the cam.
+    /// Name or number of the column with the speed of the cam.
     pub speed: Option<String>,
-    /// Column of the torque at the camshaft.
+    /// Name or number of the column with the torque at the camshaft.
     pub torque: Option<String>,
     /// Counts of the encoder per turn of the cam, if the angle column contains counts.
     pub counts_per_turn: Option<f64>,
@@ -129,9 +129,9 @@ impl Log {
     }
 }
 
-/// Unit of a column.
+/// Result of the recognition of a column's unit.
 enum Unit {
-    /// Index of the quantity in [`NAMES`], and the SI value of the unit.
+    /// Index of the quantity in [`NAMES`], and the conversion factor of the unit to SI.
     Known(usize, f64),
     /// Unit of a quantity that a log does not contain.
     Other(String),
@@ -139,7 +139,7 @@ enum Unit {
     None,
 }
 
-/// The named columns of a table.
+/// Recognition of the columns of a table by names, units and options.
 struct Names<'a> {
     path: &'a Path,
     table: &'a NumberTable<'a>,
@@ -156,7 +156,7 @@ impl Names<'_> {
         named.map_or_else(|| (place + 1).to_string(), |n| n.trim().to_string())
     }
 
-    /// Number of columns of the table, with or without names.
+    /// Number of columns of the table, including tables without names.
     fn width(&self) -> usize {
         match self.table.names().len() {
             0 => self.table.rows().next().map_or(0, |(_, row)| row.len()),
@@ -164,13 +164,13 @@ impl Names<'_> {
         }
     }
 
-    /// The columns as a message lists them: by name, or by number if there is no header.
+    /// List of the columns for a message: their names, or their numbers if there is no header.
     fn listed(&self) -> String {
         let all = (0..self.width().min(40)).map(|i| self.name(i));
         all.collect::<Vec<_>>().join(", ")
     }
 
-    /// The column of a quantity, with its factor to SI.
+    /// Index of the column with a quantity, and its conversion factor to SI. `None` if the table has no such column.
     fn column(&self, which: usize) -> Result<Option<(usize, f64)>> {
         let o = self.options;
         let stated = [&o.time, &o.angle, &o.force, &o.speed, &o.torque][which];
@@ -211,7 +211,7 @@ impl Names<'_> {
         }
     }
 
-    /// Whether the name of a column denotes a quantity.
+    /// Whether the name of a column denotes the quantity `which`.
     fn means(&self, which: usize, place: usize) -> bool {
         match which {
             0 => self.table.means_time(place),
@@ -233,7 +233,7 @@ impl Names<'_> {
         }
     }
 
-    /// Factor of a column to SI. For a column without unit it is `default`; NaN means that the unit is required.
+    /// Conversion factor of a column to SI. A column without unit has the factor `default`; NaN means that a unit is required.
     fn factor(&self, which: usize, place: usize, default: f64) -> Result<f64> {
         let (column, (option, dimension)) = (self.name(place), OPTIONS[which]);
         let counts = self.options.counts_per_turn.filter(|_| which == ANGLE);
@@ -267,7 +267,7 @@ impl Names<'_> {
         }))
     }
 
-    /// Unit of a column, from the row of units, the brackets in its name or its last words.
+    /// Unit of a column. It is read from the row of units, the brackets in the name of the column, or the last words of the name.
     fn unit(&self, place: usize) -> Unit {
         let whole = self.table.names().get(place).map_or("", |n| n.trim());
         let (name, stated) = self.table.name_and_unit(place);
@@ -295,7 +295,7 @@ impl Names<'_> {
     }
 }
 
-/// The quantity of a unit and its SI value.
+/// Index of the quantity of a unit, and the conversion factor of the unit to SI.
 fn known(typed: &str) -> Option<(usize, f64)> {
     let plain = |unit: &str| -> String {
         let lower = unit.to_lowercase().replace("per", "/");

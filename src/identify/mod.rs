@@ -6,13 +6,15 @@
 //! y(φ + ψ) = b + F₀ + m (ω² a + α v) + k s + c ω v + f_C sign v + r(φ) + noise
 //! ```
 //!
-//! The harmonics of the mean cycle are fitted with non-negative parameters. An interval has two sources: the noise of the mean cycle, from the
-//! scatter over the cycles, and the repeatable residual r. r is treated as random in its few harmonics. A residual that resembles a delay or a
-//! damping therefore widens their intervals. Several logs share the parameters and a delay; a second speed separates mass and stiffness. A parameter
-//! whose interval contains 0, or is wider than half its value, is not identified (theory §10).
+//! The harmonics of the mean cycle are fitted, with non-negative parameters where this is physical. A confidence interval has two sources. The first
+//! is the noise of the mean cycle, from the scatter over the cycles. The second is the repeatable residual r, which is treated as random in its few
+//! harmonics. If r resembles the effect of a delay or a damping, the intervals of these parameters are therefore wider.
 //!
-//! The next cam corrects every repeatable force error, identified or not. [`recut`] adds the repeatable difference from the design to the machine
-//! (`machine.learned_force`) and designs again within all limits.
+//! Several logs share the parameters and a delay. A log at a second speed separates mass and stiffness. A parameter is not identified if its interval
+//! contains 0 or is wider than half its value (theory §10).
+//!
+//! The next cam corrects every repeatable force error, whether or not its cause is identified. [`recut`] adds the repeatable difference between log
+//! and design to the machine (`machine.learned_force`) and designs the cam again within all limits.
 
 mod cycles;
 mod fit;
@@ -80,11 +82,11 @@ pub struct Identified {
     pub speed_rad_per_s: f64,
     /// Number of whole cycles of all logs.
     pub cycles: usize,
-    /// Whether every log contains the cam angle. The phase of a log without it is fitted.
+    /// Whether every log contains the cam angle. Without the angle, the phase of a log is fitted.
     pub has_angle: bool,
     /// Results for each log.
     pub logs: Vec<LogFit>,
-    /// A further run that would identify the remaining parameters.
+    /// A further run that would identify more parameters; `None` if no candidate speed does.
     pub next_run: Option<NextRun>,
 }
 
@@ -111,13 +113,13 @@ pub struct LogFit {
     /// Measured mean cycle at equal cam angles, N.
     #[serde(skip)]
     pub measured_n: Vec<f64>,
-    /// Modelled mean cycle at equal cam angles, N.
+    /// Mean cycle of the model with the fitted parameters, at equal cam angles, N.
     #[serde(skip)]
     pub modelled_n: Vec<f64>,
 }
 
 impl Identified {
-    /// The scene with the identified values, otherwise unchanged.
+    /// The scene with the identified values of its keys. Other keys are unchanged.
     ///
     /// # Errors
     ///
@@ -135,8 +137,8 @@ impl Identified {
     }
 }
 
-/// Identifies the parameters of the machine of a design from one or several logs. `scene` is the scene of the design as written, with the nominal
-/// parameters.
+/// Identifies the parameters of a machine from one or several logs. `design` is the design of its cam, and `scene` the scene of the design as
+/// written, with the nominal parameters.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! Linear model of the force: one column per machine parameter, over the phase of the log.
+//! Linear model of the force over the phase of the log, with one column for each parameter.
 
 use std::f64::consts::TAU;
 
@@ -10,27 +10,28 @@ use crate::poly::{amplitudes, samples};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Number of equal cam angles.
+/// Number of equally spaced cam angles per turn.
 pub(super) const ANGLES: usize = 720;
 /// Fraction of the maximum speed of the follower below which the follower is at rest.
 const RESTS: f64 = 1e-6;
 
-/// Motion of the cam at equal angles.
+/// Motion of the cam, at equally spaced angles.
 pub(super) struct Clock {
     /// Phase of the log at each angle, rad.
     pub phase: Vec<f64>,
-    /// Phase of the log at each angle, as a fraction of a cycle.
+    /// Weight of each angle in a mean over the phase, as a fraction of a cycle.
     pub part: Vec<f64>,
     /// Time since angle 0, scaled so that a cycle is 2π.
     pub time: Vec<f64>,
-    /// Speed at the angles, rad/s.
+    /// Speed of the cam at each angle, rad/s.
     pub speed: Vec<f64>,
-    /// Angular acceleration at the angles, rad/s².
+    /// Angular acceleration of the cam at each angle, rad/s².
     pub rate: Vec<f64>,
 }
 
 impl Clock {
-    /// Motion from the speed of the log; without a measured speed, from the estimate of the design at the mean speed of the log.
+    /// Motion of the cam, from the measured speed of the log. Without a measured speed, the variation of the speed is that of the design, scaled to
+    /// the mean speed of the log.
     pub fn of(design: &Design, cycles: &Cycles) -> Clock {
         let mean = cycles.speed;
         let angles = (0..ANGLES).map(angle);
@@ -78,7 +79,7 @@ impl Clock {
         }
     }
 
-    /// Harmonics `[a₀, a₁, b₁ …]` over the phase, of values at equal angles.
+    /// First `count` harmonics `[a₀, a₁, b₁ …]` over the phase, of values at the cam angles.
     pub fn harmonics(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut out = vec![0.0; count];
         for ((phase, part), x) in self.phase.iter().zip(&self.part).zip(values) {
@@ -93,12 +94,12 @@ impl Clock {
         out
     }
 
-    /// Values of a harmonic series at equal angles.
+    /// Values of a harmonic series of the phase, at the cam angles.
     pub fn at_angles(&self, harmonics: &[f64]) -> Vec<f64> {
         self.phase.iter().map(|p| value(harmonics, *p)).collect()
     }
 
-    /// The motion at `by` times the speed.
+    /// The motion with the speed multiplied by `by`.
     pub fn faster(&self, by: f64) -> Clock {
         Clock {
             phase: self.phase.clone(),
@@ -114,27 +115,27 @@ pub(super) fn angle(i: usize) -> f64 {
     TAU * i as f64 / ANGLES as f64
 }
 
-/// A parameter of the machine or of the log.
+/// A parameter of the machine or of the log, with its effect on the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Term {
-    /// Key of the parameter in the scene, or its name.
+    /// Key of the parameter in the scene. Parameters without a key have a name such as `log.bias`.
     pub key: &'static str,
     /// Value in the scene, in the units of the drive.
     pub nominal: f64,
     /// Whether the parameter cannot be negative.
     pub is_positive: bool,
-    /// Quantity that is multiplied by the parameter.
+    /// Quantity by which the parameter is multiplied in the force.
     pub effect: Effect,
 }
 
-/// Quantity that is multiplied by a parameter in the force.
+/// Quantity by which a parameter is multiplied in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
     /// A constant force: the column of ones.
     Constant,
-    /// Mass on a moving axis: g + ω²a + αv, with the angular acceleration α.
+    /// Mass on a moving axis: g + ω²a + αv, where α is the angular acceleration of the cam.
     Weight,
-    /// Mass: ω²a + αv, with the angular acceleration α.
+    /// Mass on a fixed axis: ω²a + αv, where α is the angular acceleration of the cam.
     Mass,
     /// Spring: the lift s.
     Spring,
@@ -142,11 +143,11 @@ pub(super) enum Effect {
     Damping,
     /// Friction: the sign of v.
     Coulomb,
-    /// Compliance 1/k₁ of a train, which deflects by F/k₁: −(k F + c ω F′ + m ω² F″), with the force F of the drive.
+    /// Compliance 1/k₁ of a follower train, which deflects by F/k₁: −(k F + c ω F′ + m ω² F″), where F is the force of the drive.
     Compliance,
 }
 
-/// Parameters of a machine: those of the scene, the friction of its guide, and the zero of the load cell.
+/// Terms of the model for a machine and its log: the parameters in the scene, the friction of the guide, and the zero of the load cell.
 pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
     let drive = &design.problem.drive;
     let on_arm = design.cam.follower.is_oscillating();
@@ -203,11 +204,11 @@ pub(super) fn terms(design: &Design, scene: &Scene) -> Vec<Term> {
         .collect()
 }
 
-/// A machine with its law, in motion.
+/// A machine with the law of its design, in a given motion of the cam.
 pub(super) struct Machine<'a> {
     pub design: &'a Design,
     pub clock: &'a Clock,
-    /// Spring rate per unit of its parameter: 1, or the factor for a pressure per volume.
+    /// Spring rate per unit of the fitted parameter: 1, or for a hydraulic drive the spring rate per pressure per volume.
     spring_unit: f64,
     /// Gravitational acceleration g, m/s².
     gravity: f64,
@@ -239,7 +240,7 @@ impl<'a> Machine<'a> {
         })
     }
 
-    /// Column of a parameter at equal angles.
+    /// Effect of a parameter on the force, at the cam angles, per unit of the parameter.
     pub fn effect(&self, effect: Effect) -> Vec<f64> {
         match effect {
             Effect::Compliance => return self.compliance(),
@@ -258,7 +259,7 @@ impl<'a> Machine<'a> {
         self.motion().map(value).collect()
     }
 
-    /// Mean sign of v around every angle. It resolves a change of sign between two angles.
+    /// Sign of v, averaged over the interval around each cam angle. The average resolves a change of sign between two angles.
     fn signs(&self) -> Vec<f64> {
         let law = self.design.pressing();
         let half = 0.5 * TAU / ANGLES as f64;
@@ -271,7 +272,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(mean).collect()
     }
 
-    /// Change of the force per compliance of the train, for a mass whose motion is s − F/k₁.
+    /// Change of the force per unit compliance of the train, for a mass whose motion is s − F/k₁.
     fn compliance(&self) -> Vec<f64> {
         let drive = &self.design.problem.drive;
         let own: Vec<f64> = self
@@ -289,7 +290,7 @@ impl<'a> Machine<'a> {
         (0..ANGLES).map(given).collect()
     }
 
-    /// Force of the design at this speed, at equal angles: force of the drive and learned force.
+    /// Force of the design in this motion, at the cam angles: force of the drive plus learned force.
     pub fn nominal_force(&self) -> Vec<f64> {
         let (drive, problem) = (&self.design.problem.drive, &self.design.problem);
         let learned = (0..ANGLES).map(|i| problem.learned_force(angle(i)));

@@ -1,7 +1,7 @@
-//! Motor line and inertia of the shaft, from the energy of the cycle, for logs with the speed.
+//! Slope of the motor line and inertia of the shaft, from the energy balance of the cycle, for logs with measured speed.
 //!
-//! T = J α + F v (+ friction). If the log contains the torque, J and the mean friction follow from it. Otherwise the line T = T₀ − d ω of the scene's
-//! motor replaces the torque: −F v = J α + d (ω − ω̄) − T̄.
+//! The balance is T = J α + F v, plus friction. If the log contains the torque, the balance gives J and the mean friction. Otherwise the line T = T₀
+//! − d ω of the motor in the scene replaces the torque: −F v = J α + d (ω − ω̄) − T̄.
 
 use super::cycles::derivative;
 use super::fit::fit;
@@ -11,7 +11,8 @@ use super::model::{ANGLES, angle};
 use super::parameter::Parameter;
 use crate::synth::Design;
 
-/// Inertia, and slope of the motor or friction, if the logs determine them. With several logs, each parameter has the narrowest of its intervals.
+/// Inertia, and slope of the motor line or friction torque, if the logs determine them. With several logs, the estimate with the narrowest interval
+/// is used for each parameter.
 pub(super) fn parameters(design: &Design, fitted: &Fitted) -> Vec<Parameter> {
     let mut narrowest: Vec<Parameter> = Vec::new();
     for next in (0..fitted.runs.len()).flat_map(|run| of_run(design, fitted, run)) {

@@ -1,6 +1,6 @@
 //! Suggestion of a further run that identifies the remaining parameters, by Fisher information.
 //!
-//! For runs with the columns J₁, J₂ …, the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹, where σ² is the variance of a component of the
+//! For runs with the columns J₁, J₂ …, the covariance of the parameters is σ² (J₁ᵀJ₁ + J₂ᵀJ₂ + …)⁻¹. Here σ² is the variance of a component of the
 //! noise and of the repeatable residual.
 
 use nalgebra::{DMatrix, DVector};
@@ -14,10 +14,10 @@ use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Candidate speeds relative to the speed of the first log. Of equally useful speeds, the first is selected.
+/// Candidate speeds, relative to the speed of the first log. Of several speeds that identify equally many parameters, the first is selected.
 const SPEEDS: [f64; 8] = [0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 0.6, 1.7];
-/// Maximum predicted width of an interval, as a fraction of the permitted width. The margin is necessary because the residual of the further run is
-/// unknown.
+/// Maximum predicted width of an interval, as a fraction of the maximum width for identified parameters. The margin is necessary because the residual
+/// of the further run is unknown.
 const SAFE: f64 = 0.7;
 
 /// A further run of the same cam at another speed.
@@ -34,11 +34,11 @@ pub struct NextRun {
     pub speed_rad_per_s: f64,
     /// Speed of the cam, relative to the first log.
     pub relative_speed: f64,
-    /// Parameters that all runs together identify, in addition to those of the logs.
+    /// Keys of the parameters that the existing logs and the further run identify together, but not the existing logs alone.
     pub identifies: Vec<&'static str>,
 }
 
-/// The candidate run that identifies most parameters; `None` if no candidate identifies more than the logs.
+/// Candidate run that identifies the largest number of further parameters; `None` if no candidate identifies a further one.
 pub(super) fn next_run(
     design: &Design,
     scene: &Scene,
@@ -85,8 +85,8 @@ pub(super) fn next_run(
     best
 }
 
-/// Columns of the terms and of the unknown phase shifts in a run, and the minimum of its force. The run has the harmonics of the log `place`, and
-/// `count` unknowns with the rates `rate`.
+/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts with the rates
+/// `rate`. The rows are the harmonics of the log `place`.
 fn jacobian(
     design: &Design,
     scene: &Scene,
@@ -114,7 +114,7 @@ fn jacobian(
     (matrix, least)
 }
 
-/// Unidentified parameters whose intervals become sufficiently narrow.
+/// Keys of the unidentified parameters whose predicted intervals are sufficiently narrow.
 fn narrowed(fitted: &Fitted, information: &DMatrix<f64>, open: &[&Parameter]) -> Vec<&'static str> {
     let scale = DVector::from_iterator(
         information.ncols(),

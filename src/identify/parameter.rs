@@ -1,13 +1,13 @@
-//! Parameter of a machine with its interval.
+//! Parameter of a machine with its confidence interval.
 
 use serde::Serialize;
 
 use super::fit::Estimate;
 
-/// Maximum relative width of the interval of an identified parameter.
+/// Maximum width of the interval of an identified parameter, relative to its value.
 pub(super) const WIDEST: f64 = 0.5;
 
-/// A parameter of the machine, estimated from the log.
+/// Estimate of a parameter of the machine, from one or several logs.
 ///
 /// ```
 /// use gaitcam::identify::Parameter;
@@ -20,13 +20,13 @@ pub struct Parameter {
     /// Key of the scene, or `log.…` and `guide.…` for parameters without a key: `log.bias` (N), `log.delay` (s), `log.scale`, `guide.damping`
     /// (N·s/m), `guide.friction` (N).
     pub key: &'static str,
-    /// Most likely value, SI.
+    /// Most likely value, in SI units.
     pub value: f64,
-    /// Lower end of the 95 % interval; `None` if unbounded.
+    /// Lower end of the 95 % confidence interval; `None` if unbounded.
     pub low: Option<f64>,
-    /// Upper end of the 95 % interval; `None` if unbounded.
+    /// Upper end of the 95 % confidence interval; `None` if unbounded.
     pub high: Option<f64>,
-    /// Whether the log identifies the parameter.
+    /// Whether the logs identify the parameter.
     pub identifiable: bool,
 }
 
@@ -44,7 +44,7 @@ impl Parameter {
         }
     }
 
-    /// A parameter estimated by its inverse. If the inverse may be 0, the value is the minimum possible one.
+    /// A parameter whose reciprocal was estimated. If the estimated reciprocal is 0, the value is the lower end of the interval.
     pub(super) fn inverse(key: &'static str, found: Estimate) -> Parameter {
         let of = Parameter::of(key, found, true);
         let inverse = |x: f64| (x > 0.0).then(|| 1.0 / x);

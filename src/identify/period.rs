@@ -1,4 +1,4 @@
-//! Period of a log without cam angle, from the repetition of its force.
+//! Period of a log without cam angle, from the autocorrelation of its force.
 
 use std::f64::consts::TAU;
 
@@ -6,16 +6,16 @@ use super::log::Log;
 use crate::error::{LogError, Result};
 use crate::units::{Dimension, Quantity};
 
-/// Minimum number of whole cycles that separate noise and repeatable force.
+/// Minimum number of whole cycles. It is required to separate noise and repeatable force.
 pub(super) const LEAST_CYCLES: usize = 3;
-/// Change of the speed over the log, relative to the mean, above which the log is rejected, because harmonic 5 then loses its phase.
+/// Maximum change of the speed over the log, relative to the mean. With a larger change, harmonic 5 loses its phase, and the log is rejected.
 pub(super) const DRIFT: f64 = 0.01;
-/// Number of cells of a cycle in the search for the period.
+/// Number of time cells per expected cycle in the search for the period.
 const CELLS: usize = 64;
 const RANGE: [f64; 2] = [0.55, 1.8];
-/// Minimum autocorrelation of a periodic log.
+/// Minimum autocorrelation for which a force counts as periodic.
 const REPEATS: f64 = 0.5;
-/// Ratio of a time step to the other time steps above which the step is a pause of the recorder.
+/// Ratio of the longest time step to the mean of the other steps above which it is a pause of the recorder.
 const PAUSE: f64 = 20.0;
 
 /// Error for a log without a periodic force near this speed, rad/s.
@@ -24,13 +24,13 @@ pub(super) fn no_cycle(speed: f64) -> LogError {
     LogError::NoCycle { speed }
 }
 
-/// Error for a speed that drifts; `parts` are the speeds of the first and last third of the log, relative to `speed`, rad/s.
+/// Error for a speed that drifts. `parts` are the speeds of the first and the last part of the log, relative to `speed`, rad/s.
 pub(super) fn drift(speed: f64, parts: [f64; 2]) -> LogError {
     let [first, last] = parts.map(|p| Quantity::new(p * speed, Dimension::AngularSpeed));
     LogError::Drift { first, last }
 }
 
-/// Period of a force, s, near the expected period.
+/// Period of the force of a log, s, near the expected period.
 pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     let length = time[time.len() - 1] - time[0];
     if length < LEAST_CYCLES as f64 * RANGE[0] * expected {
@@ -74,7 +74,7 @@ pub(super) fn period(log: &Log, time: &[f64], expected: f64) -> Result<f64> {
     Ok(lag * step)
 }
 
-/// Rejects a log whose samples pause for more than one cycle.
+/// Rejects a log in which the recorder paused for more than one cycle.
 fn check_gaps(log: &Log, time: &[f64], cycle: f64) -> Result<()> {
     let length = time[time.len() - 1] - time[0];
     let steps = time.windows(2).map(|t| t[1] - t[0]);
@@ -94,7 +94,7 @@ fn check_gaps(log: &Log, time: &[f64], cycle: f64) -> Result<()> {
     }))
 }
 
-/// Means of a force in equal cells of time. A cell without a sample has the value of the previous one.
+/// Means of a force in equal cells of time. A cell without a sample takes the value of the previous cell.
 fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
     let count = ((time[time.len() - 1] - time[0]) / step) as usize + 1;
     let mut sums = vec![(0.0, 0.0); count];
@@ -110,7 +110,8 @@ fn cells(time: &[f64], force: &[f64], step: f64) -> Vec<f64> {
     sums.into_iter().map(&mut fill).collect()
 }
 
-/// Lag, in cells, with the maximum autocorrelation of a force, and this autocorrelation. Of equal lags, the shortest is selected.
+/// Lag with the maximum autocorrelation of a force, in cells, and this autocorrelation. Of several lags with nearly the same autocorrelation, the
+/// shortest is selected.
 fn repeats(cells: &[f64], lags: std::ops::RangeInclusive<usize>) -> Option<(f64, f64)> {
     let mean = cells.iter().sum::<f64>() / cells.len() as f64;
     let correlation = |lag: usize| {

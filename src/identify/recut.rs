@@ -1,4 +1,4 @@
-//! The next cam: the repeatable difference between log and design is attributed to the machine and corrected.
+//! Design of the next cam. The repeatable difference between log and design is attributed to the machine and corrected.
 
 use serde::Serialize;
 
@@ -17,17 +17,17 @@ use crate::scene::{Harmonic, Scene};
 use crate::synth::{self, Design, Search};
 use crate::units::{Dimension, Quantity};
 
-/// Ratio of amplitude and noise above which a harmonic is corrected.
+/// Minimum ratio of amplitude to noise for which a harmonic is corrected.
 const ABOVE_NOISE: f64 = 2.0;
-/// Number of corrected harmonics, as a multiple of the number of harmonics of the target. At higher harmonics, the resonances of the real machine
-/// could reverse a correction.
+/// Maximum order of a corrected harmonic, as a multiple of the number of harmonics of the target. At higher orders, resonances of the real machine
+/// could reverse the sign of a correction.
 const IN_BAND: usize = 3;
 /// Assumed relative uncertainty of stiffness and mass, and of the added damping ratio of the guide.
 const UNSURE: f64 = 0.05;
-/// Fraction of a further correction that is applied after an earlier one. Coulomb friction changes its sign with the velocity, so full corrections
-/// could oscillate.
+/// Fraction of the correction that is applied if the design already contains an earlier correction. Coulomb friction changes its sign with the
+/// velocity, so full corrections could oscillate.
 const AGAIN: f64 = 0.5;
-/// Number of iterations between the law and the force change of the identified parameters.
+/// Number of times that the law is designed again with the force change of the identified parameters, which depends on the law.
 const ROUNDS: usize = 2;
 
 /// Force error before the correction and predicted error after it, N.
@@ -40,18 +40,21 @@ const ROUNDS: usize = 2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Recut {
-    /// RMS difference between repeatable force and target, N; on a moving axis without its mean, which is the weight.
+    /// RMS difference between repeatable force and target, N. On a moving axis, the mean is excluded because it is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that were not corrected,
-    /// and the friction that changes sign at other angles.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that are not corrected,
+    /// and the friction whose sign changes at other angles.
     pub predicted_rms_n: f64,
 }
 
-/// Relative difference between the speeds of log and design above which the log is not used to correct the force error.
+/// Maximum relative difference between the speeds of log and design for which the log is used to correct the force error.
 const OTHER_SPEED: f64 = 0.1;
 
-/// Scene of the next cam, with the learned force as `machine.learned_force`, and the predicted error. `force` is the target of the scene. The scene
-/// keeps the nominal machine: the effect of identified parameters is part of the learned force, computed for the new law.
+/// Designs the next cam. Returns its scene, with the learned force as `machine.learned_force`, the predicted error, and the identified parameters.
+/// `force` is the target of the scene.
+///
+/// The new scene keeps the nominal parameters of the machine. The effect of identified parameters is part of the learned force, computed for the new
+/// law.
 ///
 /// The corrected error is the mean over the cycles of all logs whose speed is within 1 % of the speed nearest to the design. Logs at other speeds are
 /// used only for the identification.
@@ -162,7 +165,8 @@ pub fn recut(
     Ok((next, recut, found))
 }
 
-/// Sum of the learned force of the design and the new correction, as harmonics of the cam angle; in N at the lever of the drive.
+/// Sum of the learned force of the design and the correction, as harmonics of the cam angle, N. For an arm, it is the force at the lever of the
+/// drive.
 fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmonic> {
     let problem = &design.problem;
     let sum: Vec<f64> = (0..ANGLES)
@@ -184,13 +188,13 @@ fn joined(design: &Design, news: &[f64], band: usize, from: usize) -> Vec<Harmon
     std::iter::once(constant).chain(all).collect()
 }
 
-/// RMS of harmonics, with the mean (`from` = 0) or without it.
+/// RMS of harmonics. The mean is included if `from` = 0.
 fn rms(harmonics: &[f64], from: usize) -> f64 {
     let mean = if from == 0 { harmonics[0].powi(2) } else { 0.0 };
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
 }
 
-/// RMS of values at equal angles, with their mean (`from` = 0) or without it.
+/// RMS of values at equal angles. The mean is included if `from` = 0.
 fn spread(values: &[f64], from: usize) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -199,15 +203,16 @@ fn spread(values: &[f64], from: usize) -> f64 {
     (square - without).max(0.0).sqrt()
 }
 
-/// RMS of harmonics, corrected for the noise.
+/// RMS of the repeatable part of harmonics: the variance of the noise is subtracted.
 fn repeated(harmonics: &[f64], noise: &[f64], from: usize) -> f64 {
     let scatter = 0.5 * noise[1..].iter().sum::<f64>() + if from == 0 { noise[0] } else { 0.0 };
     (rms(harmonics, from).powi(2) - scatter).max(0.0).sqrt()
 }
 
-/// Fraction of a correction at an angular frequency for which the corrections converge. A new cam changes the force by the gain of the machine per
-/// lift, k − m ω² + i c ω, which has the uncertainty `UNSURE`. Iterations converge while the fraction times the ratio of true and nominal gain is
-/// below 2. Near the resonance of a spring this ratio is uncertain (Bristow, Tharayil and Alleyne 2006).
+/// Fraction of a correction at an angular frequency, rad/s, for which repeated corrections converge.
+///
+/// The gain from the lift to the force is k − m ω² + i c ω, with the relative uncertainty `UNSURE` of its terms. Corrections converge if the fraction
+/// times the ratio of true to nominal gain is below 2. Near the resonance of a spring, this ratio is uncertain (Bristow, Tharayil and Alleyne 2006).
 fn convergent(drive: &Drive, frequency: f64) -> f64 {
     let inertia = drive.mass * frequency * frequency;
     let gain = libm::hypot(drive.spring_rate - inertia, drive.damping * frequency);
@@ -217,8 +222,8 @@ fn convergent(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics above their noise, each reduced by its likely noise and by `made`, and the RMS of the other harmonics and of the noise. All are zero if
-/// the residual is only noise.
+/// Harmonics of the correction, and RMS of what remains. A harmonic above its noise is multiplied by the fraction `made` and by its likely repeatable
+/// part. The remainder contains the other harmonics and the noise. Both results are zero if the residual is only noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],

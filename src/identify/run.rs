@@ -1,4 +1,4 @@
-//! A log as cycles of the machine of a design. Logs with another magnitude, unit or sign are rejected.
+//! A log, divided into cycles, for the machine of a design. Logs whose magnitude, unit or sign does not fit the machine are rejected.
 
 use std::f64::consts::TAU;
 
@@ -15,11 +15,12 @@ use crate::units::Quantity;
 
 /// Maximum delay of a sensor, s.
 pub(super) const LONGEST_DELAY: f64 = 0.05;
-/// Minimum fraction of the alternating force of the model that the sampled harmonics must contain.
+/// Minimum fraction of the energy of the alternating force that the harmonics must contain.
 const HELD: f64 = 0.999;
-/// Range of the ratio of log and model, for alternating and mean force; outside it, unit or machine differ.
+/// Range of the ratio of measured to modelled force, for the alternating and the mean force. Outside this range, the log has another unit or belongs
+/// to another machine.
 const SIZES: [f64; 2] = [0.4, 2.5];
-/// Alternating force below this fraction of the model's counts as zero.
+/// Ratio of the alternating force to that of the model below which it counts as zero.
 const NO_FORCE: f64 = 0.02;
 /// Newtons per unit of common load cells.
 const UNITS: [(&str, f64); 5] = [
@@ -31,7 +32,7 @@ const UNITS: [(&str, f64); 5] = [
 ];
 const SAME_UNIT: f64 = 0.25;
 
-/// A log as cycles, with the columns of the machine in its motion.
+/// Cycles of one log, with the columns of the linear model in the motion of the log.
 pub(super) struct Run {
     /// Name of the log.
     pub name: String,
@@ -86,7 +87,7 @@ impl Run {
 }
 
 impl Clock {
-    /// The model at the speed of the design.
+    /// Motion of the cam at the speed of the design.
     fn steady(design: &Design) -> Clock {
         let none = Averaged {
             each: Vec::new(),
@@ -107,7 +108,7 @@ impl Clock {
     }
 }
 
-/// Number of harmonics that contain all but a thousandth of the energy.
+/// Number of harmonics that contain 99.9 % of the energy of the alternating force.
 pub(super) fn held(harmonics: &[f64]) -> usize {
     let energy = |n: usize| harmonics[2 * n - 1].powi(2) + harmonics[2 * n].powi(2);
     let count = harmonics.len() / 2;

@@ -1,4 +1,4 @@
-//! Check that several logs belong to the same machine.
+//! Check that several logs are from the same machine.
 
 use super::cycles::{CHANGE, SURPRISE};
 use super::fit::Fit;
@@ -12,10 +12,10 @@ use crate::scene::{Scene, keys};
 use crate::synth::Design;
 use crate::units::{Dimension, Quantity};
 
-/// Difference of two values above which the logs belong to different machines, relative to the sum of the half widths of their 95 % intervals.
+/// Difference between two estimates above which the logs are from different machines, relative to the sum of the half widths of their 95 % intervals.
 const APART: f64 = 1.5;
 
-/// Rejects logs that no common set of parameters fits. `together` is the fit of all logs; `alone` has the fit of each log.
+/// Rejects logs that no common set of parameters fits. `together` is the joint fit of all logs, and `alone` the separate fit of each log.
 pub(super) fn check(
     (design, scene): (&Design, &Scene),
     (logs, runs): (&[Log], &[Run]),
@@ -45,7 +45,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// First parameter for which two logs have different identified values.
+/// Error for the first parameter whose identified values differ between two logs; `None` if all agree.
 fn differs(
     scene: &Scene,
     terms: &[Term],

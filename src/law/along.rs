@@ -1,12 +1,13 @@
-//! Evaluation of a law at many ascending angles, without a search for the spans and with several angles together.
+//! Evaluation of a law at many ascending angles. The spans are not searched for each angle, and several angles are evaluated together.
 
 use super::{Law, Svaj};
 
-/// Number of angles evaluated together, for vector registers.
+/// Number of angles that are evaluated together, for vector instructions of the processor.
 const TOGETHER: usize = 8;
 
 impl Law {
-    /// [`Law::svaj`] at each of several ascending angles within the law's extent, rad, with bitwise identical results.
+    /// Lift and derivatives at several ascending angles within the extent of the law, rad. The results are bitwise identical to those of
+    /// [`Law::svaj`].
     pub(crate) fn svaj_along(&self, angles: &[f64]) -> Vec<Svaj> {
         let breaks = self.breaks();
         let mut out = Vec::with_capacity(angles.len());
@@ -25,7 +26,7 @@ impl Law {
         out
     }
 
-    /// Appends the values at angles of one span to `out`.
+    /// Appends the lift and derivatives at angles within one span to `out`.
     fn extend_on(&self, piece: usize, angles: &[f64], out: &mut Vec<Svaj>) {
         let (from, to) = (self.breaks()[piece], self.breaks()[piece + 1]);
         let scaled = self.scaled_by_binomials();
@@ -52,7 +53,7 @@ impl Law {
     }
 }
 
-/// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u, for polynomials of decreasing degree with shared powers.
+/// Values of the polynomials Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u. The four polynomials have decreasing degrees n and share the powers of u.
 fn polynomials(coefficients: [&[f64]; 4], u: &[f64; TOGETHER]) -> [[f64; TOGETHER]; 4] {
     let down = u.map(|u| 1.0 - u);
     let mut power = [1.0; TOGETHER];

@@ -8,16 +8,16 @@ use crate::poly::Extreme;
 /// Pair of minimum and maximum.
 pub type Extremes = (Extreme, Extreme);
 
-/// Cached properties of a law. Clones share them; comparisons ignore them.
+/// Cached properties of a law. Clones share the cache; comparisons of laws ignore it.
 #[derive(Debug, Clone, Default)]
 pub struct Cache(Arc<Cached>);
 
 #[derive(Debug, Default)]
 struct Cached {
-    /// Extremes of w₀s + w₁v + w₂a + w₃j, by the weights.
+    /// Extremes of w₀s + w₁v + w₂a + w₃j, with the weights [w₀, w₁, w₂, w₃] as keys.
     extremes: Mutex<Vec<([f64; 4], Extremes)>>,
     joints: OnceLock<Vec<Joint>>,
-    /// Bernstein coefficients of s, v, a, j times their binomials.
+    /// Bernstein coefficients of s, v, a, j, multiplied by the binomial coefficients.
     scaled: OnceLock<[Vec<f64>; 4]>,
 }
 
@@ -28,7 +28,7 @@ impl PartialEq for Cache {
 }
 
 impl Cache {
-    /// Cache for the law raised by a constant. Extremes of combinations without the lift remain valid.
+    /// Cache for the law with a constant added to its lift. Extremes of combinations without the lift remain valid.
     pub fn on_any_level(&self) -> Cache {
         let same = |list: &Vec<([f64; 4], Extremes)>| {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);

@@ -3,11 +3,11 @@
 use super::{Law, pieces::Pieces};
 use crate::poly::PiecewisePoly;
 
-/// Fraction of a span within which an angle counts as the break.
+/// Fraction of a span within which an angle counts as equal to a break.
 const AT_BREAK: f64 = 1e-9;
 
 impl Law {
-    /// Weighted sum of polynomial laws with the same breaks.
+    /// Weighted sum of laws. `None` unless all laws are polynomial and have the same breaks.
     pub(crate) fn mixed(parts: &[(f64, &Law)]) -> Option<Law> {
         let first = parts.first()?.1;
         let alike =
@@ -50,7 +50,7 @@ impl Law {
         Law::with_waves(poly, waves, self.is_closed())
     }
 
-    /// Closed law of a cam that is mounted `ahead` rad ahead: s(θ + ahead), on the same extent. Open laws remain unchanged.
+    /// Law of a cam that is mounted with the angle of advance `ahead`, rad: s(θ + ahead), on the same extent. An open law is unchanged.
     #[must_use]
     pub fn ahead(&self, ahead: f64) -> Law {
         let (start, length) = self.extent();
@@ -65,7 +65,7 @@ impl Law {
         pieces.finish(true)
     }
 
-    /// The break of a span if it equals an angle up to rounding errors, otherwise the angle.
+    /// The break that equals an angle up to rounding errors; otherwise the angle itself.
     fn near_break(&self, theta: f64) -> f64 {
         let (i, u) = self.poly().locate(theta);
         match u {

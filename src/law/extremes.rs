@@ -1,5 +1,5 @@
-//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its derivatives, jumps, and scaled
-//! coefficients.
+//! Extremes, jumps and scaled coefficients of a law, computed once and cached. The extremes are those of the law and of linear combinations of its
+//! derivatives.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use super::joint::Joint;
 use super::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, bernstein, harmonic_extremes, stand_in};
 
-/// Relative accuracy of the polynomial approximations whose extremes are computed.
+/// Relative accuracy of the polynomial approximations from which extremes are computed.
 const STAND_IN: f64 = 1e-12;
 
-/// Extremes after scaling by `factor` and adding a constant.
+/// Extremes of a function that is multiplied by `factor` and increased by a constant.
 fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
     let there = |e: Extreme| e.map(|x| factor * x + constant);
     if factor < 0.0 {
@@ -38,14 +38,14 @@ impl Law {
         }
     }
 
-    /// Extremes of a function of the motion over the law, by a polynomial approximation.
+    /// Minimum and maximum of a function of lift and derivatives over the law, from a polynomial approximation of the function.
     pub(crate) fn extremes_by(&self, f: impl Fn(Svaj) -> f64) -> Extremes {
         let breaks = self.breaks();
         let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         stand_in(breaks, STAND_IN, |i, x| f(self.svaj_on(i, inside(i, x)))).extremes()
     }
 
-    /// Extremes where the lift rises and where it falls, including the ends of a rise or fall; `None` if there is no rise or fall.
+    /// Extremes of a function where the lift rises, and where it falls, including the ends of rise and fall. `None` for a part that does not occur.
     pub(crate) fn extremes_on_rise_and_fall(
         &self,
         f: impl Fn(Svaj) -> f64,
@@ -93,7 +93,7 @@ impl Law {
         self.cache.extremes(weights, search)
     }
 
-    /// (cosine, sine) of harmonics 1, 2, … if the law is a sum of harmonics and a mean.
+    /// Harmonics 1, 2, … of the law as (cosine, sine); `None` unless the law is a sum of harmonics and a mean.
     pub(crate) fn harmonics(&self) -> Option<Vec<(f64, f64)>> {
         let waves = self.waves(0);
         let is_sum = self.breaks() == [0.0, TAU]
@@ -113,14 +113,14 @@ impl Law {
         self.cache.scaled(|| std::array::from_fn(each))
     }
 
-    /// Stroke: maximum lift minus minimum lift.
+    /// Stroke, m (or rad): maximum lift minus minimum lift.
     pub fn stroke(&self) -> f64 {
         let (low, high) = self.extremes(0);
         high.value - low.value
     }
 }
 
-/// Harmonics of w₀s + w₁v + w₂a + w₃j, where s is the sum of the given harmonics.
+/// Harmonics of w₀s + w₁v + w₂a + w₃j, (cosine, sine), where s is the sum of the given harmonics.
 pub(crate) fn weighted(harmonics: &[(f64, f64)], [s, v, a, j]: [f64; 4]) -> Vec<(f64, f64)> {
     let waves = (1..).zip(harmonics);
     let wave = |(n, &(cos, sin)): (u32, &(f64, f64))| {
@@ -140,7 +140,7 @@ fn times_binomials(p: &PiecewisePoly) -> Vec<f64> {
         .collect()
 }
 
-/// Joints at all inner breaks, and at the end of the cycle of a closed law, reported at its first angle.
+/// Joints at all inner breaks. For a closed law, the joint between the end and the start of the cycle is at the first angle.
 fn joints(law: &Law) -> Vec<Joint> {
     let n = law.poly().pieces();
     let first = usize::from(!law.is_closed());

@@ -1,7 +1,7 @@
 //! Polynomial through boundary conditions of any order at any angles (Hermite–Birkhoff interpolation).
 //!
-//! The unknowns are Bernstein coefficients on the whole interval: monomials of degree 8 already have a condition number of 1.7e6 (theory §2).
-//! Monomial coefficients are used only for output, [`bernstein::to_power`](crate::poly::bernstein::to_power).
+//! The unknowns are Bernstein coefficients on the whole interval, because the matrix for monomials of degree 8 already has a condition number of
+//! 1.7e6 (theory §2). Monomial coefficients are used only for output, see [`bernstein::to_power`](crate::poly::bernstein::to_power).
 
 use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
@@ -30,13 +30,13 @@ pub struct Condition {
     pub value: f64,
 }
 
-/// Maximum degree. Above it, the rounding errors of the data are amplified too much.
+/// Maximum degree of the polynomial. With a higher degree, the rounding errors of the data are amplified too much.
 const MAX_DEGREE: usize = 40;
-/// Fraction of the maximum singular value below which a singular value counts as zero. The conditions then do not determine the polynomial.
+/// Ratio of the minimum to the maximum singular value below which the conditions do not determine the polynomial.
 const RANK: f64 = 1e-14;
 
-/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The conditions hold up to rounding
-/// errors relative to the maximum value.
+/// The unique polynomial of degree n − 1 that satisfies n conditions, on [start, end] rad, as a single span. The errors of the conditions are of the
+/// size of rounding errors, relative to the largest value of the polynomial.
 ///
 /// ```
 /// use gaitcam::law::{Condition, hermite_birkhoff};
@@ -82,7 +82,7 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
     Ok(PiecewisePoly::new(vec![start, end], n - 1, coef))
 }
 
-/// Bernstein coefficients in u of the derivatives of every basis function: `[order][basis function]`.
+/// Bernstein coefficients of the derivatives of every basis function with respect to u, as `[order][basis function]`.
 fn basis_derivatives(n: usize, highest: usize) -> Vec<Vec<Vec<f64>>> {
     let unit = |k: usize| (0..n).map(|i| f64::from(u8::from(i == k))).collect();
     let mut out: Vec<Vec<Vec<f64>>> = vec![(0..n).map(unit).collect()];

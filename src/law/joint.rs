@@ -1,8 +1,8 @@
-//! Joints between the spans of a law. The fundamental law of cam design requires C² everywhere.
+//! Joints between the spans of a law. The fundamental law of cam design requires that the lift is twice continuously differentiable (C²).
 
 use super::svaj::Svaj;
 
-/// Jumps at one break: value after minus value before the break.
+/// Jumps of the law at one break. A jump is the value after the break minus the value before it.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};

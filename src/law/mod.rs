@@ -27,9 +27,9 @@ use std::sync::Arc;
 
 /// A law of motion. On each span it is a polynomial plus a few sinusoids.
 ///
-/// This form includes all common laws. Splines and polynomials have no sinusoids, and harmonic laws have one span. Modified sine and trapezoid have a
-/// line or parabola with one sinusoid per span. A *closed* law is periodic with its extent (usually one turn). An open law (translating cam) is not
-/// periodic.
+/// This form includes all common laws. Splines and polynomials have no sinusoids, and harmonic laws have one span. Modified sine and modified
+/// trapezoid have a line or a parabola plus one sinusoid on each span. A *closed* law is periodic with its extent (usually one turn). An open law
+/// (translating cam) is not periodic.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -46,23 +46,23 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
     poly: PiecewisePoly,
-    /// Sinusoids of each span; empty if the law has no sinusoids.
+    /// Sinusoids of each span; empty for a law without sinusoids.
     waves: Vec<Vec<Wave>>,
     closed: bool,
-    /// Derivatives v, a and j, if they are more accurate than differences of the lift's coefficients.
+    /// Derivatives v, a and j, if they have coefficients of their own. Otherwise they are computed from the coefficients of the lift.
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
     cache: Cache,
 }
 
-/// Number of spans above which the derivatives of a spline have separate coefficients, which may be the unknowns of a program. Differences of the
-/// lift's coefficients lose (spans/turn)³ of the digits of a jerk. Below this number all of several hundred random scenes were certified; with 40 to
-/// 100 spans 1 in 40 was not.
+/// Number of spans from which the derivatives of a closed spline have their own coefficients. If the jerk is computed from the lift's coefficients,
+/// its rounding error is larger by a factor of (spans per turn)³. With fewer spans, all of several hundred random scenes were certified; with 40 to
+/// 100 spans, 1 in 40 was not.
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
-    /// Law at the optimum of a program.
+    /// Law with the coefficients `x` of a basis, such as the solution of an optimisation. Variables after the coefficients are ignored.
     pub fn of(basis: &Basis, x: &[f64]) -> Self {
         match basis {
             Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
@@ -73,7 +73,7 @@ impl Law {
         }
     }
 
-    /// Spline law with the given coefficients.
+    /// Spline law with the given coefficients in a spline space.
     pub fn spline(space: &SplineSpace, coefficients: &[f64], closed: bool) -> Self {
         let poly = space.spline(coefficients);
         if !closed || space.spans().len() < MANY_SPANS {
@@ -100,7 +100,7 @@ impl Law {
         }
     }
 
-    /// Polynomials of the lift (order 0) or of a derivative, without the sinusoids.
+    /// Polynomial part of the derivative of the given order (0 = lift … 3 = jerk).
     fn of_order(&self, order: usize) -> PiecewisePoly {
         let given = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
         match order.checked_sub(1).and_then(|k| given.get(k)) {
@@ -110,12 +110,12 @@ impl Law {
         }
     }
 
-    /// Law without sinusoids.
+    /// Law that consists of polynomial spans only.
     pub fn from_poly(poly: PiecewisePoly, closed: bool) -> Self {
         Law::with_waves(poly, Vec::new(), closed)
     }
 
-    /// Law of polynomial spans plus the sinusoids of each span. `waves` is empty or has one list per span.
+    /// Law of polynomial spans plus sinusoids. `waves` contains the list of sinusoids of each span, or is empty.
     ///
     /// # Panics
     ///
@@ -132,7 +132,7 @@ impl Law {
         }
     }
 
-    /// Law Σ cₙ cos nθ + sₙ sin nθ, n = 1…, plus a mean, over one turn of 2π.
+    /// Harmonic law over one turn: mean + Σ (cₙ cos nθ + sₙ sin nθ), n = 1, 2, …, with `terms` as (cₙ, sₙ).
     pub fn harmonic(mean: f64, terms: &[(f64, f64)]) -> Self {
         let poly = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![mean]);
         let waves = terms
@@ -147,12 +147,12 @@ impl Law {
         Law::with_waves(poly, vec![waves], true)
     }
 
-    /// Breaks between the spans, from the start to the end of the law, rad.
+    /// Angles at the ends of the spans in ascending order, from the start to the end of the law, rad.
     pub fn breaks(&self) -> &[f64] {
         self.poly.breaks()
     }
 
-    /// Polynomial part of the law.
+    /// Polynomial part of the lift.
     pub fn poly(&self) -> &PiecewisePoly {
         &self.poly
     }
@@ -162,7 +162,7 @@ impl Law {
         self.waves.get(i).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the law is periodic with its extent.
+    /// Whether the law is periodic; its period is its extent.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
@@ -173,7 +173,7 @@ impl Law {
         (b[0], b[b.len() - 1] - b[0])
     }
 
-    /// Reduces an angle to the extent of a closed law. For an open law the angle is unchanged.
+    /// Angle within the extent of a closed law that is equivalent to `theta`, rad. For an open law, `theta` is unchanged.
     pub fn wrap(&self, theta: f64) -> f64 {
         let (start, length) = self.extent();
         if !self.closed || (theta >= start && theta < start + length) {
@@ -184,14 +184,14 @@ impl Law {
         if t < length { start + t } else { start }
     }
 
-    /// Exact lift and derivatives at `theta`, rad. At a break, the span to the right is used.
+    /// Lift and derivatives at `theta`, rad, exact up to rounding errors. At a break, the values of the span to the right are used.
     pub fn svaj(&self, theta: f64) -> Svaj {
         let (i, u) = self.place(self.wrap(theta));
         self.svaj_on(i, u)
     }
 
-    /// Span that contains an angle, and position on this span. At a break, and up to rounding errors before it, the next span is used. All rows of
-    /// all tables are therefore on the same side of a jump.
+    /// Span that contains an angle, and the position u ∈ [0, 1] on this span. At a break, and within rounding errors before it, the next span is
+    /// used. All rows of all tables are therefore on the same side of a jump.
     fn place(&self, theta: f64) -> (usize, f64) {
         let (i, u) = self.poly.locate(theta);
         let breaks = self.poly.breaks();
@@ -202,7 +202,7 @@ impl Law {
         (i, u)
     }
 
-    /// Rounding error of the angles of the law, rad.
+    /// Upper bound of the rounding errors of the angles of the law, rad.
     fn rounding(&self) -> f64 {
         let breaks = self.poly.breaks();
         let ends = breaks[0].abs().max(breaks[breaks.len() - 1].abs());
@@ -230,10 +230,10 @@ impl Law {
         Svaj { s, v, a, j }
     }
 
-    /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial. It is exact for polynomial laws. Sinusoids are replaced by Taylor polynomials on
-    /// subdivided spans, with remainders below rounding errors.
+    /// The combination w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial. It is exact for polynomial laws. Sinusoids are replaced by Taylor
+    /// polynomials on subdivided spans, with remainders below the rounding errors.
     ///
-    /// Force, flat-face curvature and every limit that is linear in the law have this form, so their extremes are computed from roots.
+    /// Force, flat-face curvature and all other linear functions of the law have this form, so their extremes are computed from polynomial roots.
     pub fn combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
         if self.waves.is_empty() {
             return self.polynomial_combination(weights, constant);
@@ -250,7 +250,7 @@ impl Law {
         add_taylor(sum, &waves, weights)
     }
 
-    /// The combination for a law without sinusoids. Only the necessary derivatives are used, in the necessary degree.
+    /// The combination for a law without sinusoids. Derivatives of higher order than necessary are not computed, and terms with weight 0 are omitted.
     fn polynomial_combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
         let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         let mut orders: Vec<PiecewisePoly> = Vec::with_capacity(last + 1);
@@ -268,8 +268,8 @@ impl Law {
         PiecewisePoly::combine(&terms, constant)
     }
 
-    /// Upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes. It exceeds the true maximum only by a small factor, so
-    /// it is used as a scale.
+    /// Upper bound of the magnitude of the derivative of the given order (0 = lift … 3 = jerk), from coefficients and amplitudes. It exceeds the true
+    /// maximum only by a small factor and is used as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
         let poly = self.of_order(order);
         let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * libm::hypot(w.cos, w.sin);
@@ -282,7 +282,7 @@ impl Law {
             .fold(0.0, f64::max)
     }
 
-    /// The law with its lift raised by `ds`.
+    /// The law with `ds` added to its lift.
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);

@@ -19,12 +19,12 @@ impl Pieces {
         }
     }
 
-    /// Angle up to which spans exist.
+    /// End angle of the last span; without spans, the start of the law.
     pub fn reached(&self) -> f64 {
         self.breaks[self.breaks.len() - 1]
     }
 
-    /// Adds a span up to `end`, with Bernstein coefficients and sinusoids relative to its start. A span without length is ignored.
+    /// Adds a span that ends at `end`, with Bernstein coefficients and sinusoids relative to its start. A span of zero length is ignored.
     pub fn push(&mut self, end: f64, coef: Vec<f64>, waves: Vec<Wave>) {
         if end > self.reached() {
             self.breaks.push(end);
@@ -33,7 +33,8 @@ impl Pieces {
         }
     }
 
-    /// Adds base + lift·`shape`, scaled from its own extent to the next `width`. If `mirrored`, adds base + lift·(1 − shape(1 − x)) instead.
+    /// Adds spans with the lift base + lift·`shape`, where the extent of `shape` is scaled to `width`. If `mirrored`, the lift is base + lift·(1 −
+    /// shape(1 − x)) instead.
     pub fn push_shape(&mut self, shape: &Law, width: f64, base: f64, lift: f64, mirrored: bool) {
         let (first, length) = shape.extent();
         let stretch = width / length;
@@ -95,14 +96,14 @@ impl Pieces {
         }
     }
 
-    /// Sets the last break exactly, without the rounding errors of sums.
+    /// Sets the end of the last span exactly, to remove the rounding errors of sums.
     pub fn end_exactly_at(&mut self, end: f64) {
         if let Some(last) = self.breaks.last_mut() {
             *last = end;
         }
     }
 
-    /// Law of the spans; at least one span is required.
+    /// Law that consists of the spans; it must have at least one.
     pub fn finish(self, closed: bool) -> Law {
         let degree = self.coef.iter().map(|c| c.len() - 1).max().unwrap_or(0);
         let elevated = self.coef.iter().flat_map(|c| bernstein::elevate(c, degree));

@@ -1,7 +1,7 @@
-//! Catalogue of motions from one lift to another, normalised: s from 0 to 1 over x from 0 to 1.
+//! Catalogue of motions from one lift to another. They are normalised: s increases from 0 to 1 while x increases from 0 to 1.
 //!
-//! Peak factors (theory §7): a rise by h over β has the peak velocity Cv·h/β, the peak acceleration Ca·h/β² and the peak jerk Cj·h/β³. Ct = max|a·v|
-//! scales the inertia torque.
+//! Peak factors (theory §7): a rise by h over the angle β has the peak velocity Cv·h/β, the peak acceleration Ca·h/β² and the peak jerk Cj·h/β³. The
+//! factor Ct = max|a·v| scales the inertia torque.
 
 mod ends;
 mod formula;
@@ -25,18 +25,18 @@ use std::mem::discriminant;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Rise {
-    /// A dwell, without motion.
+    /// A dwell: constant lift.
     #[default]
     Dwell,
-    /// A straight line (constant velocity).
+    /// Constant velocity: a straight line.
     ConstantVelocity,
-    /// Constant acceleration, then constant deceleration.
+    /// Parabolic: constant acceleration, then constant deceleration.
     Parabolic,
     /// The cubic 3x² − 2x³.
     Cubic,
     /// Simple harmonic: ½(1 − cos πx).
     SimpleHarmonic,
-    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]. It is at rest only at its low end; a fall is the mirror image.
+    /// Double harmonic: ½[(1 − cos πx) − ¼(1 − cos 2πx)]. The acceleration vanishes only at the low end; a fall is the mirror image.
     DoubleHarmonic,
     /// Cycloidal: x − sin(2πx)/2π.
     Cycloidal,
@@ -48,17 +48,17 @@ pub enum Rise {
     SemicycloidalStart,
     /// Second half of a cycloid: v = 2 at x = 0, at rest at x = 1.
     SemicycloidalEnd,
-    /// Trapezoid of acceleration with corners rounded by sines.
+    /// Modified trapezoid: trapezoidal acceleration whose corners are rounded by sines.
     ModifiedTrapezoid,
-    /// Acceleration of two sines with different periods.
+    /// Modified sine: the acceleration consists of two sines with different periods.
     ModifiedSine,
-    /// Acceleration of sine, constant and cosine with free fractions, b + c + d = 1.
+    /// SCCA: the acceleration consists of sine, constant and cosine, with free fractions of the length, b + c + d = 1.
     Scca {
-        /// Fraction b of both sines at the ends together.
+        /// Fraction b of the length: both sine parts together.
         b: f64,
-        /// Fraction c of both constant accelerations together.
+        /// Fraction c of the length: both parts of constant acceleration together.
         c: f64,
-        /// Fraction d of the cosine in the middle.
+        /// Fraction d of the length: the cosine part in the middle.
         d: f64,
     },
     /// Polynomial 3-4-5: 10x³ − 15x⁴ + 6x⁵.
@@ -67,44 +67,45 @@ pub enum Rise {
     Poly4567,
     /// Polynomial 5-6-7-8-9: 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
     Poly56789,
-    /// A polynomial of degree 5 (or 7) that takes s, v, a (and j) at its ends from its neighbours. Between dwells it equals polynomial 3-4-5
+    /// A polynomial of degree 5 (or 7) with the same s, v, a (and j) at its ends as its neighbours. Between dwells it equals polynomial 3-4-5
     /// (4-5-6-7).
     Polynomial {
         /// Degree of the polynomial: 5 or 7.
         degree: usize,
     },
-    /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (Bautista Morelos 2018).
+    /// Polynomial of Berzak: 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (Bautista Morelos 2018).
     BerzakD,
-    /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
+    /// Gutman 1-3: x − (15/32π) sin 2πx − (1/96π) sin 6πx.
     Gutman13,
-    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed. It has v = −1/56 at both ends, so it cannot join a dwell.
-    /// [`Rise::Freudenstein13AtRest`] corrects it.
+    /// Freudenstein 1-3 as commonly printed: x − (27/56π)(sin 2πx + sin(6πx)/54). Its velocity at both ends is −1/56, so it cannot join a dwell.
+    /// [`Rise::Freudenstein13AtRest`] is the corrected form.
     Freudenstein13,
-    /// x − (27/56π)(sin 2πx + sin(6πx)/81), with rest at both ends.
+    /// Freudenstein 1-3, corrected to be at rest at both ends: x − (27/56π)(sin 2πx + sin(6πx)/81).
     Freudenstein13AtRest,
-    /// x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192.
+    /// Freudenstein 1-3-5: x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192.
     Freudenstein135,
-    /// Half a turn of an eccentric disc; a fall is the mirror image.
+    /// Half a turn of an eccentric disc. A fall is the mirror image of a rise.
     Eccentric {
-        /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
+        /// (Disc radius + roller radius) / eccentricity; infinite for a flat face.
         ratio: f64,
     },
-    /// A law defined by the user, see [`Rise::table`].
+    /// A motion defined by the user as a table, see [`Rise::table`].
     User {
         /// Name of the table in messages.
         name: String,
-        /// Text of the motion in a scene, as [`Rise::from_name`] reads it.
+        /// Text of the motion in a scene, in the form that [`Rise::from_name`] reads.
         written: String,
-        /// The law on [0, 1], from 0 to 1.
+        /// The law over x from 0 to 1, with the lift from 0 to 1.
         law: Box<Law>,
-        /// Rows of the table, both columns from 0 to 1.
+        /// Rows (x, s) of the table, normalised so that x and s go from 0 to 1.
         rows: Vec<(f64, f64)>,
-        /// Half a unit of the last decimal of the rows, at most a thousandth, relative to the lift.
+        /// Half a unit of the last decimal of the lifts, relative to the total lift. It is at most 0.001.
         rounding: f64,
     },
 }
 
-/// All motions without user data, by their names in a scene file; SCCA with equal ends b = c = ¼.
+/// All motions that need no user data, with their names in a scene file. SCCA is included with b = c = ¼, d = ½, and the eccentric with an infinite
+/// ratio.
 #[rustfmt::skip]
 static CATALOGUE: [(&str, Rise); 24] = [
     ("constant-velocity",        Rise::ConstantVelocity),
@@ -134,7 +135,7 @@ static CATALOGUE: [(&str, Rise); 24] = [
 ];
 
 impl Rise {
-    /// All motions without user data; SCCA with equal ends b = c = ¼.
+    /// All motions that need no user data. SCCA is included with b = c = ¼, d = ½, and the eccentric with an infinite ratio.
     pub fn catalogue() -> Vec<Rise> {
         CATALOGUE.iter().map(|row| row.1.clone()).collect()
     }
@@ -151,7 +152,7 @@ impl Rise {
         }
     }
 
-    /// Name of the motion with its parameters, as [`Rise::from_name`] reads it.
+    /// Name of the motion with its parameters, in the form that [`Rise::from_name`] reads.
     pub fn written(&self) -> String {
         match self {
             Rise::Scca { b, c, d } => format!("scca {b} {c} {d}"),
@@ -161,8 +162,11 @@ impl Rise {
         }
     }
 
-    /// The motion with a name of the catalogue, in English or Spanish, or `dwell`; `R` and `G` are rest and constant velocity in VDI 2143. Parameters may follow the name: `scca 0.25 0.25 0.5` (b, c, d),
-    /// `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at both ends).
+    /// The motion with a name of the catalogue in English or Spanish, or `dwell`. The letters `R` and `G` denote rest and constant velocity, as in
+    /// VDI 2143.
+    ///
+    /// Parameters can follow the name: `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), or `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest
+    /// at both ends).
     ///
     /// # Errors
     ///
@@ -215,7 +219,7 @@ impl Rise {
         Ok(rise)
     }
 
-    /// The normalised rise from 0 to 1 over x ∈ [0, 1]; for a dwell constantly 0.
+    /// The normalised law of the rise, from 0 to 1 over x ∈ [0, 1]. For a dwell, the lift is 0.
     ///
     /// # Errors
     ///
@@ -269,12 +273,12 @@ impl Rise {
         })
     }
 
-    /// Whether a fall is the rise mirrored in x.
+    /// Whether a fall is the mirror image of the rise in x. Otherwise a fall is the rise multiplied by −1.
     pub(super) fn mirrors(&self) -> bool {
         matches!(self, Rise::DoubleHarmonic | Rise::Eccentric { .. })
     }
 
-    /// Degree of a general polynomial, whose shape depends on its neighbours.
+    /// Degree of a general polynomial, whose shape depends on its neighbours; `None` for other motions.
     pub(super) fn general_degree(&self) -> Option<usize> {
         match self {
             Rise::Polynomial { degree } => Some(*degree),
@@ -283,13 +287,13 @@ impl Rise {
     }
 }
 
-/// Names of the catalogue, and `dwell`.
+/// Names of the motions in the catalogue, and `dwell`.
 fn names() -> Vec<&'static str> {
     let catalogue = CATALOGUE.iter().map(|row| row.0);
     catalogue.chain(["dwell"]).collect()
 }
 
-/// Law of a section that has one letter in VDI 2143: rest, constant velocity.
+/// Name of the motion for a segment that VDI 2143 denotes by one letter: R for rest, G for constant velocity.
 fn of_vdi(word: &str) -> Option<&'static str> {
     match word {
         "r" => Some("dwell"),
@@ -298,7 +302,7 @@ fn of_vdi(word: &str) -> Option<&'static str> {
     }
 }
 
-/// Names of the laws between the two ends in a word such as `R-U` (VDI 2143); `None` for other words.
+/// Names of the motions that have the ends of a word such as `R-U` (VDI 2143); `None` for other words.
 fn between_ends(word: &str) -> Option<Vec<String>> {
     let letters: Vec<String> = (word.chars().filter(|c| !"-–_ ".contains(*c)))
         .map(|c| c.to_uppercase().to_string())
@@ -334,7 +338,7 @@ fn unknown(word: &str) -> LawError {
     }
 }
 
-/// Polynomial over [0, width] with given s, v, a (degree 7: and j) at both ends.
+/// Polynomial over [0, width] with prescribed s, v, a at both ends. For degree 7, j is also prescribed.
 pub(super) fn joining(
     degree: usize,
     before: Svaj,

@@ -1,4 +1,4 @@
-//! Variants of a problem. Each method returns a copy with the change in its name.
+//! Variants of a problem. Each method returns a copy of the problem with one change.
 
 use super::Problem;
 use crate::cam::{Criterion, LimitKind};
@@ -6,7 +6,7 @@ use crate::drive::Drive;
 use crate::scene::{CamSpec, LawSpec, Limits, Minimise};
 
 impl Problem {
-    /// Value of a limit, of the accuracy or of a given size; `None` if the problem does not specify it.
+    /// Value of a limit, the accuracy or a given size in SI units; the accuracy is relative. `None` if the problem does not specify the criterion.
     pub fn value(&self, criterion: Criterion) -> Option<f64> {
         let [rise, fall] = self.limits.pressure_angles();
         match criterion {
@@ -24,7 +24,7 @@ impl Problem {
         }
     }
 
-    /// The problem with another value for a criterion of [`Problem::value`].
+    /// Copy of the problem with this value for a limit, the accuracy or a given size. For criteria without such a value, the copy is unchanged.
     #[must_use]
     pub fn with(&self, criterion: Criterion, value: f64) -> Problem {
         let mut out = self.clone();
@@ -41,7 +41,7 @@ impl Problem {
         out
     }
 
-    /// The problem with other limits.
+    /// Copy of the problem with other limits.
     #[must_use]
     pub fn with_limits(&self, limits: Limits) -> Problem {
         let mut out = self.clone();
@@ -49,7 +49,7 @@ impl Problem {
         out
     }
 
-    /// The problem with another family, size or objective of the law.
+    /// Copy of the problem with another specification of the law: family, size, objective and conditions.
     #[must_use]
     pub fn with_law(&self, law: LawSpec) -> Problem {
         let mut out = self.clone();
@@ -58,7 +58,7 @@ impl Problem {
         out
     }
 
-    /// The problem with other dimensions of the cam.
+    /// Copy of the problem with other dimensions of the cam.
     #[must_use]
     pub fn with_cam(&self, cam: CamSpec) -> Problem {
         let mut out = self.clone();
@@ -66,7 +66,7 @@ impl Problem {
         out
     }
 
-    /// The problem with another offset of the follower's line of motion, m.
+    /// Copy of the problem with another offset of the follower's line of motion, m.
     #[must_use]
     pub fn at_offset(&self, offset: f64) -> Problem {
         self.with_cam(CamSpec {
@@ -75,7 +75,7 @@ impl Problem {
         })
     }
 
-    /// The problem for the mean of its walkers as a single force. With several walkers, the error of the mean is not limited.
+    /// Copy of the problem with the mean of its walkers as a single force. With several walkers, the force error of the mean is not limited.
     #[must_use]
     pub fn of_mean(&self) -> Problem {
         let mut out = self.clone();
@@ -84,7 +84,7 @@ impl Problem {
         out
     }
 
-    /// The problem without the check of the force error.
+    /// Copy of the problem without the check of the force error.
     #[must_use]
     pub fn without_accuracy(&self) -> Problem {
         let mut out = self.clone();
@@ -92,7 +92,7 @@ impl Problem {
         out
     }
 
-    /// The problem with another objective.
+    /// Copy of the problem with another objective of the law.
     #[must_use]
     pub fn minimising(&self, objective: Minimise) -> Problem {
         let mut out = self.clone();
@@ -100,7 +100,7 @@ impl Problem {
         out
     }
 
-    /// The problem with its force and conditions, but without limits, accuracy and band.
+    /// Copy of the problem without limits, accuracy and band. Target force and conditions on the law are unchanged.
     #[must_use]
     pub fn without_limits(&self) -> Problem {
         let mut out = self.clone();
@@ -108,7 +108,7 @@ impl Problem {
         out.without_accuracy()
     }
 
-    /// The problem with another drive.
+    /// Copy of the problem with another drive.
     #[must_use]
     pub fn with_drive(&self, drive: Drive) -> Problem {
         let mut out = self.clone();

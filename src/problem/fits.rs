@@ -1,15 +1,16 @@
-//! Fits of splines to the force only, shared by rows of a sweep with different limits.
+//! Cached fits of splines to the force alone. Rows of a sweep with different limits share them.
 
 use super::Problem;
 use super::force_cycle::{FitKey, Fits, Objective};
 use crate::error::Result;
 use crate::scene::Minimise;
 
-/// Number of spans above which objectives are not cached, since they need much memory and little time.
+/// Number of spans above which objectives are not cached, because they need much memory and their computation is fast.
 const MOST_SPANS: usize = 100;
 
 impl Problem {
-    /// Cached results for the force of the problem, if only the difference from the force is minimised.
+    /// Cache for the force of the problem, and the key of this problem in it. `None` unless only the force error is minimised, without weights,
+    /// conditions or segments.
     fn fits(&self) -> Option<(FitKey, &Fits)> {
         let is_alone = self.objective() == Minimise::ForceError
             && !self.is_weighed()
@@ -25,7 +26,7 @@ impl Problem {
         Some((key, &cycle.fits))
     }
 
-    /// Objective for a number of spans, computed once for problems with different limits.
+    /// Objective for a number of spans. It is computed once for all problems that differ only in their limits.
     ///
     /// # Errors
     ///
@@ -41,8 +42,8 @@ impl Problem {
         }
     }
 
-    /// Minimum number of spans, from `least` on, that reaches an accuracy, N RMS, without limits. It is computed once for problems with different
-    /// limits.
+    /// Minimum number of spans, starting at `least`, for which a spline without limits reaches an RMS force error, N. It is computed once for all
+    /// problems that differ only in their limits.
     ///
     /// # Errors
     ///

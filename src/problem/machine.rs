@@ -1,4 +1,4 @@
-//! Speed and mass of the machine, and the target force.
+//! Speed and mass of the machine, and scaling of the force to the target.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::force::ForceCurve;
 use crate::scene::{CamSpec, DriveSpec, ForceScale, Scene};
 use crate::units::Quantity;
 
-/// Scaling of a force to the target: a factor and a constant, N.
+/// Scaling of a force to the target: the force is multiplied by `factor`, then `shift` is added, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     pub factor: f64,
@@ -23,17 +23,17 @@ impl Scaling {
         shift: 0.0,
     };
 
-    /// Whether the target is the force itself.
+    /// Whether the scaling leaves the force unchanged.
     pub fn is_none(self) -> bool {
         self.factor == 1.0 && self.shift == 0.0
     }
 
-    /// The target for a force value, N.
+    /// Target for a value of the force, N.
     pub fn at(self, force: f64) -> f64 {
         self.factor * force + self.shift
     }
 
-    /// Mean and spread of the target, from the mean and spread of a force.
+    /// Mean, spread and noise of the target from those of the force.
     pub fn of_mean(self, force: MeanForce) -> MeanForce {
         MeanForce {
             mean_n: self.at(force.mean_n),
@@ -43,7 +43,7 @@ impl Scaling {
         }
     }
 
-    /// Applies the scaling to a force curve; the result is the target force.
+    /// Target force for a force curve.
     pub fn of(self, force: &ForceCurve) -> ForceCurve {
         let mut target = force.scaled(self.factor);
         for f in &mut target.force_n {
@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// Scaling for a force that is `times` the given one.
+    /// The scaling for a force F, if `self` is the scaling for the force `times` · F.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,
@@ -61,7 +61,7 @@ impl Scaling {
     }
 }
 
-/// Drive of a scene with all numbers, and the scaling of a force with known mean to the target.
+/// Drive of a scene with all numbers, and the scaling of a force with the given mean to the target.
 ///
 /// # Errors
 ///
@@ -76,11 +76,12 @@ pub fn of_force(scene: &Scene, force: Option<MeanForce>) -> Result<(Drive, Scali
     Ok((drive, scaling))
 }
 
-/// Scaling of a force with a mean, N, to the target: the moment of an arm, scaled to the mass on request.
+/// Scaling of a force with a mean, N, to the target. For an arm, the target is the moment of the force. On a moving axis, the scene can require that
+/// the target is scaled to the mass.
 ///
 /// # Errors
 ///
-/// The mean force does not correspond to a mass.
+/// The scene requires scaling to the mass, but the mean force is not positive.
 fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     let (mut factor, mut shift) = (drive.lever, 0.0);
     match how {
@@ -96,11 +97,11 @@ fn scaling(drive: &Drive, how: ForceScale, mean: f64) -> Result<Scaling> {
     Ok(Scaling { factor, shift })
 }
 
-/// Drive with all numbers.
+/// Drive of the machine with all numbers.
 ///
 /// # Errors
 ///
-/// Speed or mass are missing, and no force determines them.
+/// The speed or the mass is not given, and no force determines it. The mean force is not positive on a moving axis.
 fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Drive> {
     let speed = match (spec.speed, force) {
         (Some(w), _) => w,
@@ -130,7 +131,7 @@ fn drive(spec: &DriveSpec, cam: &CamSpec, force: Option<MeanForce>) -> Result<Dr
     })
 }
 
-/// The given mass; otherwise the mass whose weight is the mean force.
+/// Mass on a moving axis, kg: the given mass, or the mass whose weight is the mean force.
 fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
     if let Some(mass) = spec.mass {
         return Ok(mass);

@@ -2,7 +2,7 @@
 
 use crate::force::ForceCurve;
 
-/// Mean and other properties of a cycle of force, without its samples.
+/// Mean, duration, spread and noise of a cycle of force, without its samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanForce {
     /// Mean force, N, over one cycle.
@@ -16,7 +16,7 @@ pub struct MeanForce {
 }
 
 impl MeanForce {
-    /// Mean force of a curve.
+    /// Mean, duration, spread and noise of a force curve.
     pub fn of(curve: &ForceCurve) -> MeanForce {
         MeanForce {
             mean_n: curve.mean_n(),
@@ -26,7 +26,7 @@ impl MeanForce {
         }
     }
 
-    /// Mean force of a multiple of the force.
+    /// Mean, duration, spread and noise of the force multiplied by `factor`.
     pub fn times(self, factor: f64) -> MeanForce {
         MeanForce {
             mean_n: factor * self.mean_n,

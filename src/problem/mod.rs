@@ -1,4 +1,5 @@
-//! A scene with all numbers resolved for its force: the numbers that solvers, checks and searches use, and the properties that follow from them.
+//! The problem of a design: a scene in which all numbers are resolved for its force. Solvers, checks and searches use these numbers and the
+//! properties that follow from them.
 //!
 //! A problem is complete and immutable. After [`Problem::resolve`] the [`Scene`] is not used again. A change of a limit, size or phase creates a new
 //! problem: [`Problem::with`], [`Problem::at_phase`].
@@ -46,12 +47,12 @@ use crate::scene::{
 };
 use crate::units::G;
 
-/// Default degree of spline laws. It is two higher for the end of a damped polydyne follower, whose cam depends on derivatives of the force up to the
-/// third.
+/// Default degree of spline laws. For a polydyne cam with damping, the default is higher by two, because the cam depends on derivatives of the force
+/// up to the third.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 
-/// A design problem with all numbers resolved.
+/// A design problem, in which all numbers are resolved.
 ///
 /// ```
 /// use gaitcam::{Problem, scene};
@@ -71,25 +72,25 @@ pub struct Problem {
     pub drive: Drive,
     /// Family, size and conditions of the law.
     pub law: LawSpec,
-    /// Kind of follower and dimensions of the cam.
+    /// Kind of follower, dimensions and material of the cam.
     pub cam: CamSpec,
     /// Limits that the law and the cam must satisfy, in SI units.
     pub limits: Limits,
     /// Permitted RMS force error, relative to the mean force.
     pub accuracy: Option<f64>,
-    /// Degree of spline laws.
+    /// Degree of the spline, for laws of the spline family.
     pub spline_degree: usize,
     /// One turn of the target force, scaled to the mass if the scene requires this; `None` for a classical programme.
     pub target: Option<Target>,
-    /// Minimum and maximum force of the band in which the force has to stay.
+    /// Minimum and maximum of the permitted force, N, over the turn; `None` without a band.
     pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.
     pub phase: f64,
-    /// Whether the phase is a variable of the design.
+    /// Whether the phase is determined by the design.
     pub phase_is_free: bool,
     /// Cached result of [`Problem::length`].
     length: OnceLock<f64>,
-    /// Data of the machine in addition to its drive.
+    /// Properties of the machine in addition to its drive.
     pub machine: MachineSpec,
     /// Open questions about the recording that the scene does not accept, with the notes that cause them.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
@@ -99,7 +100,7 @@ pub struct Problem {
     pub steps_per_turn: Option<usize>,
     /// Walkers whose mean is the target; `None` for a single cycle.
     pub walkers: Option<Arc<Walkers>>,
-    /// Changes of the problem by the varying speed of the shaft; `None` at constant speed.
+    /// Changes of the problem by a varying shaft speed or a moving floor; `None` at constant speed and on a rigid floor.
     pub on_shaft: Option<Arc<OnShaft>>,
     weights: Vec<PhaseWeight>,
     /// Target and band at phase 0.
@@ -110,7 +111,7 @@ pub struct Problem {
     remarks: Vec<Note>,
 }
 
-/// Weight of the walker, N. For a written cycle, without a recording of feet, it is the mean force.
+/// Weight of the walker, N. For a file that contains one cycle and is not a recording of feet, it is the mean force.
 fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     match (&gait.source, gait.period) {
         (Source::Model(_) | Source::Harmonics(_), _) => gait.model_weight(),
@@ -127,7 +128,8 @@ fn weight(gait: &Gait, force: Option<&ForceCurve>, mean: f64) -> f64 {
     }
 }
 
-/// The limits of a scene. If a drive with a force has no limit on the contact pressure, the allowable pressure of hardness or materials is the limit.
+/// Limits of a scene. If the drive has a force and the scene has no limit on the contact pressure, the allowable pressure from hardness or material
+/// is the limit.
 fn limits(scene: &Scene, drive: &Drive) -> Limits {
     let mut limits = scene.limits.clone();
     if !limits.unjudged.contact_pressure && !drive.is_idle() {
@@ -137,8 +139,8 @@ fn limits(scene: &Scene, drive: &Drive) -> Limits {
     limits
 }
 
-/// Number of steps in a cycle of force: two for the strides of a recording or of a single-foot load model; `None` for a file that contains one cycle
-/// and does not state it.
+/// Number of steps in a cycle of force. It is two for the strides of a recording or of a single-foot load model. `None` for a file that contains one
+/// cycle and does not contain the number of steps.
 fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
     match &gait.source {
         Source::Model(name) => {
@@ -156,7 +158,7 @@ fn steps_per_turn(gait: &Gait, force: Option<&ForceCurve>) -> Option<usize> {
 }
 
 impl Problem {
-    /// Resolves speed, mass, target and band. If the phase is free, the cycle begins at 0 here.
+    /// Resolves speed, mass, target and band of a scene. If the phase is free, the problem has the phase 0.
     ///
     /// # Errors
     ///
@@ -171,8 +173,8 @@ impl Problem {
         })
     }
 
-    /// Resolves the problem as [`Problem::resolve`] does, for a multiple of a force that other problems share, and without notes on scene and
-    /// recording. The notes would take a third of the time of a row in a sweep of closed forms, and no row prints them.
+    /// Resolves the problem for a multiple of a force that other problems share. The result is that of [`Problem::resolve`] without the notes on
+    /// scene and recording. In a sweep of closed-form designs, the notes would take a third of the time of a row, and they are not part of the table.
     pub(crate) fn of_multiple(
         scene: &Scene,
         force: Option<(&Arc<ForceCycle>, f64)>,
@@ -248,7 +250,7 @@ impl Problem {
         })
     }
 
-    /// The problem with the start of the cam's turn at another phase of the force cycle.
+    /// Copy of the problem in which the turn of the cam starts at another phase of the force cycle, rad.
     #[must_use]
     pub fn at_phase(&self, phase: f64) -> Problem {
         let at = |unturned: &Arc<Unturned>| unturned.at_phase(phase);
@@ -261,19 +263,20 @@ impl Problem {
         out
     }
 
-    /// Typical lift, m, used as unit of length in the solvers. Laws in closed form do not need it; its computation requires the samples of the force.
+    /// Typical lift, m, used as unit of length in the solvers. Closed-form laws do not need it. It is computed only if needed, because it requires
+    /// the samples of the force.
     pub fn length(&self) -> f64 {
         let typical = || typical_lift(&self.drive, self.target.as_ref(), &self.law);
         *self.length.get_or_init(typical)
     }
 
-    /// Whether the problem has a single known force and a rigid machine with constant speed.
+    /// Whether the problem has a single force and a simple machine: constant shaft speed, rigid floor, no learned force, and no polydyne cam.
     pub fn is_plain(&self) -> bool {
         let is_one = self.walkers.is_none() && self.on_shaft.is_none();
         is_one && self.machine.is_plain() && !self.law.polydyne
     }
 
-    /// Minimised quantity of the law: the force error if there is a target and no band, otherwise the jerk.
+    /// Quantity that the law minimises. The default is the force error if there is a target and no band, otherwise the jerk.
     pub fn objective(&self) -> Minimise {
         let default = if self.target.is_some() && self.band.is_none() {
             Minimise::ForceError
@@ -283,7 +286,7 @@ impl Problem {
         self.law.minimise.unwrap_or(default)
     }
 
-    /// Whether the drive or a condition determines the level of the lift.
+    /// Whether a spring, a condition or a programme determines the mean level of the lift.
     pub fn level_is_known(&self) -> bool {
         self.drive.spring_rate != 0.0
             || self.law.points.iter().any(|p| p.lift.is_some())
@@ -296,16 +299,16 @@ impl Problem {
         !(self.law.points.is_empty() && self.law.dwells.is_empty())
     }
 
-    /// Compliance between cam and mass, if the scene has one.
+    /// Compliance between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
     ///
-    /// A natural frequency without a mass.
+    /// A natural frequency is given without a mass.
     pub fn train(&self) -> Result<Option<Train>> {
         self.machine.train(&self.drive)
     }
 
-    /// Dwells of the law in ascending order: prescribed dwells, and those of a programme.
+    /// Dwells of the law as first and last cam angle, rad, in ascending order: prescribed dwells, and those of a programme.
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let mut all: Vec<(f64, f64)> = self.law.dwells.iter().map(|d| (d.from, d.to)).collect();
         let mut at = 0.0;
@@ -319,14 +322,15 @@ impl Problem {
         all
     }
 
-    /// Lift for a force if the force depends only on the lift (hydraulic drive, light spring).
+    /// Lift, m, at which the machine has a given force, N. `None` unless the force depends only on the lift, as for a hydraulic drive or a spring
+    /// without mass and damping.
     pub fn lift_of_force(&self, force: f64) -> Option<f64> {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
     }
 }
 
-/// Law of a scene with its conditions on the force at a lever; moments, N·m, for an arm.
+/// Law of a scene whose conditions on the force are multiplied by the lever, m; for an arm they become moments, N·m.
 fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     let mut law = law.clone();
     for force in law.points.iter_mut().filter_map(|p| p.force.as_mut()) {
@@ -335,8 +339,8 @@ fn law_at_lever(law: &LawSpec, lever: f64) -> LawSpec {
     law
 }
 
-/// Open questions about a recording that the scene does not accept, with the notes that cause them. `has_speed`: whether the scene prescribes the
-/// speed of the drive, which is not possible on a moving axis.
+/// Open questions about a recording that the scene does not accept, with the notes that cause them. `has_speed` is true if the scene prescribes the
+/// speed of a drive other than a moving axis; the stride time is then not required.
 fn open_questions(
     gait: Option<&Gait>,
     force: Option<&ForceCurve>,

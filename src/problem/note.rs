@@ -1,4 +1,4 @@
-//! Notes on problem and design in addition to the verdict. The messages are in `wording/en/synth.ftl`.
+//! Notes on a problem and its design, in addition to the verdict. The messages are in `wording/en/synth.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -33,11 +33,11 @@ use crate::wording::{self, Language};
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum Note {
-    /// A note on the scene.
+    /// A note on a key of the scene.
     Scene { note: SceneError },
-    /// A note on the recording.
+    /// A note on the recording of the force.
     Recording { note: force::Note },
-    /// The force cycle is stretched to one turn.
+    /// One turn has another duration than the force cycle, so the cycle is stretched.
     Stretched { turn: Quantity, cycle: Quantity },
     /// The mean of the target force differs from the weight of the moved mass.
     MeanForce {
@@ -45,28 +45,28 @@ pub enum Note {
         weight: Quantity,
         error: Quantity,
     },
-    /// The target force requires free fall.
+    /// The target force is nearly zero in a part of the turn, so the mass must be in free fall there.
     FreeFall {
         share: Quantity,
         duration: Quantity,
         lift: Quantity,
     },
-    /// Minimum stroke that the maximum acceleration implies.
+    /// Maximum stroke that is possible with the maximum acceleration of the target force.
     LargestStroke {
         acceleration: Quantity,
         stroke: Quantity,
-        /// Whether the limit of the stroke is above this minimum and has no effect.
+        /// Whether the limit on the stroke is above this maximum, so that it has no effect.
         idle: bool,
     },
-    /// A default bound of the verdict is switched off.
+    /// The scene switches off a default bound of the verdict.
     NotJudged { key: &'static str },
-    /// Weights of the walkers on the floor are given; the first walker is the machine.
+    /// The scene gives weights of the walkers on the floor; the first weight is that of the machine.
     FirstWalker { weight: String, key: &'static str },
-    /// The phase of minimum force error was selected.
+    /// The design selected the phase with the minimum force error.
     Phase { phase: Quantity },
-    /// The automatic size of the law is limited by the noise of the recording.
+    /// The number of spans or harmonics is limited because a larger one would fit the noise of the recording.
     Noise { size: &'static str, error: Quantity },
-    /// The sensor noise of the recording is part of the automatic accuracy.
+    /// The automatic accuracy includes the sensor noise of the recording.
     SensorNoise {
         size: &'static str,
         noise: Quantity,
@@ -76,9 +76,9 @@ pub enum Note {
     ManySpans { spans: usize, error: Quantity },
     /// The band or another limit requires a large number of spans.
     ManySpansInBand { spans: usize },
-    /// The rounding of a segment's table can cause a large part of its acceleration.
+    /// The rounding of the table of a segment can cause a large part of the acceleration of the segment.
     RoundedTable { segment: usize, share: Quantity },
-    /// The caller stopped the search.
+    /// The search ended at its time limit or was stopped by the caller.
     OutOfTime,
     /// The minimum base circle has radius zero.
     NoBaseCircle,
@@ -88,7 +88,7 @@ pub enum Note {
     LargeRoller { roller: Quantity, cam: Quantity },
     /// The base circle is too small for a shaft that carries the torque.
     ThinShaft {
-        /// Diameter of the base circle.
+        /// Diameter of the base circle of the cam.
         circle: Quantity,
         /// Minimum diameter of a shaft that carries the torque.
         shaft: Quantity,
@@ -106,14 +106,14 @@ pub enum Note {
         allowed: Quantity,
         inertia: Quantity,
     },
-    /// The usual limit of the pressure angle determines the size.
+    /// The default limit of the pressure angle determines the size.
     UsualPressureAngle { angle: Quantity },
-    /// The cam is designed for a compliant follower.
+    /// The cam is designed for a compliant follower, as a polydyne cam.
     Polydyne {
         speed: Quantity,
         stiffness: Quantity,
     },
-    /// Deviation of the end of the compliant follower from its law, with and without the polydyne correction.
+    /// RMS force error with the compliant follower, for this cam and for a cam without the polydyne correction.
     PolydyneMiss { own: Quantity, plain: Quantity },
 }
 

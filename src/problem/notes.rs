@@ -1,4 +1,4 @@
-//! The notes on a problem.
+//! Notes on the scene and the problem, before the design.
 
 use std::f64::consts::TAU;
 
@@ -8,13 +8,13 @@ use crate::drive::DriveKind;
 use crate::scene::LimitKind;
 use crate::units::{Dimension, Quantity};
 
-/// Relative difference of the mean force from M·g below which there is no note.
+/// Relative difference between the mean force and the weight M·g below which they count as equal.
 const CLOSURE: f64 = 1e-6;
-/// Fraction of the mean force below which the mass on a moving axis is nearly in free fall.
+/// Ratio of the force to its mean below which the mass on a moving axis counts as in free fall.
 const FREE_FALL: f64 = 0.02;
-/// Fraction of the acceleration caused by rounded rows below which there is no note.
+/// Ratio of the acceleration caused by rounded rows to the maximum acceleration below which there is no note.
 const OF_ROUNDING: f64 = 0.1;
-/// Relative difference between a turn and the force cycle below which both are equal.
+/// Relative difference between the durations of a turn and of the force cycle below which they count as equal.
 const SAME_PERIOD: f64 = 1e-3;
 
 impl Problem {
@@ -70,7 +70,7 @@ impl Problem {
         })
     }
 
-    /// Notes on the force balance of a moving axis (theory §1): mean(F) = M g, free fall, minimum stroke.
+    /// Notes on the force balance of a moving axis (theory §1): mean force and weight M·g, free fall, maximum stroke.
     fn closure(&self) -> Vec<Note> {
         // With a varying shaft speed, the target is the remainder for the mean speed, so it is not used here.
         let Some(target) = self.target.as_ref().filter(|_| self.on_shaft.is_none()) else {

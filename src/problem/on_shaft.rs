@@ -1,8 +1,8 @@
-//! A problem for a shaft with varying speed: the target over the cam angle, and the force that the variation of the speed adds.
+//! Problem for a shaft with varying speed: the target as a function of the cam angle, and the force that the variation of the speed adds.
 //!
-//! F = F₀ + k s + c ω v + m (ω² a + ω ω′ v) is the force at the mean speed plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). With Δ of the previous
-//! iterate, the force is still linear in the law: Δ is subtracted from target, band and limits of the force. Families, certificates and checks remain
-//! those of constant speed (theory §10).
+//! The force is F = F₀ + k s + c ω v + m (ω² a + ω ω′ v). It equals the force at the mean speed Ω plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). Δ
+//! is computed from the previous iterate, so the force remains linear in the law: Δ is subtracted from target, band and limits of the force.
+//! Families, certificates and checks are the same as for constant speed (theory §10).
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -14,34 +14,38 @@ use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::scene::Minimise;
 
-/// Difference between period and cam angle, rad, below which the speed counts as constant.
+/// Difference between the phase within the period and the cam angle, rad, below which the speed counts as constant.
 const EVEN: f64 = 1e-9;
 
-/// Terms that a varying speed or a moving floor adds, over the cam angle.
+/// Terms that are added by a varying speed or a moving floor, as functions of the cam angle.
 #[derive(Debug, Clone)]
 pub struct Extra {
     /// Added force Δ, N.
     pub force: PiecewisePoly,
-    /// Terms added to velocity, acceleration and jerk in time, m/s, m/s², m/s³ (rad/s …); `None` if zero or not required.
+    /// Terms added to the time derivatives of the lift: velocity, acceleration and jerk, m/s, m/s², m/s³ (rad instead of m for an arm). `None` if
+    /// zero or not required.
     pub timed: [Option<PiecewisePoly>; 3],
     /// Speed of the shaft, rad/s; `None` if constant.
     pub speed: Option<PiecewisePoly>,
-    /// Change of the objective by the response of the floor to the law; `None` if the floor is rigid or its motion is fixed.
+    /// Change of the objective by the response of the floor to the law; `None` if the floor is rigid or its motion is prescribed.
     pub through_floor: Option<ThroughFloor>,
 }
 
-/// Objective J of a law on a floor that responds to it, for a program with the floor motion of the previous law. The force of the program is P + Δ
-/// with fixed Δ; the true force is T P + const. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h is the adjoint
-/// response of the floor to the derivative of the Lagrangian with respect to the force (theory §10).
+/// Change of the objective for a program in which the floor motion is that of the previous law. J is the objective of a law on a floor that responds
+/// to the law.
+///
+/// The force in the program is P + Δ with fixed Δ, but the true force is T P + const. T multiplies harmonic n by the response Gₙ of the floor, which
+/// tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h = `(T − G∞)* π`, where `*` denotes the adjoint
+/// operator, and π is the derivative of the Lagrangian with respect to the force (theory §10).
 #[derive(Debug, Clone)]
 pub struct ThroughFloor {
     /// Objective of the program to which these terms belong.
     pub minimised: Minimise,
-    /// G∞: fraction of a change of force that remains on the floor without delay.
+    /// G∞: response of the force at high harmonics, as a fraction of its change on a rigid floor.
     pub at_once: f64,
-    /// Cosine and sine amplitudes of the harmonics of h, from the first on, in units of the objective per N.
+    /// Harmonics of h, from the first on, as (cosine, sine), in units of the objective per N.
     pub slope: Vec<(f64, f64)>,
-    /// Constant that makes the objective of the program, evaluated at the previous law, equal to the objective of that law on the moving floor.
+    /// Constant that makes the objective of the program at the previous law equal to the objective of this law on the moving floor.
     pub constant: f64,
 }
 
@@ -59,7 +63,7 @@ impl ThroughFloor {
 }
 
 impl Extra {
-    /// Addition of only a force, N.
+    /// Terms that consist only of an added force, N.
     pub fn of_force(force: PiecewisePoly) -> Extra {
         Extra {
             force,
@@ -70,21 +74,21 @@ impl Extra {
     }
 }
 
-/// Part of a problem that a varying speed causes.
+/// Changes of a problem by a varying shaft speed or a moving floor.
 #[derive(Debug, Clone)]
 pub struct OnShaft {
-    /// Added terms over the cam angle.
+    /// Terms that are added to force, velocity, acceleration and jerk.
     pub extra: Extra,
     /// Derivative dΔ/dθ of the added force, N/rad.
     pub force_rate: PiecewisePoly,
-    /// Target over the cam angle, N.
+    /// Target as a function of the cam angle, N, without subtraction of the added force.
     pub target: ForceCurve,
-    /// The problem at constant speed and on a rigid floor.
+    /// The original problem, at constant speed and on a rigid floor.
     pub even: Arc<Problem>,
 }
 
 impl Problem {
-    /// The problem for a shaft whose positions in its period are `phases`, rad, at equal cam angles.
+    /// Problem for a shaft with varying speed. `phases` are the phases within the period, rad, at equally spaced cam angles.
     #[must_use]
     pub fn on_shaft(&self, phases: &[f64], extra: Extra) -> Problem {
         let step = TAU / phases.len() as f64;
@@ -126,7 +130,7 @@ impl Problem {
         out
     }
 
-    /// The problem with another accuracy, relative to the mean force.
+    /// Copy of the problem with another accuracy, relative to the mean force.
     #[must_use]
     pub fn with_accuracy(&self, accuracy: Option<f64>) -> Problem {
         let mut out = self.clone();
@@ -140,46 +144,46 @@ impl Problem {
         out
     }
 
-    /// Change of the objective by the response of the floor; `None` on a rigid floor or if the motion of the floor is fixed.
+    /// Change of the objective by the response of the floor; `None` if the floor is rigid or its motion is prescribed.
     pub fn through_floor(&self) -> Option<&ThroughFloor> {
         let through = self.on_shaft.as_ref()?.extra.through_floor.as_ref()?;
         (through.minimised == self.objective()).then_some(through)
     }
 
-    /// Force added by speed and floor at a cam angle, N.
+    /// Force that varying speed and floor add at a cam angle, rad; result in N.
     pub fn extra_force(&self, theta: f64) -> f64 {
         let shaft = self.on_shaft.as_ref();
         shaft.map_or(0.0, |shaft| shaft.extra.force.eval(theta.rem_euclid(TAU)))
     }
 
-    /// Learned force of the machine at a cam angle, N (an arm: N·m).
+    /// Learned force of the machine at a cam angle, rad; result in N (N·m for an arm).
     pub fn learned_force(&self, theta: f64) -> f64 {
         self.drive.lever * self.machine.learned_at(theta)
     }
 
-    /// Target over the cam angle, without the added force.
+    /// Target as a function of the cam angle, N, without subtraction of the added force.
     pub fn target_at_cam(&self) -> Option<&ForceCurve> {
         let shaft = self.on_shaft.as_ref().map(|shaft| &shaft.target);
         shaft.or(self.target.as_ref().map(|target| &**target.curve()))
     }
 
-    /// Target over the period.
+    /// Target as a function of the phase within the period, N.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         let target = self.at_constant_speed().target.as_ref();
         target.map(|target| &**target.curve())
     }
 
-    /// Band over the period.
+    /// Lower and upper edge of the tolerance band of the force over the period, N; `None` without a band.
     pub fn band_in_time(&self) -> Option<&[ForceCurve; 2]> {
         self.at_constant_speed().band.as_ref()
     }
 
-    /// The problem before the motion of the machine is computed: at constant speed and on a rigid floor.
+    /// The original problem, at constant speed and on a rigid floor, before the motion of the machine is computed.
     pub fn at_constant_speed(&self) -> &Problem {
         self.on_shaft.as_ref().map_or(self, |shaft| &shaft.even)
     }
 
-    /// The problem with another drive and another target over the period, with the same terms of speed and floor.
+    /// Copy of the problem with another drive and another target over the period. The terms added by speed and floor are unchanged.
     #[must_use]
     pub fn against(&self, drive: Drive, target: Option<ForceCurve>) -> Problem {
         let mut out = self.with_drive(drive);
@@ -217,20 +221,20 @@ impl Problem {
     }
 }
 
-/// Product of two curves with different breaks.
+/// Product of two piecewise polynomials, whose breaks can differ.
 pub fn product(own: &PiecewisePoly, other: &PiecewisePoly) -> PiecewisePoly {
     let other = other.cut_at(own.breaks());
     own.cut_at(other.breaks()).times(&other)
 }
 
-/// Sum of two curves with different breaks.
+/// Sum of two piecewise polynomials, whose breaks can differ.
 pub fn sum(own: &PiecewisePoly, extra: &PiecewisePoly) -> PiecewisePoly {
     let extra = extra.cut_at(own.breaks());
     let own = own.cut_at(extra.breaks());
     PiecewisePoly::combine(&[(1.0, &own), (1.0, &extra)], 0.0)
 }
 
-/// Cam angle at a position in the period, rad, both from 0, by linear interpolation.
+/// Cam angle, rad, at a phase within the period, rad, by linear interpolation. Both are zero at the start of the period.
 fn angle_at(phases: &[f64], phase: f64) -> f64 {
     let (turns, part) = ((phase / TAU).floor(), phase.rem_euclid(TAU));
     let (n, first) = (phases.len(), phases[0]);

@@ -7,7 +7,7 @@ use crate::cam::Bore;
 use crate::law::Law;
 use crate::scene::{CamSpec, LimitKind, Limits, Minimise};
 
-/// Fraction of the range of prime radii, at either end, that is not used for followers on arms.
+/// Fraction of the range of prime radii that is excluded at either end, for followers on arms.
 const STRETCHED: f64 = 1e-4;
 
 impl Problem {
@@ -36,7 +36,7 @@ impl Problem {
         }
     }
 
-    /// Whether the objective or a limit depends on the size.
+    /// Whether the objective or a limit depends on the size, so that the size is a variable of the program.
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
@@ -52,8 +52,8 @@ impl Problem {
             && self.reach_of_arm().is_none_or(has_room)
     }
 
-    /// Minimum and maximum radius of the prime circle of an oscillating follower, m. In this range the pivot is outside the circle and the follower
-    /// reaches the circle. `None` for other followers.
+    /// Minimum and maximum radius of the prime circle for an oscillating follower, m. In this range the pivot is outside the prime circle, and the
+    /// follower reaches the circle. `None` for other followers.
     pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings)?;
@@ -70,38 +70,38 @@ impl Problem {
         Some([least + room, most - room])
     }
 
-    /// Offset of the follower's line of motion, m; `None` if it is free. The default of a mushroom is 0.
+    /// Offset of the follower's line of motion, m; `None` if the design determines it. The default for a mushroom follower is 0.
     pub fn offset(&self) -> Option<f64> {
         let usual = self.cam.follower.is_mushroom().then_some(0.0);
         self.cam.offset.or(usual)
     }
 
-    /// Length per unit of the law, m: the distance to the pivot if the law is an angle.
+    /// Length by which the law is multiplied to give m: the pivot distance, m, if the law is an angle, otherwise 1.
     pub fn lever(&self) -> f64 {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings);
         pivot.map_or(1.0, f64::abs)
     }
 
-    /// Minimum base radius that the bore permits, m.
+    /// Minimum base radius outside the bore, m; 0 without a bore.
     pub fn outside_bore(&self) -> f64 {
         self.cam.hole().map_or(0.0, |hole| hole.least_base_radius())
     }
 
-    /// Minimum automatic base radius before the law is known, m.
+    /// Minimum automatic base radius, m, before the law is known.
     pub fn hub_radius(&self) -> f64 {
         hub_radius(&self.cam, &self.limits, None)
     }
 
-    /// Minimum automatic base radius for a law, m.
+    /// Minimum automatic base radius for a law, m. It leaves the wall of a hub around the bore.
     pub fn hub_radius_for(&self, law: &Law) -> f64 {
         let translates = self.cam.follower.is_translating();
         let highest = translates.then(|| law.extremes(0).1.value);
         hub_radius(&self.cam, &self.limits, highest)
     }
 
-    /// Pressure angles on rise and fall that determine the size of a cam, rad: the limited ones, otherwise the usual one. For a flat face, and for a
-    /// side with "none", any value is permitted.
+    /// Maximum pressure angles on rise and fall for the size of the cam, rad. They are the limits of the scene, otherwise the default of 30°. For a
+    /// flat face, and for a side whose limit is switched off, the value is 90°.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
         let sides = self.limits.pressure_angles();
         let one_alone = sides[0].is_some() != sides[1].is_some();
@@ -115,7 +115,7 @@ impl Problem {
     }
 }
 
-/// Default pressure angle for the size of a cam: 30°, the usual rule.
+/// Default maximum pressure angle for the size of a cam, rad: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
 /// Method that determines the size of the cam. For a flat face, base and prime circle coincide.
@@ -128,14 +128,14 @@ pub enum Size {
         /// Radius of the fixed prime circle, m.
         prime: f64,
     },
-    /// Size and law are variables of the same program, and the size is minimised or limited.
+    /// Size and law are variables of the same program. The size is minimised or limited.
     Sought,
-    /// The size is the minimum for the finished law.
+    /// The size is the minimum one for the law, determined after the law.
     AfterLaw,
 }
 
-/// Minimum automatic base radius, m, with the wall of a hub around the hole for the shaft, if the limits on prime radius and diameter permit it.
-/// `highest` is the maximum lift, m, if known; without it a limit on the diameter leaves only the hole.
+/// Minimum automatic base radius, m. It leaves the wall of a hub around the bore, if the limits on prime radius and diameter permit this wall.
+/// `highest` is the maximum lift, m, if known. If it is not known and the diameter is limited, the base circle contains only the bore without a wall.
 pub(crate) fn hub_radius(cam: &CamSpec, limits: &Limits, highest: Option<f64>) -> f64 {
     let of_prime = limits[LimitKind::PrimeRadius].map_or(f64::INFINITY, |r| r - cam.roller_radius);
     let of_diameter = match (limits[LimitKind::Diameter], highest) {

@@ -1,4 +1,4 @@
-//! Target force in phase with the cam.
+//! Target force as a function of the cam angle.
 
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -12,7 +12,7 @@ use crate::law::{Law, weighted};
 use crate::poly::{Cells, Distance, PiecewisePoly};
 use crate::scene::{Band, LawSpec, PhaseWeight};
 
-/// One turn of the target force, with cubics between its samples.
+/// Target force over one turn, with cubics between its samples.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -26,20 +26,20 @@ use crate::scene::{Band, LawSpec, PhaseWeight};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// Force from which a factor and a constant give the target; it starts at cam angle 0.
+    /// Cycle of force to which the scaling is applied; it starts at cam angle 0.
     cycle: Arc<ForceCycle>,
     scaling: Scaling,
-    /// Samples and cubics of the target, if they differ from those of `cycle`.
+    /// Samples and cubics of the target, computed only if the scaling changes the force.
     scaled: OnceLock<(Arc<ForceCurve>, Arc<Cells>)>,
 }
 
 impl Target {
-    /// Creates a target from a curve; the cubics are computed.
+    /// Creates a target from a curve. The cubics between the samples are computed from the samples.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
         Target::of(Arc::new(ForceCycle::new(curve)), Scaling::NONE)
     }
 
-    /// Creates a target with given slopes of its cubics, N per sample, one more than samples.
+    /// Creates a target whose cubics have the given slopes, N per sample. There is one slope more than samples.
     pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
         let cycle = ForceCycle::with_slopes(curve, slopes);
         Target::of(Arc::new(cycle), Scaling::NONE)
@@ -54,18 +54,18 @@ impl Target {
         }
     }
 
-    /// Factor and cycle, if the target is a multiple of the cycle; `None` if a constant is added.
+    /// Factor of the target and its cycle, if the target is a multiple of the cycle; `None` if a constant is added.
     pub(crate) fn multiple(&self) -> Option<(f64, &ForceCycle)> {
         let Scaling { factor, shift } = self.scaling;
         (shift == 0.0).then_some((factor, &*self.cycle))
     }
 
-    /// Scaling of the target, and the cycle to which it applies.
+    /// Scaling of the target, and the cycle to which the scaling is applied.
     pub(super) fn scaled_cycle(&self) -> (Scaling, &ForceCycle) {
         (self.scaling, &self.cycle)
     }
 
-    /// Target force over one cycle, starting at cam angle 0.
+    /// Samples of the target force over one turn, N, starting at cam angle 0.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         if self.scaling.is_none() {
             return self.cycle.curve();
@@ -89,7 +89,7 @@ impl Target {
         })
     }
 
-    /// Interpretation of the recording from which the target was computed.
+    /// Interpretation of the recording from which the target was computed; `None` without a recording.
     pub fn recording(&self) -> Option<&Interpretation> {
         self.cycle.given()?.recording.as_deref()
     }
@@ -104,31 +104,32 @@ impl Target {
         self.scaling.at(self.cycle.mean.mean_n)
     }
 
-    /// Minimum and maximum sample of the force, N.
+    /// Minimum and maximum sample of the target, N.
     pub fn range_n(&self) -> [f64; 2] {
         self.cycle.range_n().map(|force| self.scaling.at(force))
     }
 
-    /// Maximum difference between a sample and a constant force, N.
+    /// Maximum difference between the samples and a constant force, N.
     pub fn farthest_from(&self, force: f64) -> f64 {
         let [least, most] = self.range_n();
         (most - force).max(force - least).max(0.0)
     }
 
-    /// Mean over the turn of the squared difference from a constant force, N².
+    /// Mean over the turn of the squared difference between the target and a constant force, N².
     pub fn mean_square_from(&self, force: f64) -> f64 {
         let Scaling { factor, shift } = self.scaling;
         factor * factor * self.cycle.mean_square_from((force - shift) / factor)
     }
 
-    /// Least-squares approximation of the target by polynomials of one degree between the breaks: values at the nodes of [`Cells::nearest`], N.
+    /// Least-squares approximation of the target by polynomials of one degree between the breaks. The result contains its values, N, at the nodes of
+    /// [`Cells::nearest`].
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         let projection = self.cycle.projection(breaks, degree);
         let values = projection.values.iter();
         values.map(|force| self.scaling.at(*force)).collect()
     }
 
-    /// Difference between the target and a force over the turn, N.
+    /// Difference between the target and a force over the turn: integral of its square, N² rad, and its maximum, N.
     fn distance(&self, own: &PiecewisePoly) -> Distance {
         let Scaling { factor, shift } = self.scaling;
         let square = match self.scaling.is_none() {
@@ -144,7 +145,7 @@ impl Target {
         }
     }
 
-    /// Root mean square and maximum difference over the turn between the target and the force of a law with a drive, N.
+    /// RMS and maximum difference over the turn, N, between the target and the force of a law with a drive.
     pub fn error_of(&self, law: &Law, drive: &Drive) -> [f64; 2] {
         let series = || Some(self.cycle.series()).filter(|series| series.is_finite());
         if let Some(own) = law.harmonics()
@@ -162,12 +163,12 @@ impl Target {
         [(apart.square / length).max(0.0).sqrt(), apart.largest]
     }
 
-    /// Number of harmonics that the samples determine.
+    /// Maximum order of the harmonics that the samples determine.
     pub(crate) fn most_harmonics(&self) -> usize {
         most(self.samples())
     }
 
-    /// Harmonics of the force from the first on, (cosine, sine), N.
+    /// First `count` harmonics of the target as (cosine, sine), N.
     pub(crate) fn harmonics(&self, count: usize) -> impl Iterator<Item = (f64, f64)> {
         let factor = self.scaling.factor;
         let waves = self.cycle.series().first(count).iter();
@@ -176,32 +177,32 @@ impl Target {
         waves.chain(std::iter::repeat((0.0, 0.0))).take(count)
     }
 
-    /// RMS force above the first `count` harmonics, N.
+    /// RMS of the target without its mean and its first `count` harmonics, N.
     pub(crate) fn left_over(&self, count: usize) -> f64 {
         self.scaling.factor.abs() * self.cycle.series().left_over(count)
     }
 
-    /// Minimum number of harmonics for which the RMS of the others is at most `wanted`, N.
+    /// Minimum number of harmonics for which the RMS of all higher harmonics is at most `wanted`, N.
     pub(crate) fn fewest_harmonics(&self, wanted: f64) -> usize {
         let series = self.cycle.series();
         series.fewest(wanted / self.scaling.factor.abs())
     }
 }
 
-/// Target and band if the cam's turn starts at the start of the cycle.
+/// Target and band for a turn that starts at phase 0 of the cycle.
 #[derive(Debug)]
 pub struct Unturned {
     target: Target,
-    /// Minimum and maximum permitted force.
+    /// Minimum and maximum permitted force over the turn, N.
     band: Option<[ForceCurve; 2]>,
 }
 
 impl Unturned {
-    /// Creates the target with a band about it.
+    /// Creates a target with a band about it.
     ///
     /// # Errors
     ///
-    /// The band is given in spreads, but the force has no spread.
+    /// The half width of the band is the spread of the force, but the force has no spread.
     pub fn new(target: Target, band: Option<Band>) -> Result<Unturned> {
         let band = band.map(|band| band_about(target.curve(), band));
         Ok(Unturned {
@@ -210,7 +211,7 @@ impl Unturned {
         })
     }
 
-    /// Target and band if the cam's turn starts at a phase of the cycle.
+    /// Target and band for a turn that starts at a phase of the cycle, rad.
     pub fn at_phase(&self, phase: f64) -> (Option<Target>, Option<[ForceCurve; 2]>) {
         if phase == 0.0 {
             return (Some(self.target.clone()), self.band.clone());
@@ -221,7 +222,7 @@ impl Unturned {
     }
 }
 
-/// Minimum and maximum force of a band about a force, as cycles with the same samples.
+/// Lower and upper edge of a band about a force, N, with the same samples as the force.
 fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     let half: Vec<f64> = match (band, &target.spread_n) {
         (Band::Width(width), _) => vec![width; target.force_n.len()],
@@ -237,7 +238,7 @@ fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
     Ok([edge(-1.0), edge(1.0)])
 }
 
-/// Lift that force and conditions require, m, used as unit of length in the solvers.
+/// Lift that the target force and the conditions require, m. It is used as unit of length in the solvers; 1 mm if nothing determines it.
 pub fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
     let [k, c, m, _] = drive.weights();
     let from_force = target.map_or(0.0, |target| {
@@ -273,7 +274,7 @@ pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
     PiecewisePoly::new(breaks, 3, coef)
 }
 
-/// Weight of the force error at a phase of the cycle. If ranges overlap, the last one applies.
+/// Weight of the force error at a phase of the cycle, rad; 1 outside all ranges. If ranges overlap, the last one determines the weight.
 pub fn weight_at(weights: &[PhaseWeight], phase: f64) -> f64 {
     let at = phase.rem_euclid(TAU);
     let inside = |w: &&PhaseWeight| {

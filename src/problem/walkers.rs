@@ -1,7 +1,8 @@
-//! Walkers of a population, with the machine adjusted for each of them.
+//! Walkers of a population. The machine is adjusted for each walker.
 //!
-//! The force of walker w is F_w = R_w + β_w (F − R), where F and R belong to the reference machine. Mass and speed change the force at rest R_w and a
-//! factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The force of every walker is therefore linear in the same law.
+//! The force of the machine for walker w is F_w = R_w + β_w (F − R). F is the force of the reference machine, and R its force at rest. Mass and speed
+//! change the force at rest R_w and the factor β_w, which is M_w ω_w²/(M ω²) on a moving axis. The forces for all walkers are therefore linear in the
+//! same law.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +14,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::force::{ForceCurve, Population, Walker};
 use crate::scene::{Adjust, ErrorMeasure, Robust, Scene};
 
-/// Relative difference of the weights of two drives below which one is a multiple of the other.
+/// Relative tolerance of the check that the force coefficients of one drive are a multiple of those of another drive.
 const SAME: f64 = 1e-12;
 
 /// A walker, or one cycle of a walker, for whom a cam is designed.
@@ -32,15 +33,15 @@ const SAME: f64 = 1e-12;
 pub struct Served {
     /// Name of the walker.
     pub name: String,
-    /// Weight of the walker in a mean; the sum over all is 1.
+    /// Weight of the cycle in a mean over all cycles. The sum over all cycles is 1.
     pub share: f64,
-    /// Machine adjusted for the walker.
+    /// Drive of the machine after its adjustment for the walker.
     pub drive: Drive,
-    /// Factor β of the walker.
+    /// Factor β of the force of this walker's machine.
     pub factor: f64,
-    /// Reference force of the relative error, N: the mean of the target, or the same force for all walkers if errors are in newtons.
+    /// Force to which the error is related, N. For relative errors it is the mean of the walker's target, otherwise the same force for all walkers.
     pub unit: f64,
-    /// Target, scaled as in the scene, N, at the phase of the cam.
+    /// Target force, N, scaled as the scene requires, at the phase of the cam.
     pub target: ForceCurve,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
@@ -64,16 +65,16 @@ pub struct Walkers {
     pub each: Vec<Served>,
     /// Number of walkers; a walker may have several cycles.
     pub count: usize,
-    /// Objective over the errors of the walkers.
+    /// Objective over the force errors of the walkers.
     pub robust: Robust,
-    /// Measure of the errors: relative or in newtons.
+    /// Measure of the force errors: relative or in newtons.
     pub error: ErrorMeasure,
-    /// Adjustment of the machine for each walker.
+    /// Quantities of the machine that are adjusted for each walker.
     pub adjust: Adjust,
 }
 
 impl Walkers {
-    /// Population of a force, for a machine with the given reference and the mean of the target; `None` for a single cycle.
+    /// Walkers of the force, for a reference machine and the mean of its target; `None` if the force has only one cycle.
     pub(super) fn of(
         scene: &Scene,
         force: Option<&ForceCurve>,
@@ -97,7 +98,7 @@ impl Walkers {
         with(adjust).or_else(|_| with(fixed)).map(Some)
     }
 
-    /// Population with machines that are adjusted for the walkers.
+    /// Walkers of a population, with the machine adjusted for each of them by `adjust`.
     fn adjusted(
         scene: &Scene,
         population: &Population,
@@ -141,7 +142,7 @@ impl Walkers {
         })
     }
 
-    /// The population with a phase for each cycle.
+    /// Copy in which each cycle starts at its own phase, rad.
     #[must_use]
     pub(crate) fn at_phases(&self, phases: &[f64]) -> Walkers {
         let mut out = self.clone();
@@ -151,7 +152,7 @@ impl Walkers {
         out
     }
 
-    /// The population with cycles that start at another phase.
+    /// Copy in which all cycles start at another phase, rad.
     #[must_use]
     pub(super) fn begun_at(&self, phase: f64) -> Walkers {
         let mut out = self.clone();
@@ -162,7 +163,7 @@ impl Walkers {
     }
 }
 
-/// Adjustment of the machine for each walker.
+/// Quantities of the machine that are adjusted for each walker, as the scene requires or by default.
 fn adjusted(scene: &Scene) -> Result<Adjust> {
     let (spec, is_moving) = (&scene.drive, scene.drive.kind == DriveKind::MovingAxis);
     let Some(adjust) = scene.gait.as_ref().and_then(|g| g.adjust) else {
@@ -186,7 +187,7 @@ fn adjusted(scene: &Scene) -> Result<Adjust> {
     Ok(adjust)
 }
 
-/// Factor β of a machine.
+/// Factor β of a machine relative to the reference machine.
 fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     let (own, all) = (own.weights(), reference.weights());
     let largest = (0..all.len()).max_by(|i, j| all[*i].abs().total_cmp(&all[*j].abs()));
@@ -198,7 +199,7 @@ fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     Ok(factor)
 }
 
-/// A cycle resampled to `samples` samples.
+/// A cycle with another number of samples, by interpolation.
 fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
     if curve.force_n.len() == samples {
         return curve.clone();
@@ -208,7 +209,8 @@ fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
 }
 
 impl super::Problem {
-    /// The problem for another target, given with the slopes of its cubics; without walkers, at the phase of the target.
+    /// Copy of the problem for a single target that is in phase with the cam. `slopes` are the slopes of its cubics, N per sample. The copy has no
+    /// walkers.
     #[must_use]
     pub(crate) fn for_target(&self, curve: ForceCurve, slopes: Vec<f64>) -> super::Problem {
         let mut out = self.clone();

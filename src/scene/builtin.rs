@@ -5,7 +5,7 @@ use std::path::Path;
 use super::{Scene, parse};
 use crate::error::{Error, Result, SceneError, nearest};
 
-/// A built-in scene.
+/// A built-in scene of the library, with its name and text.
 ///
 /// ```
 /// use gaitcam::{LimitKind, scene};
@@ -19,16 +19,16 @@ use crate::error::{Error, Result, SceneError, nearest};
 pub struct BuiltIn {
     /// Name of the built-in scene.
     pub name: &'static str,
-    /// TOML text of the built-in scene.
+    /// Text of the scene in TOML.
     pub toml: &'static str,
 }
 
 impl BuiltIn {
-    /// The parsed scene.
+    /// The scene, read from its text.
     ///
     /// # Errors
     ///
-    /// No errors occur: the built-in files are tested.
+    /// None in practice, because tests read every built-in scene.
     pub fn scene(&self) -> Result<Scene> {
         parse(self.toml)
     }
@@ -43,7 +43,7 @@ macro_rules! scenes {
     };
 }
 
-/// All built-in scenes, by name.
+/// All built-in scenes, in the order in which they are listed.
 pub const SCENES: [BuiltIn; 25] = scenes![
     "footbridge",
     "footbridge_double_harmonic",
@@ -75,7 +75,7 @@ pub const SCENES: [BuiltIn; 25] = scenes![
 /// Default scene: a walker of 700 N on a footbridge, with 1.85 steps per second.
 pub const DEFAULT: &str = SCENES[0].toml;
 
-/// Input files of the built-in scenes, by their paths in the scenes.
+/// Contents of the input files of the built-in scenes, with the paths that the scenes use.
 const FILES: [(&str, &[u8]); 2] = [
     (
         "../data/gait_curves/heel_tester_critical_points.csv",
@@ -87,16 +87,16 @@ const FILES: [(&str, &[u8]); 2] = [
     ),
 ];
 
-/// Path of a built-in recording, for the scene `measured_walk`, which does not name one.
+/// Path of the built-in recording for the scene `measured_walk`, which does not name a recording.
 pub const EXAMPLE_RECORDING: &str = "../data/recordings/made_walk.csv";
 
-/// Content of a file of a built-in scene, by its path in the scene.
+/// Content of a built-in file, by its path in a scene; `None` if no built-in file has this path.
 pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
     let found = FILES.iter().find(|f| Path::new(f.0) == path);
     found.map(|f| f.1)
 }
 
-/// The built-in scene with a name.
+/// The built-in scene with the given name.
 ///
 /// # Errors
 ///

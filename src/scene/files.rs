@@ -1,4 +1,4 @@
-//! Force of a scene, from the content of its files.
+//! Reading the force of a scene from the content of its files.
 
 use std::iter::once;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,10 @@ use super::{Gait, Source};
 use crate::error::{ForceError, Placed, ReadError, Result};
 use crate::force::{self, ForceCurve, ReadOptions};
 
-/// Separator between the plate files of one trial in the name of a recording.
+/// Separator between the names of the plate files of one trial, in the name of a recording.
 pub const BETWEEN_PLATES: &str = " + ";
 
-/// Files by their names in a scene: on the disk, in memory or in a browser.
+/// Access to files by their names in a scene. The files can be on the disk, in memory or in a browser.
 ///
 /// ```
 /// use std::path::Path;
@@ -40,7 +40,7 @@ pub const BETWEEN_PLATES: &str = " + ";
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 pub trait Files {
-    /// Whether a file of this name exists.
+    /// Whether a file with this name exists.
     fn has(&self, name: &Path) -> bool;
 
     /// Content of a file.
@@ -50,7 +50,7 @@ pub trait Files {
     /// The file is missing or unreadable.
     fn read(&self, name: &Path) -> Result<Arc<Vec<u8>>>;
 
-    /// Names of all files, if they are in memory.
+    /// Names of all files if they are in memory; otherwise empty.
     fn names(&self) -> Vec<PathBuf> {
         Vec::new()
     }
@@ -70,7 +70,7 @@ pub trait Files {
         Ok((!inside.is_empty()).then_some(inside))
     }
 
-    /// Path of a file for messages.
+    /// Path of a file as shown in messages.
     fn shown(&self, name: &Path) -> PathBuf {
         name.to_path_buf()
     }
@@ -80,7 +80,7 @@ pub trait Files {
 type Recording = (PathBuf, Arc<Vec<u8>>, ReadOptions);
 
 impl Gait {
-    /// Force of the scene; `None` if the caller provides it.
+    /// Reads the force of the scene. For several walkers, it is their mean. `None` if the caller provides the force.
     ///
     /// # Errors
     ///
@@ -109,7 +109,8 @@ impl Gait {
         reader.mean(&files.shown(first)).map(Some)
     }
 
-    /// Path, content and reading options of the only recording of the scene; `None` for a load model and for several walkers.
+    /// Path, content and reading options of the recording of the scene. `None` for a load model, for several walkers, or if the caller provides the
+    /// force.
     ///
     /// # Errors
     ///
@@ -130,7 +131,7 @@ impl Gait {
         Ok(Some((files.shown(name), bytes, options)))
     }
 
-    /// Names of all files of the force: recordings, each plate of a trial separately, and tables of subjects.
+    /// Names of all files that contain the force. They are recordings and tables of subjects; every plate file of a trial is listed.
     ///
     /// # Errors
     ///
@@ -148,7 +149,7 @@ impl Gait {
         Ok(out)
     }
 
-    /// Names of the recordings, including those in folders.
+    /// Names of the recordings of the scene. A folder is replaced by the recordings that it contains.
     fn recordings(&self, files: &dyn Files) -> Result<Vec<PathBuf>> {
         let Source::File(first) = &self.source else {
             return Ok(Vec::new());
@@ -168,13 +169,13 @@ impl Gait {
     }
 }
 
-/// Whether a file is a table of subjects for recordings.
+/// Whether a file is a table of subjects, by its name.
 fn is_about_subjects(file: &Path) -> bool {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     stem.to_lowercase().ends_with("metadata")
 }
 
-/// Content of a recording; the plates of one trial are joined.
+/// Content of a recording. The plate files of one trial are joined.
 ///
 /// # Errors
 ///
@@ -195,7 +196,7 @@ pub fn content(files: &dyn Files, name: &Path) -> Result<Arc<Vec<u8>>> {
     })
 }
 
-/// Files of a recording: the plates of a trial, otherwise the file itself.
+/// Names of the files of a recording: the plate files of a trial, otherwise the file itself.
 pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     match name.to_str() {
         Some(text) if text.contains(BETWEEN_PLATES) && !files.has(name) => text
@@ -206,7 +207,7 @@ pub fn plates(files: &dyn Files, name: &Path) -> Vec<PathBuf> {
     }
 }
 
-/// Table of subjects in the folder of a table of stances, if it exists.
+/// Content of the table of subjects for a table of stances in the same folder; `None` if it does not exist.
 fn subjects(files: &dyn Files, name: &Path) -> Option<Vec<u8>> {
     let bytes = files.read(&force::metadata_name(name)?).ok()?;
     Some(bytes.to_vec())

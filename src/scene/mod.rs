@@ -1,6 +1,6 @@
-//! A scene: the typed input of the user, which describes the whole problem.
+//! A scene: the input of the user, which describes the whole problem.
 //!
-//! Every key of a scene file is one row of the table in [`keys`]. Reading, writing, changing, sweeping and relaxing a scene all use this table.
+//! Every key of a scene file is one row of the table in [`keys`]. This table is used for reading, writing, changing, sweeping and relaxing scenes.
 
 mod builtin;
 mod files;
@@ -30,7 +30,7 @@ pub use set::{set, set_value, unset};
 use crate::error::Result;
 use crate::force::ForceCurve;
 
-/// Description of the whole problem. `None` means `"auto"` or absent, depending on the field.
+/// Description of the whole problem, as read from a scene file. Depending on the field, `None` means `"auto"` or that the key is absent.
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, Gait, LawSpec};
@@ -56,22 +56,22 @@ pub struct Scene {
     pub name: String,
     /// Target force; `None` for a classical programme.
     pub gait: Option<Gait>,
-    /// Drive: relation of lift and force.
+    /// Drive: relation between lift and force.
     pub drive: DriveSpec,
     /// Family, resolution and exact conditions of the law.
     pub law: LawSpec,
-    /// The cam and its follower.
+    /// Dimensions and material of the cam and its follower.
     pub cam: CamSpec,
     /// Limits of the design.
     pub limits: Limits,
     /// Properties of the machine in addition to its drive.
     pub machine: MachineSpec,
-    /// Maximum RMS force error, relative to the mean force.
+    /// Permitted RMS force error, relative to the mean force; `None`: the default.
     pub rms: Option<f64>,
 }
 
 impl Default for Scene {
-    /// Scene of a flat-faced disc cam on a moving axis, without target and limits.
+    /// Scene of a disc cam with a flat face on a moving axis, without a target force and without limits.
     fn default() -> Scene {
         Scene {
             name: "cam".to_string(),
@@ -87,7 +87,7 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// Force of the scene's load model; `None` without a load model.
+    /// Force of the load model in the scene; `None` if the scene has no load model.
     ///
     /// # Errors
     ///

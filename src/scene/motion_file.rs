@@ -1,7 +1,7 @@
-//! Motions with numbers from a file: `motion = "table lift.csv"`.
+//! Motions whose numbers are in a file: `motion = "table lift.csv"`.
 //!
-//! The library does not read files. The caller replaces the file name by the rows of the file before the scene is read. A motion from a file and one
-//! written in the scene are therefore treated alike.
+//! The library does not read files. Before the scene is read, the caller replaces the file name by the rows of the file. A motion from a file is
+//! therefore equivalent to a motion whose numbers are in the scene.
 
 use std::path::{Path, PathBuf};
 
@@ -13,22 +13,22 @@ use crate::law::Rise;
 use crate::scene::keys::short;
 use crate::units::{Dimension, parse};
 
-/// Path of a file for messages, and its content.
+/// Path of a file as shown in messages, and content of the file.
 type Content = (PathBuf, Vec<u8>);
 
-/// Maximum size of a motion file, bytes.
+/// Maximum size of a motion file, bytes (64 MiB).
 pub const LARGEST_MOTION: u64 = 64 << 20;
 /// Maximum number of rows of a motion.
 const MOST_ROWS: usize = 10_000;
-/// Relative tolerance between the angle and lift of a segment and those of its file.
+/// Maximum relative difference between the angle or lift of a segment and the value from its file.
 const AGREEMENT: f64 = 1e-6;
 
-/// Accepted names of the angle column.
+/// Accepted names of the column with the cam angle.
 const ANGLE: [&str; 4] = ["angle", "theta", "ángulo", "angulo"];
 const TRAVEL: [&str; 3] = ["length", "travel", "recorrido"];
 const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento"];
 
-/// Names of the motion files in a scene, as written.
+/// Names of the files for motions and for the curve of the motor, as written in a scene.
 ///
 /// ```
 /// let scene: toml::Table = "[[law.segment]]\nmotion = \"table lift.csv\"".parse()?;
@@ -45,14 +45,14 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
     motions.chain(curve).collect()
 }
 
-/// File of the motor's curve; `None` if the text is a list of numbers, which starts with a number.
+/// Name of the file with the torque curve of the motor. `None` if the text of the key is a list of numbers.
 fn curve_file(scene: &Table) -> Option<&str> {
     let curve = scene.get("machine")?.get("motor")?.get("curve")?.as_str()?;
     let first = curve.split_whitespace().next()?;
     first.parse::<f64>().is_err().then_some(curve)
 }
 
-/// Table of a file. If the file has no table, the error describes it.
+/// Reads the table of a file. If the file contains no table, the error shows the start of the file.
 fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberTable<'a>> {
     NumberTable::find(path, bytes).map_err(|error| match error.fault() {
         Some(ReadError::NoTable { start }) => {
@@ -63,7 +63,7 @@ fn find_table<'a>(path: &Path, bytes: &'a [u8], purpose: &str) -> Result<NumberT
     })
 }
 
-/// Replaces the file name of the motor's curve by the rows of the file.
+/// Replaces the name of the file with the torque curve of the motor by the rows of the file.
 fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) -> Result<()> {
     let Some(file) = curve_file(scene).map(str::to_string) else {
         return Ok(());
@@ -109,10 +109,10 @@ fn put_curve(scene: &mut Table, read: &mut dyn FnMut(&Path) -> Result<Content>) 
     Ok(())
 }
 
-/// Replaces every file name of a motion in the scene by the rows of the file. If a segment has no angle or lift, the value of the file is used.
+/// Replaces every file name of a motion in a scene by the rows of the file. If a segment has no angle or lift, the values of the file are used.
 ///
-/// The header of the table names a column `angle` (`length` for a translating cam) and a column `lift`, each with its unit (`angle_deg`, `lift
-/// [mm]`). `read` returns the path for messages and the content of a file.
+/// The header of the table names a column `angle` (`length` for a translating cam) and a column `lift`. Each name contains the unit of the column
+/// (`angle_deg`, `lift [mm]`). `read` returns the path for messages and the content of a file.
 ///
 /// # Errors
 /// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of a segment that differs from its file.
@@ -168,7 +168,7 @@ fn segments(scene: &Table) -> &[Value] {
     list.and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
-/// A column with its conversion factor to SI.
+/// A column of a motion file, with its conversion factor to SI units.
 struct Column {
     place: usize,
     /// Name of the column in the header.
@@ -178,7 +178,7 @@ struct Column {
 }
 
 impl Column {
-    /// The column with one of these names. Its unit must belong to one of the dimensions; the first match is used.
+    /// The first column with one of these names; `None` if there is no such column. Its unit must belong to one of the dimensions.
     fn find(
         path: &Path,
         table: &NumberTable,
@@ -209,7 +209,7 @@ impl Column {
         }))
     }
 
-    /// Value of this column in a row, without conversion of units. A missing cell and a cell without a number are errors.
+    /// Number in this column of a row, without conversion of units. A missing cell and a cell without a number are errors.
     fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
         let cell = row.get(self.place);
         let fault = || {
@@ -221,7 +221,7 @@ impl Column {
     }
 }
 
-/// Numbers of a motion, as written. They have no unit, and the last decimal is the accuracy of a row.
+/// Numbers of a motion as written in the file, in the units of the columns. The last decimal shows the rounding of the rows.
 struct Rows {
     angle: (Column, Vec<f64>),
     lift: (Column, Vec<f64>),
@@ -269,7 +269,7 @@ impl Rows {
         })
     }
 
-    /// Text of the motion in a scene.
+    /// Text of the motion for the scene.
     fn written(&self) -> String {
         let rows = self.angle.1.iter().zip(&self.lift.1);
         rows.fold("table".to_string(), |text, (x, s)| {
@@ -277,7 +277,7 @@ impl Rows {
         })
     }
 
-    /// Sets the angle and the lift of a segment from the file, or checks given values.
+    /// Sets the angle (or length) and the lift of a segment from the file. Values that the segment already contains are compared with the file.
     fn put(&self, segment: &mut Table, key: &str, path: &Path) -> Result<()> {
         for ((column, values), name) in [(&self.angle, None), (&self.lift, Some("lift"))] {
             let name = name.unwrap_or(match column.dimension {
@@ -299,7 +299,7 @@ impl Rows {
     }
 }
 
-/// Sets a value of a segment, or checks that a given value agrees.
+/// Sets one value of a segment from the file. If the segment already contains the value, it must agree with the file.
 fn agree(
     segment: &mut Table,
     key: &str,

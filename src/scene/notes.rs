@@ -1,11 +1,12 @@
-//! Given keys without effect in a scene. They are reported but not rejected, so that a sweep over families or followers can keep them.
+//! Keys that are given in a scene but have no effect. They are reported and not rejected, so that a sweep over families or followers can contain
+//! them.
 
 use super::Scene;
 use super::keys::{KEYS, Key, find};
 use crate::error::{Error, Placed, SceneError};
 
 impl Scene {
-    /// [`SceneError::NoEffect`] for each given key without effect. Keys of a list are given without the number of an entry.
+    /// Notes on the given keys that have no effect, as [`SceneError::NoEffect`]. For a key of a list, the note contains the path of the list.
     ///
     /// ```
     /// use gaitcam::error::SceneError;
@@ -21,7 +22,7 @@ impl Scene {
         KEYS.iter().filter_map(|key| self.note_on(key)).collect()
     }
 
-    /// Error for a change of one key, if the key has no effect.
+    /// Error for a changed key that has no effect in the scene; `None` if the change has an effect.
     pub fn no_effect_of(&self, path: &str) -> Option<Error> {
         let key = find(path)?;
         let name = key.list().unwrap_or(key.path);
@@ -40,7 +41,7 @@ impl Scene {
         })
     }
 
-    /// Whether a key has an explicit value in the scene.
+    /// Whether the scene contains a value of a key that differs from its default.
     fn gives(&self, key: &Key) -> bool {
         let value = key.get(self, 0);
         key.exists(self) && value.is_some_and(|v| !self.is_default(key, &v))

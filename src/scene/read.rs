@@ -1,4 +1,4 @@
-//! Reading a [`Scene`] from TOML, by the key table.
+//! Reading a [`Scene`] from TOML, with the key table.
 
 use toml::{Table, Value as Toml};
 
@@ -21,11 +21,11 @@ pub fn parse(text: &str) -> Result<Scene> {
     read(&table(text)?)
 }
 
-/// Parses the text of a scene file to a table, in which single values can be changed before [`read`].
+/// Parses the text of a scene file to a TOML table. Single values can be changed in the table before [`read`].
 ///
 /// # Errors
 ///
-/// The text is not TOML; the error contains the line.
+/// The text is not TOML. The error contains the line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));
@@ -35,18 +35,18 @@ pub fn table(text: &str) -> Result<Table> {
     })
 }
 
-/// Reads a scene from its table.
+/// Reads a scene from its TOML table.
 ///
 /// # Errors
 ///
-/// Unknown keys, invalid values and inconsistent keys. Each error contains the dotted key and a valid value.
+/// Unknown keys, invalid values, and inconsistent keys. Each error contains the dotted key and a valid value.
 pub fn read(table: &Table) -> Result<Scene> {
     let scene = read_keys(table)?;
     rules::check_typed(&scene, Typed(Some(table)))?;
     Ok(scene)
 }
 
-/// Reads each key separately, without the checks on combinations of keys.
+/// Reads every key of a scene separately, without checking combinations of keys.
 ///
 /// # Errors
 /// Unknown keys and invalid values.
@@ -76,13 +76,13 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
     Ok(scene)
 }
 
-/// A value of a scene file with its key.
+/// A value in a scene file, with its key.
 struct Leaf<'a> {
-    /// Path with `N` in place of the number of an entry.
+    /// Path of the key, with the letter N in place of the number of a list entry.
     pattern: String,
-    /// Path as users write it.
+    /// Path of the key as written by users.
     path: String,
-    /// Index of the entry, from 0.
+    /// Index of the list entry, from 0.
     index: usize,
     value: &'a Toml,
 }
@@ -147,7 +147,7 @@ fn collect<'a>(
     Ok(())
 }
 
-/// Meaning of a path of the key table.
+/// What a path in a scene file denotes: a section, a list or a key.
 enum Node {
     Section,
     List,
@@ -163,7 +163,7 @@ fn node(pattern: &str) -> Node {
     }
 }
 
-/// Rejects unknown keys, and keys that do not apply to the follower or drive.
+/// Rejects unknown keys, and keys that the follower or the drive of the scene does not permit.
 fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
     let row = |leaf: &&Leaf| KEYS.iter().find(|k| k.path == leaf.pattern);
     if let Some(leaf) = leaves.iter().find(|l| row(l).is_none()) {
@@ -210,7 +210,7 @@ fn not_here(path: &str, scene: &Scene) -> SceneError {
     }
 }
 
-/// Rejects scenes without a required key.
+/// Rejects a scene in which a required key is missing.
 fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     for key in KEYS.iter().filter(|k| k.is_required(scene)) {
         let example = key.example(scene);
@@ -237,7 +237,7 @@ fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     Ok(())
 }
 
-/// Number of entries of a list.
+/// Number of entries in a list of the scene file.
 fn entries(table: &Table, list: &str) -> usize {
     let list = Typed(Some(table)).value(list);
     list.and_then(Toml::as_array).map_or(0, Vec::len)

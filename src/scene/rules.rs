@@ -1,4 +1,4 @@
-//! Checks on combinations of keys.
+//! Checks of combinations of keys in a scene.
 
 use std::f64::consts::TAU;
 
@@ -13,21 +13,21 @@ use crate::wording::{self, Language};
 
 /// Minimum degree of a spline for which a polydyne cam has a continuous acceleration.
 const POLYDYNE_DEGREE: usize = 5;
-/// Range of degrees of a spline.
+/// Permitted degrees of a spline.
 const SPLINE_DEGREES: std::ops::RangeInclusive<usize> = 3..=9;
 /// Tolerance of angles at the ends of the cycle, rad.
 const ANGLE: f64 = 1e-9;
 
-/// Checks that the keys of a scene are consistent.
+/// Checks that the keys of a scene are consistent with each other.
 ///
 /// # Errors
 ///
-/// The keys are inconsistent. The error names the key to change.
+/// The keys are inconsistent. The error contains the key that must be changed.
 pub fn check(scene: &Scene) -> Result<()> {
     check_typed(scene, Typed(None))
 }
 
-/// The values as written by the user, for messages.
+/// The scene as written by the user, from which messages quote values; `None` if it is not available.
 #[derive(Clone, Copy)]
 pub(super) struct Typed<'a>(pub Option<&'a Table>);
 
@@ -42,7 +42,7 @@ impl<'a> Typed<'a> {
         self.value(path).is_some()
     }
 
-    /// Value of a key as written; otherwise the number in a common unit.
+    /// Value of a key as written by the user. If it is not available, the number with a common unit.
     fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
         match self.value(path) {
             Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
@@ -73,7 +73,7 @@ const RULES: [Rule; 13] = [
     completeness,
 ];
 
-/// Checks as [`check`] does, with the original values in messages.
+/// Checks a scene as [`check`] does. Messages quote the values as written by the user.
 pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     weighed_phases(scene)?;
     for rule in RULES {
@@ -82,7 +82,7 @@ pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     Ok(())
 }
 
-/// Rejects a weight that covers no part of the cycle, and weights that are all zero.
+/// Rejects a weighted range of the cycle if one of its ends is outside the cycle or if both ends are equal.
 fn weighed_phases(scene: &Scene) -> Result<()> {
     let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
     let weights = scene.gait.iter().flat_map(|gait| &gait.weights);
@@ -202,7 +202,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
     machine.check_motor()
 }
 
-/// Checks that at most one key fixes the size of the cam.
+/// Checks that at most one key determines the size of the cam.
 fn size(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.base_radius.is_some() && cam.prime_radius.is_some() {
@@ -220,7 +220,7 @@ fn size(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// Rules on the keyway of the bore.
+/// Checks that the keyway fits the bore and has a standard width.
 fn keyway(scene: &Scene, typed: Typed) -> Verdict {
     let Some(spec) = scene.cam.keyway else {
         return Ok(());
@@ -253,7 +253,7 @@ fn keyway(scene: &Scene, typed: Typed) -> Verdict {
     }
 }
 
-/// Rules on base circle, prime circle, bore and offset.
+/// Checks that the base radius is positive and larger than the bore, and that the offset is smaller than the prime radius.
 fn circles(scene: &Scene, typed: Typed) -> Verdict {
     let cam = &scene.cam;
     let length = |path: &str, value: f64| typed.text(path, value, Dimension::Length);
@@ -295,7 +295,8 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// Checks three conditions: a target force is combined with one turn of a disc cam, other motions are programmes, and an arm has a fixed pivot.
+/// Checks three conditions. A target force requires one turn of a disc cam. Several turns and translating cams require a programme. An arm requires a
+/// drive with a fixed axis.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.is_oscillating() && scene.drive.kind == DriveKind::MovingAxis {
@@ -330,7 +331,7 @@ fn pair(scene: &Scene, _: Typed) -> Verdict {
     }
 }
 
-/// Checks that keys for splines are combined with a spline.
+/// Checks that keys for splines are given only with a spline.
 fn splines(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let Some(gait) = &scene.gait else {
@@ -378,7 +379,8 @@ fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// Checks that the scene has a target force, points, dwells or segments.
+/// Checks that the scene determines the law: by a target force, points, dwells or segments. Without a target force, the speed must be given, and on a
+/// moving axis the mass.
 fn completeness(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let no_force = scene.gait.is_none();

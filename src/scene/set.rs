@@ -1,15 +1,15 @@
-//! Change of one value in the table of a scene, by dotted key.
+//! Changes of single values in the table of a scene, by dotted key.
 
 use toml::{Table, Value};
 
 use crate::error::{Placed, Result, SceneError};
 
-/// Changes one value: `set(table, "limits.stroke=40 mm")`. List entries are numbered from 1: `law.segment.2.lift`. The value is parsed as TOML if it
-/// is a number, truth value, array or quoted text; otherwise it is plain text. A recording replaces a model and vice versa.
+/// Changes one value, as in `set(table, "limits.stroke=40 mm")`. The entries of a list are numbered from 1: `law.segment.2.lift`. The value is parsed
+/// as TOML if possible; otherwise it is plain text. A recording replaces a load model and vice versa.
 ///
 /// # Errors
 ///
-/// The text has no `=`; the path leads through a value or to a missing entry. Unknown keys are rejected by [`read`](super::read()).
+/// The text contains no `=`, or the path leads through a value or to a missing entry. Unknown keys are rejected later by [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')
@@ -26,7 +26,7 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     set_value(table, key.trim(), value)
 }
 
-/// Changes one value that is already parsed.
+/// Changes one value, which is given as a TOML value.
 ///
 /// # Errors
 ///
@@ -66,7 +66,7 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     Ok(())
 }
 
-/// Removes a key such as `limits.stroke` or `law.segment.2.angle`, and tables that become empty. Returns whether the key existed.
+/// Removes a key such as `limits.stroke` or `law.segment.2.angle`, and tables that become empty. Returns `false` if the key did not exist.
 ///
 /// ```
 /// use gaitcam::scene::unset;
@@ -99,7 +99,7 @@ pub fn unset(table: &mut Table, key: &str) -> bool {
     removed
 }
 
-/// Table at a path, created if missing.
+/// The table at a path. Missing tables are created.
 fn inside<'t>(
     table: &'t mut Table,
     path: &[&str],

@@ -1,4 +1,4 @@
-//! Walkers of a scene, from the content of their files.
+//! Reading the walkers of a scene from the content of their files.
 
 use std::path::Path;
 
@@ -7,19 +7,19 @@ use crate::error::{Error, FileError, Placed, Result};
 use crate::force::{self, ForceCurve, Walker, WalkerFault, WalkerRow, walker_faults};
 use crate::wording::InLanguages;
 
-/// File endings of tables.
+/// File name extensions of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
-/// Reader of a population, file by file. Invalid files are reported at the end.
+/// Reads a population file by file. Errors of files are collected and reported at the end.
 pub(super) struct PopulationReader<'a> {
     gait: &'a Gait,
     walkers: Vec<Walker>,
-    /// Errors of the files that contain no cycle.
+    /// Errors of the files and rows that could not be read as a cycle.
     unreadable: Vec<Error>,
 }
 
 impl<'a> PopulationReader<'a> {
-    /// A population without walkers.
+    /// Creates a reader for a population that has no walkers yet.
     pub fn new(gait: &'a Gait) -> Self {
         PopulationReader {
             gait,
@@ -28,21 +28,21 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Whether the scene excludes a file.
+    /// Whether the scene excludes a file from the population.
     pub fn leaves_out(&self, path: &Path) -> bool {
         let names = [file_name(path), path.display().to_string()];
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Whether the scene excludes a row of a table: by the walker's name, or by file and line.
+    /// Whether the scene excludes a row of a table, by the name of the walker or by file and line.
     fn leaves_row_out(&self, path: &Path, row: &WalkerRow) -> bool {
         let place = format!("{}:{}", file_name(path), row.line);
         let names = [&row.name, &place];
         names.iter().any(|name| self.gait.leave_out.contains(name))
     }
 
-    /// Adds the cycle of a recording, or every row of a table; `metadata` returns the table of subjects. Invalid files and rows are collected for the
-    /// report.
+    /// Adds the cycle of a recording, or all rows of a table of walkers. `metadata` returns the table of subjects. Errors are collected for the
+    /// report at the end.
     pub fn take(&mut self, path: &Path, bytes: &[u8], metadata: impl FnOnce() -> Option<Vec<u8>>) {
         if self.leaves_out(path) {
             return;
@@ -70,18 +70,18 @@ impl<'a> PopulationReader<'a> {
         }
     }
 
-    /// Records an unreadable file.
+    /// Collects the error of a file that cannot be read.
     pub fn refuse(&mut self, path: &Path, why: Error) {
         if !self.leaves_out(path) {
             self.unreadable.push(why.in_file(path));
         }
     }
 
-    /// Mean of the walkers.
+    /// Mean force of the walkers, with the population that was read.
     ///
     /// # Errors
     ///
-    /// Invalid walkers, by reason. The location is `first` if no other file is invalid.
+    /// Walkers with errors, grouped by the reason. An error without a file is reported for the file `first`.
     pub fn mean(self, first: &Path) -> Result<ForceCurve> {
         let walkers = self.gait.walkers(self.walkers, &self.unreadable);
         let mean = walkers.and_then(ForceCurve::of_walkers);
@@ -89,13 +89,13 @@ impl<'a> PopulationReader<'a> {
     }
 }
 
-/// Whether a file is a table of walkers, determined by its ending and its header.
+/// Whether a file is a table of walkers. This is determined by its extension and its header.
 pub(super) fn is_table_of_walkers(path: &Path, bytes: &[u8]) -> bool {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     TABLES.contains(&ending.to_lowercase().as_str()) && force::is_population(bytes)
 }
 
-/// Walker of a single recording.
+/// The walker of a single recording.
 fn cycle(
     gait: &Gait,
     path: &Path,
@@ -109,11 +109,12 @@ fn cycle(
 }
 
 impl Gait {
-    /// Included walkers of a population, if all are valid. `unreadable` contains the errors of files without a cycle.
+    /// Walkers of a population that the scene does not exclude, if all of them are valid. `unreadable` contains the errors of files and rows without
+    /// a cycle.
     ///
     /// # Errors
     ///
-    /// Invalid walkers, by reason.
+    /// Walkers with errors, grouped by the reason.
     pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
         all.retain(|w| !self.leave_out.contains(&w.name));
         let mut names: [Vec<String>; 5] = Default::default();

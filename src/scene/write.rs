@@ -1,4 +1,4 @@
-//! Writing a [`Scene`] as TOML or in any format of serde. [`read`](super::read()) restores it exactly.
+//! Writing a [`Scene`] as TOML or in any format of serde. Reading the result with [`read`](super::read()) gives exactly the same scene.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::{Table, Value as Toml};
@@ -8,7 +8,7 @@ use super::{Scene, read, set};
 use crate::error::Result;
 
 impl Scene {
-    /// Converts the scene to the table of a scene file, with every key that differs from its default.
+    /// Table of the scene in the form of a scene file. It contains every key that differs from its default.
     pub fn to_table(&self) -> Table {
         let mut table = Table::new();
         if self.gait.is_some() {
@@ -32,7 +32,7 @@ impl Scene {
         table
     }
 
-    /// The scene with one key changed; the value is written as in a scene file: `scene.with("limits.stroke", "40 mm")`.
+    /// Copy of the scene with another value of one key, written as in a scene file: `scene.with("limits.stroke", "40 mm")`.
     ///
     /// # Errors
     ///
@@ -47,7 +47,7 @@ impl Scene {
         value.to_toml(key.dimension(self))
     }
 
-    /// Whether a value equals the default of the key.
+    /// Whether a value equals the default value of the key.
     pub(super) fn is_default(&self, key: &Key, value: &Value) -> bool {
         if key.default.is_empty() || key.default == "auto" {
             return false;
@@ -64,7 +64,7 @@ impl Scene {
     }
 }
 
-/// Number of entries in the list of a key, counted by the values of a required key.
+/// Number of entries in the list that contains the key. It is the number of values of a required key of the list.
 fn entries(scene: &Scene, key: &Key) -> usize {
     let list = key.list();
     let sibling = |k: &&Key| k.list() == list && k.is_required(scene);

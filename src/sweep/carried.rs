@@ -1,4 +1,4 @@
-//! Recordings of a sweep, stored by content.
+//! Recordings of a sweep, stored with their content.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,10 +8,10 @@ use crate::error::{Placed, Result, SweepError};
 use crate::force::ForceCurve;
 use crate::scene::{self, Scene};
 
-/// Identification of a file: index of the base scene, and path in the scene.
+/// Key of a stored file: index of its base scene, and path of the file in this scene.
 pub type Named = (usize, String);
 
-/// Files of the rows, with their content.
+/// Contents of the files that the rows of a sweep read.
 ///
 /// ```
 /// use gaitcam::sweep::Files;
@@ -22,11 +22,11 @@ pub type Named = (usize, String);
 /// ```
 pub type Files = BTreeMap<Named, Arc<Vec<u8>>>;
 
-/// Force curve of a scene with a recording, by the index of its base scene.
+/// Reads the force curve of a scene from the stored files. `scene` is the index of its base scene.
 ///
 /// # Errors
 ///
-/// The recording is missing or has no force curve.
+/// The scene has no force, or a file is missing or invalid.
 pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
     let carried = Carried { files, scene };
     let gait = of.gait.as_ref();
@@ -36,7 +36,7 @@ pub fn force(files: &Files, scene: usize, of: &Scene) -> Result<ForceCurve> {
         .ok_or_else(|| SweepError::NoForceError.into())
 }
 
-/// The stored files of one base scene.
+/// The stored files of one base scene, as [`scene::Files`].
 struct Carried<'a> {
     files: &'a Files,
     scene: usize,

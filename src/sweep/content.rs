@@ -1,6 +1,6 @@
-//! A sweep with the content of its recordings, so that any machine can compute any of its rows.
+//! A sweep together with the content of its recordings. Any computer can compute any of its rows.
 //!
-//! Row i depends only on the sweep and on i. Recordings are therefore stored by content, not by path.
+//! Row i depends only on the sweep and on i. Recordings are therefore stored by content and not by path.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -22,7 +22,7 @@ use crate::halt::Halt;
 use crate::scene::{self, Gait, Scene, Source};
 use crate::synth::Design;
 
-/// Subject of a sweep: what its rows contain.
+/// Subject of a sweep, which determines the content of its rows.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling, Subject, Sweep};
@@ -36,11 +36,11 @@ use crate::synth::Design;
 pub enum Subject {
     /// Designs of many scenes.
     Designs(Plan),
-    /// One design, manufactured with errors within tolerances.
+    /// One design, manufactured many times with errors within tolerances.
     Scatter(Scattered),
 }
 
-/// A sweep with the content of its recordings.
+/// A sweep together with the content of its recordings.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -57,24 +57,24 @@ pub enum Subject {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
-    /// Contents of the rows.
+    /// Subject of the sweep, which determines the content of its rows.
     pub subject: Subject,
     files: Files,
 }
 
 impl Sweep {
-    /// Creates the grid of a scene whose force is a load model: all combinations of the values of keys. Each element of `vary` is
-    /// `KEY=START:STOP:COUNT` or `KEY=A,B`. The last key varies fastest.
+    /// Creates a sweep over all combinations of the values of keys. The force of the scene must come from a load model. Each element of `vary` is
+    /// `KEY=START:STOP:COUNT` or `KEY=A,B`; the last key varies fastest.
     ///
     /// # Errors
     ///
-    /// A key or value that cannot be varied, as [`Plan::of`] and [`Plan::validate`].
+    /// A key or a value that cannot be varied. See [`Plan::of`] and [`Plan::validate`].
     pub fn over(scene: &Scene, vary: &[&str]) -> Result<Sweep> {
         let plan = Plan::of(scene.to_table(), vary, Sampling::Grid)?;
         Sweep::with_files(Subject::Designs(plan), Files::new())
     }
 
-    /// Creates a sweep. `files` returns the files of a base scene by its index.
+    /// Creates a sweep and reads its recordings. `files` returns the access to the files of a base scene, given by its index.
     ///
     /// # Errors
     ///
@@ -102,7 +102,7 @@ impl Sweep {
         Ok(Sweep { subject, files })
     }
 
-    /// Creates a sweep from files that are already read.
+    /// Creates a sweep from recordings that are already read.
     ///
     /// # Errors
     ///
@@ -112,12 +112,12 @@ impl Sweep {
         Ok(Sweep { subject, files })
     }
 
-    /// The files of the rows, with their content.
+    /// Contents of the files that the rows read.
     pub fn files(&self) -> &Files {
         &self.files
     }
 
-    /// Number of rows.
+    /// Number of rows of the sweep.
     ///
     /// # Errors
     ///
@@ -126,7 +126,7 @@ impl Sweep {
         self.subject.rows()
     }
 
-    /// The varied keys in the order of their columns.
+    /// The varied keys, in the order of their columns.
     pub fn keys(&self) -> Vec<Key> {
         match &self.subject {
             Subject::Designs(plan) => plan.keys(),
@@ -134,7 +134,7 @@ impl Sweep {
         }
     }
 
-    /// The sweep as data. Equal sweeps have equal descriptions.
+    /// Description of the sweep as JSON data. Descriptions are equal exactly for equal sweeps.
     pub fn description(&self) -> Value {
         let mut out = match &self.subject {
             Subject::Designs(plan) => plan.description(),
@@ -152,7 +152,7 @@ impl Sweep {
         out
     }
 
-    /// Hexadecimal checksum of the whole sweep.
+    /// Checksum of the description of the sweep, as a hexadecimal number.
     pub fn fingerprint(&self) -> String {
         format!(
             "{:016x}",
@@ -160,7 +160,7 @@ impl Sweep {
         )
     }
 
-    /// Metadata of a table of the rows: fingerprint and version.
+    /// Metadata for a table of the rows, as pairs of name and value: fingerprint and version.
     pub fn metadata(&self) -> Vec<(String, String)> {
         let entry = |key: &str, value: String| (format!("gaitcam.{key}"), value);
         vec![
@@ -170,7 +170,7 @@ impl Sweep {
     }
 
     /// Computes a range of rows with `jobs` threads; `None` if `stop` ended the computation early. `halts` returns the time limit of a row that
-    /// starts now. The rows contain no computing times, because these do not follow from the plan.
+    /// starts now. The rows contain no computing times, because computing times differ from run to run.
     ///
     /// # Errors
     ///
@@ -187,7 +187,7 @@ impl Sweep {
         Ok((records.len() as u64 == count).then_some(records))
     }
 
-    /// Computes all rows on all cores.
+    /// Computes all rows with as many threads as the computer has cores.
     ///
     /// # Errors
     ///
@@ -198,7 +198,8 @@ impl Sweep {
         Ok(records.unwrap_or_default())
     }
 
-    /// Runner for several ranges of rows, with a shared cache. With a `clock` (s), rows contain their computing times.
+    /// Creates a runner, which computes several ranges of rows with a shared cache. If a `clock` (s) is given, the rows contain their computing
+    /// times.
     ///
     /// # Errors
     ///
@@ -219,7 +220,7 @@ impl Subject {
         }
     }
 
-    /// Number of rows.
+    /// Number of rows of the subject.
     ///
     /// # Errors
     ///
@@ -231,7 +232,7 @@ impl Subject {
         })
     }
 
-    /// Recordings of the rows, each with the index of its base scene.
+    /// The recordings that the rows read, each with the index of its base scene.
     ///
     /// # Errors
     ///
@@ -266,7 +267,7 @@ impl Subject {
 }
 
 impl Scattered {
-    /// Runner for the manufacturing samples of a design.
+    /// Creates a runner for manufacturing samples of a given design.
     ///
     /// # Errors
     ///
@@ -276,7 +277,7 @@ impl Scattered {
     }
 }
 
-/// Recording of a scene, if its force is a recording.
+/// The recordings of a scene; `None` if its force does not come from a recording.
 fn gait_of(table: &toml::Table) -> Option<Gait> {
     let names = match table.get("gait")?.get("file")? {
         toml::Value::Array(all) => all.iter().collect(),
@@ -290,7 +291,7 @@ fn gait_of(table: &toml::Table) -> Option<Gait> {
     })
 }
 
-/// Hash FNV-1a, 64 bits (Fowler, Noll, Vo).
+/// Checksum of bytes: hash FNV-1a with 64 bits (Fowler, Noll, Vo).
 fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &b| {
         (sum ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)

@@ -1,4 +1,4 @@
-//! Differences between two sweeps. A sweep can only be resumed with equal parameters.
+//! Differences between two sweeps. An interrupted sweep can only be continued if it is equal to the sweep that was started.
 
 use std::path::Path;
 
@@ -9,21 +9,21 @@ use strum::VariantNames;
 use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
-/// Difference between two descriptions of sweeps. `path` is the key path of the difference, such as `vary limits.stroke`.
+/// A difference between the descriptions of two sweeps. `path` is the key path of the difference, such as `vary limits.stroke`.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Difference {
-    /// A value differs; it is `None` if a description does not contain it.
+    /// Two different values. A value is `None` if the description does not contain it.
     Value {
         /// Key path of the changed value.
         path: String,
-        /// Value in the first description.
+        /// Value in the first description; `None` if missing.
         old: Option<String>,
-        /// Value in the second description.
+        /// Value in the second description; `None` if missing.
         new: Option<String>,
     },
-    /// A value differs and is too long to quote.
+    /// Two different values, of which at least one is too long to quote.
     Long {
         /// Key path of the changed value.
         path: String,
@@ -45,17 +45,17 @@ pub enum Difference {
 }
 
 impl Difference {
-    /// Message of the difference.
+    /// Sentence that describes the difference, in a language.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "differs", self)
     }
 }
 
-/// Rejects resuming a sweep that differs from the one started at `place`.
+/// Checks that the sweep to be continued equals the sweep that was started at `place`. `begun` and `now` are their descriptions.
 ///
 /// # Errors
 ///
-/// All differences, in `language`.
+/// The sweeps differ. The error contains all differences in `language`.
 pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Result<()> {
     let all = differences(begun, now);
     if all.is_empty() {
@@ -66,14 +66,14 @@ pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Re
     Err(FileError::AnotherSweep { differences }.in_file(place))
 }
 
-/// The differences between two descriptions.
+/// All differences between two descriptions of sweeps.
 pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
     let mut out = Vec::new();
     compare("", old, new, &mut out);
     out
 }
 
-/// Maximum length of a quoted value.
+/// Maximum length of a quoted value, in characters.
 const QUOTED: usize = 80;
 
 fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<Difference>) {
@@ -116,7 +116,7 @@ fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
     Difference::Value { path, old, new }
 }
 
-/// Lines that occur in only one of two texts.
+/// Adds the lines that occur in only one of two texts to `out`.
 fn differing_lines(path: &str, old: &str, new: &str, out: &mut Vec<Difference>) {
     let only = |a: &str, b: &str| -> Vec<String> {
         let there: Vec<&str> = b.lines().collect();

@@ -1,4 +1,4 @@
-//! Pareto set: non-dominated designs.
+//! Pareto front: the designs that no other design dominates.
 
 use std::cmp::Ordering::Equal;
 
@@ -19,15 +19,15 @@ use crate::synth::Figure;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// Number of the row.
+    /// Number of the row that contains the design.
     pub row: u64,
-    /// Costs of the design, one per objective; smaller is better.
+    /// Costs of the design, one for each objective. A smaller cost is better.
     pub values: Vec<f64>,
-    /// Cells of the row as text.
+    /// Cells of the row, as text.
     pub cells: Vec<String>,
 }
 
-/// Front of the designs added so far.
+/// Pareto front of the designs that were added so far.
 ///
 /// ```
 /// use gaitcam::sweep::Front;
@@ -46,18 +46,18 @@ pub struct Front {
     points: Vec<Point>,
 }
 
-/// Relative difference below which two values are equal up to rounding errors.
+/// Relative difference below which two costs count as equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether `a` is not worse than `b`, up to rounding errors, in every objective.
+/// Whether the costs `a` are at most equal to the costs `b` in every objective, up to rounding errors.
 fn covers(a: &[f64], b: &[f64]) -> bool {
     let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
     a.iter().zip(b).all(no_worse)
 }
 
 impl Front {
-    /// Adds a design unless a design on the front dominates or equals it. Designs that the new one dominates are removed. Of equal designs the first
-    /// is kept. A design with a non-finite cost is ignored. `cells` is called only if the design is added.
+    /// Adds a design to the front, unless a design on the front dominates it or equals it. Designs that the new design dominates are removed. A
+    /// design with a cost that is not finite is ignored. `cells` is called only if the design is added.
     pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
         if values.iter().any(|v| !v.is_finite()) {
             return;
@@ -75,7 +75,7 @@ impl Front {
         });
     }
 
-    /// Designs on the front, sorted by the first objective.
+    /// Designs on the front, in ascending order of the first cost.
     pub fn sorted(&self) -> Vec<&Point> {
         let mut out: Vec<&Point> = self.points.iter().collect();
         let order = |p: &&Point, q: &&Point| p.values.partial_cmp(&q.values);
@@ -83,8 +83,8 @@ impl Front {
         out
     }
 
-    /// Best compromise: the design nearest to the ideal point, with each objective scaled to 0 at its best and 1 at its worst value on the front.
-    /// With one objective, the design with its minimum cost.
+    /// Best compromise on the front: the design nearest to the ideal point. Each cost is scaled so that the minimum on the front is 0 and the maximum
+    /// is 1. With a single objective, it is the design with the minimum cost. `None` for an empty front.
     pub fn best(&self) -> Option<&Point> {
         let range = |k: usize| {
             let values = self.points.iter().map(|p| p.values[k]);
@@ -106,7 +106,7 @@ impl Front {
     }
 }
 
-/// A column that is minimised or maximised.
+/// A column of a table that is minimised or maximised.
 ///
 /// ```
 /// use gaitcam::sweep::Objective;
@@ -119,11 +119,11 @@ impl Front {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Objective {
-    /// Index of the column.
+    /// Index of the column in the table.
     pub column: usize,
     /// Name of the column.
     pub name: String,
-    /// Whether the column is maximised.
+    /// Whether the column is maximised instead of minimised.
     pub maximised: bool,
 }
 
@@ -131,11 +131,11 @@ pub struct Objective {
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {
-    /// Finds the column of an objective by name.
+    /// Creates an objective for the column with a name, or with a name that begins with it.
     ///
     /// # Errors
     ///
-    /// No column has this name; the error contains the nearest name.
+    /// No column has this name. The error contains the nearest name.
     pub fn of(name: &str, maximised: bool, columns: &[String]) -> Result<Objective> {
         let column = objective(name, columns)?;
         Ok(Objective {
@@ -145,7 +145,7 @@ impl Objective {
         })
     }
 
-    /// Names of the default objectives: force error and prime radius, minimised.
+    /// Names of the default objectives: force error and prime radius. Both are minimised.
     pub fn usual() -> Vec<String> {
         USUAL.map(str::to_string).to_vec()
     }
@@ -154,18 +154,18 @@ impl Objective {
         if self.maximised { -1.0 } else { 1.0 }
     }
 
-    /// Cost of a value; a smaller cost is better.
+    /// Cost of a value of the column: the value itself, or its negative if the column is maximised.
     pub fn cost(&self, value: f64) -> f64 {
         self.sign() * value
     }
 
-    /// Value in SI units for a cost.
+    /// Value of the column for a cost, in SI units.
     pub fn value(&self, cost: f64) -> f64 {
         self.sign() * cost
     }
 }
 
-/// Selection of the designs that are candidates for a front.
+/// Selection of the designs that can be on a front.
 ///
 /// ```
 /// use gaitcam::sweep::Admission;
@@ -176,14 +176,14 @@ impl Objective {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Admission {
-    /// Whether designs that are not for high speed are included.
+    /// Whether designs that are not suitable for high speed are included.
     pub low_speed: bool,
-    /// Whether all designs are included.
+    /// Whether all designs are included, whatever their verdict is.
     pub all: bool,
 }
 
 impl Admission {
-    /// Whether a row with the given outcome and verdict is a candidate.
+    /// Whether a row with this outcome and verdict is included.
     pub fn takes(self, outcome: &str, verdict: &str) -> bool {
         outcome == Outcome::Built.name()
             && (self.all
@@ -191,7 +191,7 @@ impl Admission {
                 || (verdict == Verdict::NotForHighSpeed.name() && self.low_speed))
     }
 
-    /// Whether a row is excluded only because it is not for high speed.
+    /// Whether a row is excluded only because its design is not suitable for high speed.
     pub fn leaves_out(self, outcome: &str, verdict: &str) -> bool {
         let low_speed = Admission {
             low_speed: true,
@@ -201,12 +201,12 @@ impl Admission {
     }
 }
 
-/// Index of the column of an objective, by the whole name or its beginning (`jerk` for `jerk_max_m_per_s3`). `force_error` denotes the RMS error in
-/// percent.
+/// Index of the column for an objective. The name is that of the column or its beginning, such as `jerk` for `jerk_max_m_per_s3`. `force_error` is
+/// the RMS force error in percent.
 ///
 /// # Errors
 ///
-/// No column has this name; the error contains the nearest name.
+/// No column has this name. The error contains the nearest name.
 pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     let name = match name.trim() {
         "force_error" => "force_rms_error_percent",

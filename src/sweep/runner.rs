@@ -1,4 +1,4 @@
-//! Computation of the rows of a sweep, on one thread or on several.
+//! Computation of the rows of a sweep with one or several threads.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -13,14 +13,14 @@ use super::made::scatter::Samples;
 use super::plan::Plan;
 use super::table::records::Records;
 
-/// Maximum number of rows in one part of the work. It limits the memory.
+/// Maximum number of rows in one part of the work, which limits the memory.
 const LARGEST_PART: u64 = 4096;
-/// Number of parts per thread, large enough to balance the load.
+/// Number of parts of the work for each thread. It is large enough to distribute the work evenly.
 const PARTS_PER_THREAD: u64 = 16;
-/// Time between two calls of `stop` while the threads work.
+/// Maximum time between two calls of `stop` while the threads work.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Computes rows in any order and number: row i depends only on the plan and on i.
+/// Computes rows of a sweep in any order. Row i depends only on the plan and on i.
 ///
 /// ```
 /// use gaitcam::halt::Halt;
@@ -40,7 +40,7 @@ pub struct Runner<'a> {
 enum Work<'a> {
     Designs {
         plan: &'a Plan,
-        /// Names of the base scenes, if there are several.
+        /// Names of the base scenes; `None` if there is only one.
         scenes: Option<Vec<String>>,
         kernel: Kernel<'a>,
     },
@@ -68,13 +68,14 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Computes a range of rows with `jobs` threads. If `stop` ends the computation, the result contains the first rows, up to the end of a part.
-    /// `stop` is called only from this thread.
+    /// Computes a range of rows with `jobs` threads. If `stop` ends the computation, the result contains the first rows of the range, up to the end
+    /// of a part. `stop` is called only on the calling thread.
     pub fn run(&self, rows: Range<u64>, jobs: usize, stop: &dyn Fn() -> bool) -> Records {
         Records::joined(self.map(rows, jobs, stop, &|part| part))
     }
 
-    /// Computes a range of rows and applies `each` to the parts, on the thread that computed them.
+    /// Computes a range of rows in parts with `jobs` threads. `each` is applied to every part on the thread that computed the part. The results are
+    /// in the order of the rows.
     pub fn map<T: Send>(
         &self,
         rows: Range<u64>,
@@ -127,7 +128,7 @@ impl<'a> Runner<'a> {
         done.into_iter().map_while(|part| part).collect()
     }
 
-    /// Computes rows on this thread; `None` if `stop` ended the computation early.
+    /// Computes one part of the rows on the current thread; `None` if `stop` ended the computation early.
     fn part(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
         match &self.work {
             Work::Designs {
@@ -150,7 +151,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Parts of a range of rows. An empty range is one part, which contains the columns.
+/// Division of a range of rows into parts. An empty range has one part, so that the table contains its columns.
 struct Parts {
     all: Range<u64>,
     size: u64,

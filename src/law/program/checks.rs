@@ -6,7 +6,7 @@ use crate::law::{Joint, Law, Rise};
 use crate::units::{Dimension, Quantity};
 
 impl Extent {
-    /// Converts a length of the programme to a quantity: an angle, or travel for a translating cam.
+    /// A length of the programme with its unit: an angle, or a travel for a translating cam.
     fn quantity(self, x: f64) -> Quantity {
         match self {
             Extent::Length(_) => Quantity::length(x),
@@ -14,7 +14,7 @@ impl Extent {
         }
     }
 
-    /// Converts a velocity to a quantity: per angle, or per travel.
+    /// A velocity with its unit: per angle, or per travel for a translating cam.
     fn velocity(self, v: f64) -> Quantity {
         let dimension = match self {
             Extent::Length(_) => Dimension::Ratio,
@@ -24,7 +24,8 @@ impl Extent {
     }
 }
 
-/// Checks that the sum of the lengths equals the extent up to rounding errors.
+/// Checks that the sum of the lengths equals the extent up to rounding errors, and returns the sum. Segments with an invalid length or lift are
+/// errors.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
         return Err(LawError::NoSegment.into());
@@ -69,7 +70,7 @@ pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     Ok(total)
 }
 
-/// Rejects adjacent general polynomials, whose common end has no values.
+/// Rejects adjacent general polynomials, because the motion at their common end is not determined.
 pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     let n = segments.len();
     for i in 0..n {
@@ -86,7 +87,7 @@ pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     Ok(())
 }
 
-/// Rejects jumps of lift or velocity.
+/// Rejects jumps of lift or velocity at the ends of segments.
 pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
     let (lift, velocity) = (draft.law.bound(0), draft.law.bound(1));
     for joint in draft.law.joints() {
@@ -122,7 +123,7 @@ pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()>
     Ok(())
 }
 
-/// Changes that remove a jump of velocity between two segments.
+/// Suggested change of the segments that removes a jump of velocity.
 fn cure(
     segments: &[Segment],
     joint: &Joint,
@@ -145,11 +146,12 @@ fn cure(
     }
 }
 
-/// Accepts the law if its lift is nowhere below the base circle. Rounded rows of a table may lead it below by half a unit of their last decimal.
+/// Accepts a law whose lift is not below the base circle. For a segment given as a table, the lift may be below it by half a unit of the last decimal
+/// of the rows; the law is then raised.
 ///
 /// # Errors
 ///
-/// The lift is further below the base circle.
+/// The lift is below the base circle by more than this rounding error.
 pub fn on_base_circle(draft: Draft, segments: &[Segment], extent: Extent) -> Result<Law> {
     let (low, high) = draft.law.extremes(0);
     let rounding = JUMP * (high.value - low.value);

@@ -1,4 +1,4 @@
-//! Programmes: laws composed of motions, segment by segment.
+//! Programmes: laws that are composed of motions, segment by segment.
 
 mod checks;
 mod segment;
@@ -11,8 +11,8 @@ use crate::units::Quantity;
 use segment::{Draft, JUMP, ROUNDING};
 use std::f64::consts::{PI, TAU};
 
-/// Law of a programme that starts at lift 0 at θ = 0. The lift and the velocity are continuous at the joints. Jumps of acceleration are allowed
-/// (CAM-DAS: not for high speed); [`Law::joints`] lists them.
+/// Law of a programme of segments, which starts with lift 0 at θ = 0. Lift and velocity are continuous at the joints. Jumps of acceleration are
+/// permitted, although such laws are not suitable for high speed (CAM-DAS); [`Law::joints`] lists them.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -36,7 +36,8 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     checks::on_base_circle(draft, segments, extent)
 }
 
-/// Composes the law as [`program`] does, but permits jumps of lift and velocity and a lift below the base circle. For reports on invalid laws.
+/// Composes a law as [`program`] does, but permits jumps of lift and velocity and a lift below the base circle. It is used for reports on invalid
+/// laws.
 ///
 /// # Errors
 ///
@@ -45,8 +46,11 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
 }
 
-/// Law of a constant-breadth (flat faces) or constant-diameter (rollers) cam. `half` describes the first half turn, from lift 0 to the maximum lift
-/// L. The second half is L − s(θ − π), so that s(θ) + s(θ + π) = L everywhere, and two parallel faces at the distance 2·Rb + L both touch the cam.
+/// Law of a constant-breadth cam (flat faces) or constant-diameter cam (rollers). `half` contains the segments of the first half turn, from lift 0 to
+/// the maximum lift L.
+///
+/// The second half turn has the lift L − s(θ − π). Therefore s(θ) + s(θ + π) = L everywhere, and two parallel faces at the distance 2·Rb + L both
+/// touch the cam.
 ///
 /// # Errors
 ///
@@ -151,7 +155,7 @@ fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
     })
 }
 
-/// Derivatives v, a and j of a segment at its end (or start), with respect to the cam angle.
+/// Lift and derivatives of a segment at its end or its start, with respect to the cam angle.
 fn end_of(segment: &Segment, shape: &Law, width: f64, at_end: bool) -> Svaj {
     let mut pieces = Pieces::starting_at(0.0);
     let mirrored = segment.lift < 0.0 && segment.motion.mirrors();

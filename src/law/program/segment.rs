@@ -1,11 +1,11 @@
-//! Segments of a programme, its extent, and the law before the checks.
+//! Segments of a programme, the extent of a programme, and its law before the checks.
 
 use std::f64::consts::TAU;
 
 use crate::error::SegmentName;
 use crate::law::{Law, Rise};
 
-/// Segment of a programme: a motion with its lift and length.
+/// Segment of a programme: a motion with its lift and its length.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -18,7 +18,7 @@ use crate::law::{Law, Rise};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segment {
-    /// Shape of the motion.
+    /// Motion of the catalogue that determines the shape.
     pub motion: Rise,
     /// Change of lift, m (rad for an oscillating follower): positive for a rise, negative for a fall, 0 for a dwell.
     pub lift: f64,
@@ -26,7 +26,7 @@ pub struct Segment {
     pub angle: f64,
 }
 
-/// Extent of a programme.
+/// Extent of a programme: a number of turns, or a length of travel.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -41,9 +41,9 @@ pub struct Segment {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// A number of whole turns (several only for a barrel cam). The law is periodic with this extent.
+    /// A number of whole turns; more than one only for a barrel cam. The law is periodic, and the extent is its period.
     Turns(usize),
-    /// A length of travel, m (translating cam). The law is open.
+    /// Length of the travel of a translating cam, m. The law is open.
     Length(f64),
 }
 
@@ -63,12 +63,13 @@ impl Extent {
     }
 }
 
-/// Maximum relative difference between the sum of the segment lengths and the extent, for example by rounded degrees. The lengths are then scaled.
+/// Maximum relative difference between the sum of the segment lengths and the extent. Such differences result from rounded degrees, for example; all
+/// lengths are then scaled.
 pub(super) const ROUNDING: f64 = 1e-6;
-/// Fraction of the maximum of a derivative below which its jumps are rounding errors.
+/// Jump of a derivative, relative to the maximum of the derivative, below which it counts as a rounding error.
 pub(super) const JUMP: f64 = 1e-9;
 
-/// A law with the angles at which its segments end.
+/// Law of a programme, with the angle at which each segment ends.
 pub(super) struct Draft {
     pub(super) law: Law,
     pub(super) ends: Vec<f64>,
@@ -93,7 +94,7 @@ impl Draft {
     }
 }
 
-/// Name of a segment in an error.
+/// Name of a segment in an error message: its number and motion.
 pub(super) fn name(segments: &[Segment], i: usize) -> SegmentName {
     SegmentName::Segment {
         number: i + 1,

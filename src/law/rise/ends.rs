@@ -1,4 +1,4 @@
-//! Peaks of a rise, and its continuity with neighbouring segments.
+//! Peak factors of a rise, and its continuity with neighbouring segments.
 
 use super::Rise;
 use crate::error::Result;
@@ -35,7 +35,7 @@ impl Rise {
         })
     }
 
-    /// Motion at both ends of the normalised rise. It determines the possible neighbours.
+    /// Motion at both ends of the normalised rise. It determines which segments can adjoin the rise.
     ///
     /// # Errors
     ///
@@ -62,7 +62,7 @@ impl Rise {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct End {
-    /// Derivatives v, a and j at the end; s is 0 or 1.
+    /// Lift (0 or 1) and derivatives v, a and j at the end.
     pub at: Svaj,
 }
 
@@ -85,11 +85,11 @@ pub struct Ends {
     pub end: End,
 }
 
-/// Value of a derivative at an end below which the end is at rest.
+/// Magnitude of a normalised derivative below which it counts as zero.
 const REST: f64 = 1e-9;
 
 impl End {
-    /// Order of the highest derivative that is continuous with a dwell at this end: 0 = only lift … 3 = jerk.
+    /// Order of the highest derivative that is continuous if this end adjoins a dwell: 0 = only lift … 3 = jerk.
     pub fn continuity_with_dwell(&self) -> usize {
         [self.at.v, self.at.a, self.at.j]
             .iter()
@@ -97,7 +97,8 @@ impl End {
             .unwrap_or(3)
     }
 
-    /// Kinds of neighbours at an end: at rest without and with acceleration, in motion without and with acceleration.
+    /// Segments that fit an end of a rise. The four entries are for an end without velocity and acceleration, with acceleration only, with velocity
+    /// only, and with both.
     pub const JOINS: [&'static str; 4] = [
         "dwell",
         "return of equal acceleration",
@@ -105,7 +106,7 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// Kind of neighbour at this end for which v and a are continuous.
+    /// Segment that adjoins this end with continuous v and a.
     pub fn joins(&self) -> &'static str {
         End::JOINS[self.kind()]
     }
@@ -129,13 +130,13 @@ impl End {
         2 * moves + accelerates
     }
 
-    /// Name in a language of the neighbours that fit this end ([`End::joins`]).
+    /// Segment that fits this end ([`End::joins`]), as text in a language.
     pub fn joins_in(&self, language: Language) -> String {
         wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
     }
 }
 
-/// Peak values of a normalised rise, exact for the continuous law.
+/// Peak values of a normalised rise, exact for the continuous law. They refer to a rise by 1 over x from 0 to 1.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -150,18 +151,18 @@ impl End {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factors {
-    /// Maximum of |v| for lift 1 in time 1.
+    /// Peak velocity Cv: maximum of |v|.
     pub cv: f64,
-    /// Maximum of |a| for lift 1 in time 1.
+    /// Peak acceleration Ca: maximum of |a|.
     pub ca: f64,
-    /// Maximum of |j| for lift 1 in time 1; infinite if the acceleration jumps between the ends.
+    /// Peak jerk Cj: maximum of |j|; infinite if the acceleration jumps between the ends.
     pub cj: f64,
-    /// Maximum of |a·v| for lift 1 in time 1.
+    /// Factor Ct of the inertia torque: maximum of |a·v|.
     pub ct: f64,
-    /// Minimum and maximum of v.
+    /// Minimum and maximum velocity.
     pub v: (f64, f64),
-    /// Minimum and maximum of a.
+    /// Minimum and maximum acceleration.
     pub a: (f64, f64),
-    /// Minimum and maximum of j, if it exists.
+    /// Minimum and maximum jerk inside the spans; jumps of the acceleration are not included.
     pub j: (f64, f64),
 }

@@ -1,9 +1,9 @@
-//! Formulas of the catalogue for display.
+//! Formulas of the motions in the catalogue, for display.
 
 use super::Rise;
 
 impl Rise {
-    /// Formula of the law: s(x), or a(x) for a law with piecewise acceleration.
+    /// Formula of the motion: s(x), or a(x) if the acceleration is defined piece by piece.
     ///
     /// ```
     /// use gaitcam::law::Rise;

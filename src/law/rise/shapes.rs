@@ -6,12 +6,12 @@ use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
-/// Polynomial Σ pₖ xᵏ.
+/// Polynomial law Σ pₖ xᵏ.
 pub(super) fn power(p: &[f64]) -> Law {
     single(bernstein::from_power(p), Vec::new())
 }
 
-/// constant + slope·x + Σ cos·cos(rate·x) + sin·sin(rate·x), with `waves` as (rate, cos, sin).
+/// Law constant + slope·x + Σ (c cos rx + s sin rx), with `waves` as (r, c, s).
 pub(super) fn line_and_waves(constant: f64, slope: f64, waves: &[(f64, f64, f64)]) -> Law {
     let waves = waves
         .iter()
@@ -40,21 +40,23 @@ pub(super) fn sine_series(terms: &[(f64, f64)]) -> Law {
     line_and_waves(0.0, 1.0, &waves)
 }
 
-/// Width below which a zone is omitted, because short spans lose digits.
+/// Width below which a zone is omitted, because short spans have large rounding errors.
 const SLIVER: f64 = 1e-9;
 
-/// Acceleration on one zone of the SCCA family.
+/// Acceleration in one zone of an SCCA law.
 #[derive(Clone, Copy)]
 enum Zone {
-    /// Constant acceleration of this value.
+    /// Constant acceleration with the given value.
     Constant(f64),
-    /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x), with x measured from the start of the zone.
+    /// Sinusoidal acceleration cos·cos(rate·x) + sin·sin(rate·x), where x is measured from the start of the zone.
     Wave { rate: f64, cos: f64, sin: f64 },
 }
 
-/// Acceleration of sine, constant and cosine with b + c + d = 1 (Norton): quarter sines over b/2 at either end, constants over c/2, half a cosine
-/// over d in the middle. b = ¼, c = 0 is the modified sine, b = d = ¼ the modified trapezoid, b = d = ½ cycloidal, d = 1 simple harmonic, c = 1
-/// parabolic.
+/// SCCA law (Norton): its acceleration consists of sine, constant and cosine parts with b + c + d = 1. Quarter sines cover b/2 at either end,
+/// constant values c/2 each, and half a cosine covers d in the middle.
+///
+/// Special cases are the modified sine (b = ¼, c = 0), the modified trapezoid (b = d = ¼), cycloidal (b = d = ½), simple harmonic (d = 1) and
+/// parabolic (c = 1).
 pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     let shares = [b, c, d];
     if shares.iter().any(|x| !x.is_finite() || *x < 0.0) || (b + c + d - 1.0).abs() > 1e-9 {
@@ -104,10 +106,8 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     Ok(whole.finish(false))
 }
 
-/// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity. It is infinite for a flat face, which moves
-/// in simple harmonic motion.
-///
-/// For a roller, a polynomial approximates the root √(ratio² − sin²) up to rounding errors.
+/// Half a turn of an eccentric disc under a roller, with ratio = (disc radius + roller radius) / eccentricity. The ratio is infinite for a flat face,
+/// which moves in simple harmonic motion. For a roller, a polynomial approximates the square root √(ratio² − sin²) up to rounding errors.
 pub(super) fn eccentric(ratio: f64) -> Result<Law> {
     if ratio.is_infinite() && ratio > 0.0 {
         return Ok(simple_harmonic());

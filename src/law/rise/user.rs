@@ -1,4 +1,4 @@
-//! Laws given by the user as a table.
+//! Motions that the user defines as a table.
 
 use std::f64::consts::PI;
 
@@ -7,14 +7,14 @@ use super::Rise;
 use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, SplineSpace};
 
-/// Degree of the spline through a table: continuous to the fourth derivative.
+/// Degree of the spline through a table. The spline is continuous up to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
 
-/// Maximum rounding error relative to the lift; lifts in whole numbers may be exact.
+/// Maximum assumed rounding error, relative to the lift. The limit is necessary because lifts in whole numbers may be exact.
 const MOST_ROUNDING: f64 = 1e-3;
 
 impl Rise {
-    /// The file of a motion such as `table lift.csv`; `None` if numbers or nothing follow the word `table`.
+    /// File name in a motion such as `table lift.csv`; `None` if the word `table` is followed by numbers or by nothing.
     pub(crate) fn named_file(text: &str) -> Option<&str> {
         let apart = |c: char| c.is_whitespace() || c == ',';
         let (word, file) = text.trim().split_once(apart)?;
@@ -24,7 +24,7 @@ impl Rise {
         is_named.then_some(file)
     }
 
-    /// Law of the numbers after the word `table`.
+    /// Motion through the points that follow the word `table`: pairs of x and s.
     pub(super) fn of_numbers(numbers: &[f64]) -> Result<Rise> {
         if !numbers.len().is_multiple_of(2) {
             let numbers = numbers.len();
@@ -34,11 +34,11 @@ impl Rise {
         Rise::table("table", &rows, true)
     }
 
-    /// Law through a table of (x, s) with at least two rows and increasing x. It is a spline of degree 5. With `rest` it is at rest (v = a = 0) at
-    /// both ends; otherwise it is as smooth at the ends as inside (not-a-knot).
+    /// Motion through a table of (x, s) with at least two rows and increasing x. It is a spline of degree 5. If `rest` is true, it is at rest (v = a
+    /// = 0) at both ends. Otherwise its end conditions are not-a-knot.
     ///
-    /// The table is normalised: the first row becomes (0, 0), the last one (1, 1). A programme may fall below its base circle by half a unit of the
-    /// last decimal.
+    /// The table is normalised: the first row becomes (0, 0), and the last row becomes (1, 1). In a programme, the lift may be below the base circle
+    /// by half a unit of the last decimal.
     ///
     /// # Errors
     ///
@@ -83,7 +83,7 @@ impl Rise {
         })
     }
 
-    /// Relative error of the lift caused by the rounding of the rows; 0 without rows.
+    /// Error of the lift caused by the rounding of the rows, relative to the lift; 0 for motions without rows.
     pub(in crate::law) fn rounding(&self) -> f64 {
         match self {
             Rise::User { rounding, .. } => *rounding,
@@ -91,8 +91,8 @@ impl Rise {
         }
     }
 
-    /// Acceleration that rounded rows can add to a rise of 1 over 1: the acceleration of a wave whose amplitude is the rounding error. 0 without
-    /// rows.
+    /// Acceleration that the rounding of the rows can add to a normalised rise. It is the acceleration of a wave with the rounding error as amplitude
+    /// and the minimum step as half wavelength. 0 for motions without rows.
     pub(crate) fn rounded_acceleration(&self) -> f64 {
         let Rise::User { rows, rounding, .. } = self else {
             return 0.0;
@@ -102,7 +102,7 @@ impl Rise {
         rounding * (PI / step).powi(2)
     }
 
-    /// Number, from 1, of the row before x, with the lifts of this row and the next; `None` without rows.
+    /// Number, from 1, of the last row before x, and the lifts of this row and the next one. `None` for motions without rows.
     pub(in crate::law) fn row_before(&self, x: f64) -> Option<(usize, [f64; 2])> {
         let Rise::User { rows, .. } = self else {
             return None;
@@ -123,12 +123,12 @@ fn half_unit(rows: &[(f64, f64)]) -> f64 {
     0.5 * 0.1_f64.powi(most as i32)
 }
 
-/// Text of a word and its numbers.
+/// Text that consists of a word and numbers.
 fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
     numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }
 
-/// Spline of degree 5 through points with x from 0 to 1; `None` if their spacing does not allow one.
+/// Spline of degree 5 through points with x from 0 to 1; `None` if the spacing of the points does not permit such a spline.
 fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     let n = points.len();
     let end_conditions: Vec<(f64, usize)> = if rest {
@@ -185,10 +185,10 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     Some(space.spline(&c))
 }
 
-/// One equation: its first unknown, the factors from this unknown on, and the right-hand side.
+/// One equation: index of its first unknown, coefficients from this unknown on, and right-hand side.
 type BandRow = (usize, [f64; TABLE_DEGREE + 1], f64);
 
-/// Solves banded equations, one per unknown in ascending order, by elimination without pivoting; `None` if a pivot is zero.
+/// Solves banded equations by elimination without pivoting. There is one equation for each unknown, in ascending order. `None` if a pivot is zero.
 fn solve_band(mut rows: Vec<BandRow>) -> Option<Vec<f64>> {
     const WIDTH: usize = TABLE_DEGREE + 1;
     let n = rows.len();

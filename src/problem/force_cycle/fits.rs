@@ -1,4 +1,4 @@
-//! Splines fitted to the force only.
+//! Cache of splines that are fitted to the force alone.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::drive::Drive;
 use crate::error::Result;
 use crate::problem::machine::Scaling;
 
-/// Parameters of a fit to a cycle of force.
+/// Key of a fit to a cycle of force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitKey {
     /// Scaling of the cycle to the target.
@@ -20,19 +20,19 @@ pub struct FitKey {
     pub degree: usize,
 }
 
-/// Basis functions, objective, and the part of the objective that measures the force difference.
+/// Basis functions of the law, objective of the program, and the part of the objective that measures the force error.
 pub type Objective = (Basis, Quadratic, Quadratic);
 
 /// Cached fits to one cycle of force.
 #[derive(Debug, Default)]
 pub struct Fits {
     objectives: Kept<Arc<(FitKey, usize, Objective)>>,
-    /// Number of spans, by required accuracy, N RMS, and first trial number.
+    /// Minimum numbers of spans. The key contains the required RMS force error, N, and the smallest number tried.
     spans: Kept<(FitKey, [f64; 2], usize)>,
 }
 
 impl Fits {
-    /// Objective for a number of spans.
+    /// Objective for a number of spans: the cached one, or the result of `find`.
     ///
     /// # Errors
     ///
@@ -49,7 +49,7 @@ impl Fits {
         found.map(|found| found.2.clone())
     }
 
-    /// Minimum number of spans, from `least` on, that reaches an accuracy.
+    /// Minimum number of spans for an accuracy, N RMS, starting at `least`: the cached one, or the result of `find`.
     ///
     /// # Errors
     ///

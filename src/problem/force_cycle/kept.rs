@@ -1,11 +1,11 @@
-//! A small cache of results.
+//! Cache of a few results.
 
 use std::sync::Mutex;
 
-/// Maximum number of cached results. When it is exceeded, all are dropped.
+/// Maximum number of cached results. A further result removes all earlier ones.
 const MOST: usize = 64;
 
-/// Results, each with its parameters.
+/// Cached results. Each result contains its parameters.
 #[derive(Debug)]
 pub struct Kept<V>(Mutex<Vec<V>>);
 
@@ -16,7 +16,7 @@ impl<V> Default for Kept<V> {
 }
 
 impl<V: Clone> Kept<V> {
-    /// The cached result for which `is_same` holds, or a new result of `find`.
+    /// The cached result for which `is_same` is true. If it does not exist, the result of `find` is cached and returned.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! One cycle of a force. Results derived from it are computed once for all problems that share it.
+//! One cycle of a force. Problems with the same cycle share the results that are computed from it.
 
 mod fits;
 mod kept;
@@ -22,31 +22,31 @@ use crate::poly::{Cells, PiecewisePoly, bernstein, gauss_legendre};
 use kept::Kept;
 use samples::Samples;
 
-/// Maximum degree of projections. Higher powers lose too many digits.
+/// Maximum degree of least-squares projections. With a higher degree, the rounding errors are too large.
 pub const HIGHEST_PROJECTED: usize = 9;
 
-/// One cycle of a force, which problems scale, shift and share.
+/// One cycle of a force, shared by the problems that scale or shift it.
 #[derive(Debug)]
 pub struct ForceCycle {
     samples: Samples,
-    /// Mean, period and spread of the force.
+    /// Mean, duration and spread of the force.
     pub mean: MeanForce,
     cells: OnceLock<Arc<Cells>>,
     mean_square: OnceLock<f64>,
     series: OnceLock<Series>,
     projections: Kept<Arc<Projection>>,
-    /// Splines fitted to the cycle.
+    /// Cache of the splines that are fitted to the cycle.
     pub fits: Fits,
 }
 
-/// Least-squares approximation of a force by polynomials of one degree between breaks.
+/// Least-squares approximation of a force by a piecewise polynomial of one degree with given breaks.
 #[derive(Debug)]
 pub struct Projection {
     breaks: Vec<f64>,
     degree: usize,
     /// Values at the nodes of [`Cells::nearest`], N.
     pub values: Vec<f64>,
-    /// Integral of the squared difference between force and approximation, N².
+    /// Integral over the turn of the squared difference between force and approximation, N² rad.
     rest: OnceLock<f64>,
 }
 
@@ -67,14 +67,14 @@ impl Projection {
 }
 
 impl ForceCycle {
-    /// Creates a cycle from its samples.
+    /// Creates a cycle from a curve with its samples.
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> ForceCycle {
         let curve = curve.into();
         let mean = MeanForce::of(&curve);
         ForceCycle::of(Samples::given(curve), mean)
     }
 
-    /// Creates the cycle of a load model. It is sampled only if the series is not sufficient.
+    /// Creates the cycle of a load model from its Fourier series. Samples are computed only if they are needed.
     pub fn of_series(force: FourierForce) -> ForceCycle {
         let mean = MeanForce {
             mean_n: force.mean_n(),
@@ -97,7 +97,7 @@ impl ForceCycle {
         }
     }
 
-    /// Creates a cycle with given slopes of its cubics, N per sample, one more than samples.
+    /// Creates a cycle whose cubics between the samples have the given slopes, N per sample. There is one slope more than samples.
     pub fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> ForceCycle {
         let out = ForceCycle::new(curve);
         let cells = Arc::new(cells(out.curve(), slopes));
@@ -107,12 +107,12 @@ impl ForceCycle {
         }
     }
 
-    /// Force in N at equal steps over one cycle, the first at the start of the cycle.
+    /// Samples of the force, N, at equal steps over one cycle, starting at the start of the cycle.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         self.samples.curve()
     }
 
-    /// The samples if they were given with their metadata: a recording, a file or a curve of the caller.
+    /// The curve from which the cycle was created: a recording, a file or a curve of the caller. `None` for a load model.
     pub fn given(&self) -> Option<&Arc<ForceCurve>> {
         self.samples.as_given()
     }
@@ -141,7 +141,7 @@ impl ForceCycle {
         self.mean_square.get_or_init(about_mean) + (force - mean).powi(2)
     }
 
-    /// Fourier series of the cycle, with the force residuals of the laws that follow from its first harmonics.
+    /// Fourier series of the cycle, computed once. It also caches the laws that follow from its first harmonics, and their force errors.
     pub fn series(&self) -> &Series {
         self.series.get_or_init(|| match self.samples.series() {
             Some(force) => Series::finite(force.mean_n(), force.waves()),
@@ -149,8 +149,8 @@ impl ForceCycle {
         })
     }
 
-    /// Root mean square and maximum of the force above its first `count` harmonics, N, computed once. For a finite series they follow from the
-    /// remaining harmonics, otherwise from the cubics.
+    /// Root mean square and maximum of the force without its mean and its first `count` harmonics, N, computed once. For a finite series they are
+    /// computed from the other harmonics, otherwise from the cubics.
     pub fn error_of_harmonics(&self, count: usize) -> [f64; 2] {
         let series = self.series();
         *series.error(count).get_or_init(|| {
@@ -163,7 +163,7 @@ impl ForceCycle {
         })
     }
 
-    /// Least-squares approximation by polynomials of a degree up to [`HIGHEST_PROJECTED`] between breaks, computed once.
+    /// Least-squares approximation of the force by polynomials between the breaks, computed once. The degree is at most [`HIGHEST_PROJECTED`].
     pub fn projection(&self, breaks: &[f64], degree: usize) -> Arc<Projection> {
         let is_same = |own: &Arc<Projection>| own.degree == degree && own.breaks == breaks;
         let found = self.projections.get(is_same, || {
@@ -177,8 +177,8 @@ impl ForceCycle {
         found.unwrap_or_else(|never| match never {})
     }
 
-    /// Integral of the squared difference from a piecewise polynomial, N²: its difference from the least-squares approximation plus the residual of
-    /// the approximation.
+    /// Integral over the turn of the squared difference between the force and a piecewise polynomial, N² rad. It is the sum of two parts: the
+    /// difference between the polynomial and the least-squares approximation, and the residual of the approximation.
     pub fn square_distance(&self, own: &PiecewisePoly) -> f64 {
         if own.degree() > HIGHEST_PROJECTED {
             return self.cells().square_distance(own);
@@ -201,7 +201,7 @@ impl ForceCycle {
     }
 }
 
-/// Cubics between the samples of a force, N.
+/// Cubics between the samples of a force, N, with the given slopes, N per sample.
 pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     let f = &force.force_n;
     let mut ends = Vec::with_capacity(f.len() + 1);
@@ -210,7 +210,7 @@ pub fn cells(force: &ForceCurve, slopes: Vec<f64>) -> Cells {
     Cells::new(ends, slopes, TAU)
 }
 
-/// The cycle shifted so that it starts at a phase. Resampling preserves the mean force.
+/// Cycle that starts at a phase of the given cycle, rad. It is resampled, and its mean force is preserved.
 pub fn begun_at(curve: &ForceCurve, phase: f64) -> ForceCurve {
     let begun = curve.begun_at(phase);
     let shift = curve.mean_n() - begun.mean_n();

@@ -1,13 +1,13 @@
-//! Samples of a cycle of force: given, or computed from a load model on request.
+//! Samples of a cycle of force. They are given, or computed from a load model when they are needed.
 
 use std::sync::{Arc, OnceLock};
 
 use crate::force::{ForceCurve, FourierForce, SAMPLES};
 
-/// Samples of a force.
+/// Samples of a cycle of force, or the load model from which they are computed.
 #[derive(Debug)]
 pub struct Samples {
-    /// Load model; `None` if the samples are given.
+    /// Fourier series of the load model; `None` if the samples are given.
     series: Option<FourierForce>,
     curve: OnceLock<Arc<ForceCurve>>,
     range_n: OnceLock<[f64; 2]>,
@@ -32,17 +32,17 @@ impl Samples {
         }
     }
 
-    /// Load model; `None` if the samples are given.
+    /// Fourier series of the load model; `None` if the samples are given.
     pub fn series(&self) -> Option<&FourierForce> {
         self.series.as_ref()
     }
 
-    /// The given curve; `None` if a model computes the samples.
+    /// The given curve; `None` if the samples are computed from a load model.
     pub fn as_given(&self) -> Option<&Arc<ForceCurve>> {
         self.curve.get().filter(|_| self.series.is_none())
     }
 
-    /// Force in N at equal steps over one cycle, the first at the start of the cycle.
+    /// Samples of the force, N, at equal steps over one cycle, starting at the start of the cycle.
     pub fn curve(&self) -> &Arc<ForceCurve> {
         self.curve.get_or_init(|| match &self.series {
             Some(force) => Arc::new(force.curve()),

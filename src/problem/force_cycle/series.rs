@@ -1,4 +1,4 @@
-//! Fourier series of a force, and the force residuals of the laws that follow from its first harmonics.
+//! Fourier series of a force. It also caches the laws that follow from its first harmonics, and their force errors.
 
 use std::sync::OnceLock;
 
@@ -10,30 +10,30 @@ use crate::poly::{amplitudes, harmonic_extremes};
 
 /// Maximum automatic number of harmonics.
 const MOST_AUTO: usize = 60;
-/// Fraction of the maximum sample below which amplitudes are rounding errors.
+/// Fraction of the maximum sample below which an amplitude counts as a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// Fourier series of one cycle of force.
+/// Fourier series of one cycle of a force.
 #[derive(Debug)]
 pub struct Series {
     /// Mean of the force, N.
     pub mean_n: f64,
-    /// (cosine, sine) of harmonics 1, 2, …, N: those determined by the samples, or all of a finite series.
+    /// Harmonics 1, 2, … as (cosine, sine), N: those that the samples determine, or all harmonics of a finite series.
     pub waves: Vec<(f64, f64)>,
-    /// Mean square of the harmonics above the n-th, N², by n.
+    /// Mean square of the sum of all harmonics above the n-th, N², for each n from 0 on.
     rest: Vec<f64>,
-    /// Whether the force is a finite sum of these harmonics.
+    /// Whether the force is exactly a finite sum of these harmonics.
     is_finite: bool,
-    /// Residuals by the number of harmonics of a law.
+    /// Cached results for a law with n harmonics, for each n from 0 on.
     fits: Vec<Fit>,
 }
 
-/// Root mean square and maximum residual of a law, N, and the law of pure inertia with m ω² = 1.
+/// Two results for a number of harmonics: the RMS and the maximum force error, N, and the law of a mass without spring and damping with m ω² = 1.
 type Fit = (OnceLock<[f64; 2]>, OnceLock<Option<Box<Shape>>>);
 
 impl Series {
-    /// Harmonics of samples. If the upper half of the harmonics contains only rounding errors, the samples belong to a finite series, such as a load
-    /// model.
+    /// Fourier series of samples. If the upper half of the harmonics contains only rounding errors, the force counts as a finite series, such as a
+    /// load model.
     pub fn of(curve: &ForceCurve) -> Series {
         let spectrum = &amplitudes(&curve.force_n)[..=most(curve.force_n.len())];
         let (mean_n, waves) = (spectrum[0].0, &spectrum[1..]);
@@ -49,7 +49,7 @@ impl Series {
         Series::new(mean_n, waves.to_vec(), false)
     }
 
-    /// Creates the force as a sum of harmonics about a mean.
+    /// Creates the series of a force that is exactly a sum of harmonics about a mean.
     pub fn finite(mean_n: f64, waves: Vec<(f64, f64)>) -> Series {
         Series::new(mean_n, waves, true)
     }
@@ -69,13 +69,13 @@ impl Series {
         }
     }
 
-    /// Whether the force is exactly the sum of [`Series::waves`] about its mean.
+    /// Whether the force is exactly the sum of its mean and [`Series::waves`].
     pub fn is_finite(&self) -> bool {
         self.is_finite
     }
 
-    /// Root mean square and maximum difference, N, between the force and a sum of harmonics about the same mean plus `gap`, by Parseval's theorem.
-    /// Harmonics that agree up to rounding errors count as equal.
+    /// RMS and maximum difference, N, between the force and a sum of harmonics whose mean is higher by `gap`. The RMS is computed by Parseval's
+    /// theorem. Differences of the size of rounding errors count as zero.
     pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
         let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
         let is_apart = |x: f64| if x.abs() > rounding { x } else { 0.0 };
@@ -93,7 +93,7 @@ impl Series {
         ]
     }
 
-    /// Harmonics of a law with a given number of harmonics; a finite series may have fewer.
+    /// First `count` harmonics as (cosine, sine), N. A finite series can have fewer.
     pub fn first(&self, count: usize) -> &[(f64, f64)] {
         &self.waves[..count.min(self.waves.len())]
     }
@@ -102,33 +102,34 @@ impl Series {
         &self.fits[count.min(self.waves.len())]
     }
 
-    /// RMS force of the harmonics above the first `count`, N.
+    /// RMS of the force of all harmonics above the first `count`, N.
     pub fn left_over(&self, count: usize) -> f64 {
         self.rest[count.min(self.waves.len())].sqrt()
     }
 
-    /// Minimum number of harmonics, at least one, for which the RMS of the others is at most `wanted`, N.
+    /// Minimum number of harmonics, at least one, for which the RMS of all higher harmonics is at most `wanted`, N.
     pub fn fewest(&self, wanted: f64) -> usize {
         let enough = self.rest.partition_point(|rest| *rest > wanted * wanted);
         enough.clamp(1, MOST_AUTO)
     }
 
-    /// Force of the first `count` harmonics, as a law.
+    /// Mean and first `count` harmonics of the force, N, in the form of a law.
     pub fn law(&self, count: usize) -> Law {
         Law::harmonic(self.mean_n, self.first(count))
     }
 
-    /// Root mean square and maximum difference between [`Series::law`] and the force, N, if already computed.
+    /// Cell for the RMS and maximum difference between [`Series::law`] and the force, N; empty until they are computed.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
         &self.fit(count).0
     }
 
-    /// Law of a drive for a number of harmonics of the force; `None` at resonance.
+    /// Law for which a drive has the first `count` harmonics of the force; `None` at resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
         Shape::of(self.mean_n, self.first(count), drive)
     }
 
-    /// Law for m ω² = 1 without spring and damping, computed once. This makes such designs 15 times as fast.
+    /// Law of a mass without spring and damping with m ω² = 1, computed once and scaled for other masses and speeds. With this cache, such designs
+    /// are 15 times as fast.
     pub fn inertia(&self, count: usize) -> Option<&Shape> {
         let unit = Drive::moving_axis(1.0, self.mean_n, 1.0);
         let shape = || self.shape(count, &unit).map(Box::new);
@@ -136,7 +137,7 @@ impl Series {
     }
 }
 
-/// Number of harmonics that samples determine.
+/// Maximum order of the harmonics that a number of samples determines.
 pub fn most(samples: usize) -> usize {
     (samples - 1) / 2
 }

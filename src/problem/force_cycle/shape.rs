@@ -1,4 +1,4 @@
-//! A harmonic law without its mean, with its torque and pressure as sums and quotients of harmonics.
+//! A harmonic law without its mean. Its torque and contact pressure are products and quotients of sums of harmonics.
 
 use std::f64::consts::TAU;
 
@@ -6,40 +6,40 @@ use crate::drive::Drive;
 use crate::law::{Law, weighted};
 use crate::poly::{amplitudes, harmonic_extremes, harmonic_sums, harmonic_values};
 
-/// Maximum number of Newton steps to a maximum; three or four are usual.
+/// Maximum number of Newton steps to a maximum; three or four steps are usually sufficient.
 const STEPS: usize = 12;
-/// Step of the angle, rad, below which a final parabola gives the value of a maximum.
+/// Step of the angle, rad, below which the Newton iteration ends. A parabola then gives the value at the maximum.
 const FLAT: f64 = 1e-5;
-/// Relative difference from the highest grid maximum within which maxima are refined.
+/// Maximum relative difference between a local maximum on the grid and the highest one for which the local maximum is refined.
 const NEAR: f64 = 0.1;
 
 /// Pair of minimum and maximum.
 type Range = [f64; 2];
 
-/// A law with all quantities that are proportional to it.
+/// A harmonic law, with its ranges and the harmonics of its force.
 #[derive(Debug)]
 pub struct Shape {
     /// The law, with zero mean.
     pub law: Law,
-    /// Ranges of s, v, a, j.
+    /// Minimum and maximum of s, v, a and j.
     pub svaj: [Range; 4],
-    /// Range of the alternating force.
+    /// Minimum and maximum of the alternating force, N.
     pub force_range: Range,
     /// Minimum of s + a.
     pub least_bent: f64,
-    /// Range of the torque F·v with the whole force F.
+    /// Minimum and maximum of the torque F·v, N·m, where F includes the mean force.
     pub torque_range: Range,
     pub torque_mean_and_rms: [f64; 2],
-    /// Harmonics of the force.
+    /// Harmonics of the alternating force as (cosine, sine), N.
     force: Vec<(f64, f64)>,
-    /// Harmonics of s + a of the law.
+    /// Harmonics of s + a as (cosine, sine).
     bent: Vec<(f64, f64)>,
-    /// Force and s + a at equal steps, at least 16 per period of the highest harmonic.
+    /// Alternating force and s + a at equal steps of the angle, at least 16 per period of the highest harmonic.
     grid: Vec<(f64, f64)>,
 }
 
 impl Shape {
-    /// Law of a drive whose force has the given harmonics about a mean; `None` at resonance.
+    /// Law for which a drive has the given mean force and harmonics of the force, N; `None` at resonance.
     pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
         let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;
@@ -70,7 +70,7 @@ impl Shape {
         })
     }
 
-    /// Maximum of (`mean` + `scale` · force) / (`radius` + `factor` · (s + a)).
+    /// Maximum over the turn of the quotient (`mean` + `scale` · force) / (`radius` + `factor` · (s + a)), at least 0.
     pub fn highest_quotient(&self, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let quotient =
             |(force, bent): &(f64, f64)| (mean + scale * force) / (radius + factor * bent);
@@ -99,7 +99,7 @@ impl Shape {
         most
     }
 
-    /// Value of the quotient at the maximum near an angle, by Newton's method.
+    /// Value of the quotient at the local maximum nearest to an angle, rad, by Newton's method.
     fn crest(&self, near: f64, [mean, scale]: [f64; 2], [radius, factor]: [f64; 2]) -> f64 {
         let mut at = near;
         let mut most = f64::NEG_INFINITY;

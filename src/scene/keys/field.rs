@@ -1,4 +1,4 @@
-//! Access of a key to its field, one implementation for each type of field.
+//! Access from a key of a scene file to its field in a [`Scene`], with one implementation for each type of field.
 
 use super::value::Value;
 use crate::cam::{FollowerKind, Hardness, Stock};
@@ -12,14 +12,15 @@ use crate::scene::{
 };
 use crate::wording::nearest_in_languages;
 
-/// Getter and setter of a key. The number is the index of a list entry, from 0.
+/// Functions that read and set the value of a key. Their second argument is the index of a list entry, from 0.
 #[derive(Clone, Copy)]
 pub struct Access {
     pub get: fn(&Scene, usize) -> Option<Value>,
     pub set: fn(&mut Scene, usize, Value) -> Result<()>,
 }
 
-/// Access to a field of the scene. `part?` is an optional part, `list[N]` an entry of a list. Both are created when a value is set in them.
+/// Creates the access to a field of the scene. `part?` is an optional part, and `list[N]` is an entry of a list. A missing part or entry is created
+/// when a value is set.
 macro_rules! field {
     ($($field:ident).+) => {
         Access {
@@ -54,7 +55,7 @@ macro_rules! field {
 }
 pub(super) use field;
 
-/// List entry with the given index, created if missing.
+/// The entry of a list with the given index. Missing entries are created with default values.
 pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
     if list.len() <= index {
         list.resize(index + 1, T::default());
@@ -62,12 +63,12 @@ pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut
     &mut list[index]
 }
 
-/// Type of a field set by a key.
+/// Type of a field that a key can set.
 pub(super) trait Field {
-    /// Value in a scene file; `None` if the key is omitted.
+    /// Value of the field in a scene file; `None` if the file omits the key.
     fn value(&self) -> Option<Value>;
 
-    /// Sets the field to the value of a scene file.
+    /// Sets the field from a value of the scene file.
     ///
     /// # Errors
     ///
@@ -75,7 +76,7 @@ pub(super) trait Field {
     fn assign(&mut self, value: Value) -> Result<()>;
 }
 
-/// A [`Field`] from the expressions that read and set it.
+/// Implements [`Field`] for types, from an expression that reads the field and one that sets it.
 macro_rules! impl_field {
     ($($type:ty: |$field:ident| $get:expr, |$value:ident| $set:expr;)+) => {$(
         impl Field for $type {
@@ -136,7 +137,7 @@ fn hardness(typed: String) -> Result<Hardness> {
     Hardness::parse(&typed).ok_or_else(|| SceneError::NotHardness { typed }.into())
 }
 
-/// A closed set of values that are written as words in a scene.
+/// A closed set of values, each written as a word in a scene.
 pub(super) trait Words: Copy + PartialEq + 'static {
     fn words() -> Vec<(&'static str, Self)>;
 }
@@ -199,7 +200,7 @@ fn named<T: Words>(word: &str) -> Result<T> {
     }
 }
 
-/// Error for a word outside a closed set.
+/// Error for a word that is not in a closed set. It suggests the nearest word.
 pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> SceneError {
     SceneError::UnknownWord {
         word: word.to_string(),

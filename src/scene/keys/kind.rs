@@ -1,11 +1,11 @@
-//! Type of a key: kind of value, range, dimension, and direction of relaxation.
+//! Type of a key: kind of value, range, dimension, and direction in which the key may be relaxed.
 
 use serde::Serialize;
 
 use crate::cam::Measures;
 use crate::units::Dimension;
 
-/// Dimension of a number, depending on the kind of follower.
+/// Dimension of a number. It depends on the kind of follower and cam.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -23,7 +23,7 @@ pub struct Measure {
     pub translating: Dimension,
     /// Dimension for oscillating followers.
     pub oscillating: Dimension,
-    /// Dimension for translating cams.
+    /// Dimension for cams that translate.
     pub straight: Dimension,
 }
 
@@ -33,7 +33,7 @@ impl Measure {
         Measure::by_arm(dimension, dimension)
     }
 
-    /// One dimension for followers on an arm, another one for all others.
+    /// Measure with one dimension for followers on an arm, and another one for all others.
     pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
         Measure {
             translating: other,
@@ -42,7 +42,7 @@ impl Measure {
         }
     }
 
-    /// Dimension for a kind of follower.
+    /// Dimension for a kind of motion of follower and cam.
     pub fn of(self, measures: Measures) -> Dimension {
         match measures {
             Measures::Translating => self.translating,
@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// Distinct dimensions over all followers.
+    /// Dimensions for all kinds of motion of follower and cam, each once.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {
@@ -63,7 +63,7 @@ impl Measure {
     }
 }
 
-/// Kind of value of a key.
+/// Kind of value that a key accepts.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Kind};
@@ -77,17 +77,17 @@ impl Measure {
 pub enum Kind {
     /// A number with its unit.
     Number(Measure),
-    /// A number with its unit, or the given word.
+    /// A number with its unit, or the given word instead.
     #[strum(serialize = "number-or-word")]
     NumberOr(Measure, &'static str),
-    /// A number with its unit, or several numbers: `1.4 Hz:2.4 Hz:11`, `normal 1.87 Hz 0.19 Hz`.
+    /// A number with its unit, or several numbers: a range such as `1.4 Hz:2.4 Hz:11`, or a distribution such as `normal 1.87 Hz 0.19 Hz`.
     #[strum(serialize = "number")]
     NumberOrSeveral(Measure),
-    /// A whole number from the first to the last.
+    /// A whole number between the given minimum and maximum, both included.
     Count(usize, usize),
-    /// One of several words.
+    /// One word of a closed set, which the function returns.
     Choice(fn() -> Vec<&'static str>),
-    /// A truth value, `true` or `false`.
+    /// A Boolean value, `true` or `false`.
     Flag,
     /// A text of any content.
     Text,
@@ -109,18 +109,18 @@ pub enum Kind {
 pub enum Range {
     /// Every finite number.
     Any,
-    /// Numbers greater than zero.
+    /// Numbers above zero.
     Positive,
-    /// Zero or positive numbers.
+    /// Zero and positive numbers.
     NotNegative,
-    /// Numbers from the first to the last.
+    /// Numbers between the given minimum and maximum, both included.
     Between(f64, f64),
-    /// Angles above 0 and below 90°.
+    /// Angles above 0 and below 90°, in rad.
     Acute,
 }
 
 impl Range {
-    /// Whether a number is inside the range.
+    /// Whether a number, in SI units, is within the range.
     pub fn contains(self, x: f64) -> bool {
         x.is_finite()
             && match self {
@@ -133,7 +133,7 @@ impl Range {
     }
 }
 
-/// Direction in which a change of the number relaxes the limit.
+/// Direction in which the number of a key may be changed to relax its condition.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Relax};
@@ -145,21 +145,21 @@ impl Range {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Relax {
-    /// A larger value is less restrictive.
+    /// A larger number is less restrictive.
     Up,
-    /// A smaller value is less restrictive.
+    /// A smaller number is less restrictive.
     Down,
 }
 
-/// Reason why a given key has no effect.
+/// Reason for which a given key has no effect in a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 #[strum(serialize_all = "kebab-case")]
 pub enum Idle {
-    /// The law's family does not use the key.
+    /// The family of the law does not use the key.
     Family,
-    /// The kind of follower does not use the key.
+    /// The follower of the scene does not use the key.
     Follower,
     /// The drive does not use the key.
     Drive,
@@ -169,7 +169,7 @@ pub enum Idle {
     Recording,
     /// The force comes from a load model.
     Model,
-    /// The follower is rigid: neither stiffness nor natural frequency is given.
+    /// The follower is rigid: neither its stiffness nor its natural frequency is given.
     RigidFollower,
     /// The shaft has no motor.
     NoMotor,
@@ -180,7 +180,7 @@ pub enum Idle {
 }
 
 impl Idle {
-    /// Name of the reason in data.
+    /// Name of the reason in machine-readable data.
     pub fn name(self) -> &'static str {
         self.into()
     }

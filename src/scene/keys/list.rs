@@ -1,11 +1,11 @@
-//! The key table as data and as text.
+//! The key table as JSON data and as text.
 
 use serde_json::{Value, json};
 
 use super::{KEYS, Key, Kind, Range};
 use crate::wording::{Language, catalogue, key_doc, range};
 
-/// All keys as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
+/// All keys as JSON data. Each key is an object `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
 pub fn json() -> Value {
     KEYS.iter().map(row).collect()
 }
@@ -40,7 +40,7 @@ fn row(key: &Key) -> Value {
     })
 }
 
-/// Short text for the type of a key: `length > 0`, `3 … 9`, `true | false`.
+/// Short text for the values that a key accepts, such as `length > 0`, `3 … 9` or `true | false`.
 pub fn takes(key: &Key, language: Language) -> String {
     let name = |typed: &str| catalogue(language).name(typed);
     let or = format!(" {} ", name("or"));
@@ -78,7 +78,7 @@ pub fn takes(key: &Key, language: Language) -> String {
     }
 }
 
-/// Reference page of all keys, in Markdown.
+/// Reference page of all keys in Markdown.
 pub fn markdown() -> String {
     let mut out = String::from(
         "# Keys of a scene file\n\n\

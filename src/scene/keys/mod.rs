@@ -1,7 +1,7 @@
-//! The key table: one row for each key of a scene file.
+//! The key table, with one row for each key of a scene file.
 //!
-//! Reading and writing TOML, changing single values, sweeps, relaxations, suggestions in messages, the JSON Schema and the reference page use the
-//! rows of [`KEYS`]. A new key needs one row in `table.rs`, its field, and its two texts in `wording/*/keys.ftl`.
+//! The rows of [`KEYS`] are used to read and write TOML, to change single values, for sweeps and for suggested changes. Messages, the JSON Schema and
+//! the reference page also use them. A new key needs one row in `table.rs`, its field, and its two texts in `wording/*/keys.ftl`.
 
 mod field;
 mod kind;
@@ -24,17 +24,18 @@ pub use table::KEYS;
 pub use value::Value;
 pub(super) use value::short;
 
-/// Row of a key. List entries have a number or the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
+/// Row of the key with a dotted path; `None` for an unknown key. In a list, the path contains the number of an entry or the letter N:
+/// `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.index_in(path).is_some())
 }
 
-/// Row of a limit in the key table.
+/// Row of the key that sets a limit; `None` if no key sets it.
 pub fn of_limit(kind: LimitKind) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.limit == Some(kind))
 }
 
-/// Keys that may be relaxed in an infeasible scene: first limits, then accuracy and given sizes.
+/// Rows of the keys that may be relaxed in an infeasible scene: first the limits, then the accuracy, then the given dimensions of the cam.
 pub fn relaxable() -> impl Iterator<Item = &'static Key> {
     let of = |section: &'static str| {
         KEYS.iter()

@@ -1,4 +1,4 @@
-//! Conversion of TOML to values of keys.
+//! Conversion of TOML values to values of keys.
 
 use toml::Value as Toml;
 
@@ -11,11 +11,11 @@ use crate::scene::{Scene, StepFrequencies};
 use crate::units::{Dimension, Quantity, in_range, parse};
 use crate::wording::called_in_spanish;
 
-/// Parses the value of a key in a scene file; `None` for `"auto"`.
+/// Reads the value of a key from its TOML value; `None` for `"auto"`.
 ///
 /// # Errors
 ///
-/// The value has another type or unit, or is outside the range of the key.
+/// The value has the wrong type or unit, or is outside the range of the key.
 pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option<Value>> {
     match key.kind {
         Kind::NumberOr(_, word) if typed.as_str() == Some(word) => {
@@ -32,7 +32,7 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
     }
 }
 
-/// Parses a value without a unit.
+/// Reads a value that has no unit.
 fn plain(key: &Key, typed: &Toml) -> std::result::Result<Value, SceneError> {
     let written = || typed.to_string();
     match key.kind {

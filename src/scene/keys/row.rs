@@ -1,4 +1,4 @@
-//! Row of the key table.
+//! One row of the key table.
 
 use super::field::Access;
 use super::kind::{Idle, Kind, Measure, Range, Relax};
@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::scene::{LimitKind, Scene};
 use crate::units::Dimension;
 
-/// A key of the scene file.
+/// A key of the scene file, as one row of the key table.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Value};
@@ -23,17 +23,17 @@ use crate::units::Dimension;
 /// ```
 #[derive(Clone, Copy)]
 pub struct Key {
-    /// Dotted path, with `N` for the number of a list entry: `law.segment.N.lift`.
+    /// Dotted path of the key. A list entry has the letter N in place of its number: `law.segment.N.lift`.
     pub path: &'static str,
-    /// Kind of the key's value.
+    /// Kind of value that the key accepts.
     pub kind: Kind,
-    /// Range of a numeric value.
+    /// Permitted range of a numeric value, in SI units.
     pub range: Range,
-    /// Default value, as written in a scene file; empty without a default.
+    /// Default value as written in a scene file; empty if there is no default.
     pub default: &'static str,
-    /// Limit that the key sets.
+    /// Limit that the key sets; `None` for other keys.
     pub limit: Option<LimitKind>,
-    /// Direction in which the key may be relaxed; `None` if it may not.
+    /// Direction in which the key may be relaxed; `None` if it may not be relaxed.
     pub relax: Option<Relax>,
     exists: fn(&Scene) -> bool,
     required: fn(&Scene) -> bool,
@@ -55,27 +55,27 @@ impl PartialEq for Key {
 }
 
 impl Key {
-    /// Section of the key in the scene file, such as `limits`.
+    /// First word of the path, which is the section of the scene file, such as `limits`; empty for keys outside sections.
     pub fn section(&self) -> &'static str {
         self.path.split_once('.').map_or("", |p| p.0)
     }
 
-    /// Last word of the path.
+    /// Last word of the path, such as `stroke`.
     pub fn name(&self) -> &'static str {
         self.path.rsplit_once('.').map_or(self.path, |p| p.1)
     }
 
-    /// List whose entries have this key, such as `law.segment`.
+    /// Path of the list whose entries contain this key, such as `law.segment`; `None` outside lists.
     pub fn list(&self) -> Option<&'static str> {
         self.path.split_once(".N.").map(|p| p.0)
     }
 
-    /// Path with the number of an entry as users write it; `index` is counted from 0.
+    /// Path of the key in a list entry, as written by users. `index` starts at 0, but the number in the path starts at 1.
     pub fn path_at(&self, index: usize) -> String {
         self.path.replacen(".N.", &format!(".{}.", index + 1), 1)
     }
 
-    /// Index of the entry (0 outside lists) if `path` refers to this key.
+    /// Index of the list entry, from 0, if `path` denotes this key; 0 for keys outside lists. `None` if `path` denotes another key.
     pub fn index_in(&self, path: &str) -> Option<usize> {
         let Some((list, last)) = self.path.split_once(".N.") else {
             return (path == self.path).then_some(0);
@@ -89,7 +89,7 @@ impl Key {
         }
     }
 
-    /// Whether a scene may contain the key; for example, a follower on an arm has no offset.
+    /// Whether a scene may contain the key. For example, a follower on an arm has no offset.
     pub fn exists(&self, scene: &Scene) -> bool {
         (self.exists)(scene)
     }
@@ -99,17 +99,18 @@ impl Key {
         self.exists(scene) && (self.required)(scene)
     }
 
-    /// Reason why the key has no effect in a scene; `None` if it has an effect.
+    /// Reason for which the key has no effect in a scene; `None` if it has an effect.
     pub fn idle(&self, scene: &Scene) -> Option<Idle> {
         (self.idle)(scene)
     }
 
-    /// Value of the key; `None` if it is omitted or `"auto"`.
+    /// Value of the key in a scene; `None` if it is omitted or `"auto"`. `index` is the index of the list entry, from 0.
     pub fn get(&self, scene: &Scene, index: usize) -> Option<Value> {
         (self.access.get)(scene, index)
     }
 
-    /// Sets the value. The checks of the scene then test whether it is consistent with the other keys.
+    /// Sets the value of the key in a scene, without checking whether it is consistent with the other keys. `index` is the index of the list entry,
+    /// from 0.
     ///
     /// # Errors
     ///
@@ -118,12 +119,13 @@ impl Key {
         (self.access.set)(scene, index, value)
     }
 
-    /// Numeric value of the key in a scene.
+    /// Numeric value of the key in a scene, in SI units; for a list, that of the first entry. `None` if there is no number.
     pub fn number(&self, scene: &Scene) -> Option<f64> {
         self.get(scene, 0).and_then(Value::number)
     }
 
-    /// Sets a number without reading the scene again, for sweeps. Returns `false` if the scene has to be read again with the changed table.
+    /// Sets a number in a scene, in SI units, without reading the scene again. It is used in sweeps. Returns `false` if the number cannot be set in
+    /// this way; the scene must then be read again from its changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
         let there = self.get(scene, index).is_some() || self.list().is_none();
         self.direct
@@ -133,7 +135,7 @@ impl Key {
             && self.set(scene, index, Value::Number(value)).is_ok()
     }
 
-    /// Dimension of a numeric key; `None` for words and counts.
+    /// Dimension of a numeric key, for each kind of follower; `None` for keys without unit.
     pub fn measure(&self) -> Option<Measure> {
         match self.kind {
             Kind::Number(measure) | Kind::NumberOrSeveral(measure) | Kind::NumberOr(measure, _) => {
@@ -143,12 +145,12 @@ impl Key {
         }
     }
 
-    /// Dimension of a numeric key in a scene.
+    /// Dimension of a numeric key for the follower of a scene; `None` for keys without unit.
     pub fn dimension(&self, scene: &Scene) -> Option<Dimension> {
         self.measure().map(|m| m.of(scene.cam.measures()))
     }
 
-    /// Words that the key accepts.
+    /// Words that the key accepts; empty if it accepts only other values.
     pub fn choices(&self) -> Vec<&'static str> {
         match self.kind {
             Kind::Choice(words) => words(),
@@ -157,7 +159,7 @@ impl Key {
         }
     }
 
-    /// Valid value of the key, for messages.
+    /// Example of a valid value, for messages.
     pub fn example(&self, scene: &Scene) -> String {
         match (self.dimension(scene), self.name()) {
             (_, "roller_radius") => "\"10 mm\"".to_string(),
@@ -171,7 +173,7 @@ impl Key {
         }
     }
 
-    /// Creates a row without conditions.
+    /// Creates a row that is valid in all scenes, without limit and relaxation.
     pub(super) const fn new(
         path: &'static str,
         kind: Kind,
@@ -208,25 +210,25 @@ impl Key {
         self
     }
 
-    /// Restricts the key to some scenes. In other scenes the key is an error.
+    /// Restricts the key to some scenes. In other scenes, the key is an error.
     pub(super) const fn only(mut self, exists: fn(&Scene) -> bool) -> Key {
         self.exists = exists;
         self
     }
 
-    /// Marks a key that has no default.
+    /// Marks a key that each scene must contain, unless the key is restricted to other scenes.
     pub(super) const fn required(mut self) -> Key {
         self.required = |_| true;
         self
     }
 
-    /// Marks scenes in which the key has no effect, with the reason.
+    /// Sets the function that returns the reason for which the key has no effect in a scene.
     pub(super) const fn idle_when(mut self, idle: fn(&Scene) -> Option<Idle>) -> Key {
         self.idle = idle;
         self
     }
 
-    /// Marks a key whose meaning depends on other keys. After a change of its number, the scene must be read again.
+    /// Marks a key whose number determines the meaning of other keys. After a change of the number, the scene must be read again.
     pub(super) const fn read_again(mut self) -> Key {
         self.direct = false;
         self

@@ -1,4 +1,4 @@
-//! JSON Schema of the scene file, for completion and checks in editors.
+//! JSON Schema of the scene file, with which editors complete and check keys.
 
 use serde_json::{Map, Value, json};
 
@@ -26,7 +26,7 @@ fn object() -> Value {
     json!({"type": "object", "additionalProperties": false, "properties": {}})
 }
 
-/// Inserts the schema of a key at its path.
+/// Inserts the schema of a key at its dotted path.
 fn place(at: &mut Value, path: &str, value: Value) {
     let Some((part, rest)) = path.split_once('.') else {
         at["properties"][path] = value;
@@ -47,7 +47,7 @@ fn place(at: &mut Value, path: &str, value: Value) {
     }
 }
 
-/// Schema of the table with the inner keys of a key. A key such as `cam.material` is a text or a table.
+/// The schema of the table that contains the inner keys of a key. A key such as `cam.material` accepts a text or such a table.
 fn table(schema: &mut Value) -> &mut Value {
     if schema["type"] == "object" {
         return schema;

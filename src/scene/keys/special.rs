@@ -1,4 +1,4 @@
-//! Access to keys that do not correspond to exactly one field.
+//! Access to keys that do not correspond to a single field of the scene.
 
 use std::path::PathBuf;
 
@@ -9,10 +9,10 @@ use crate::scene::{Harmonic, LimitKind, Limits, Source};
 use crate::units::Dimension;
 use crate::wording::called_in_spanish;
 
-/// Word that switches a default bound off.
+/// Word that switches off a default bound.
 pub(super) const NONE: &str = "none";
 
-/// Access to `gait.file`: a recording instead of a model.
+/// Access to `gait.file`. Setting a recording replaces a load model.
 pub(super) const FILE: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -37,7 +37,7 @@ pub(super) const FILE: Access = Access {
     },
 };
 
-/// Access to `gait.step_frequency`: one frequency, or the frequencies of several walkers.
+/// Access to `gait.step_frequency`, which is one frequency or the frequencies of several walkers.
 pub(super) const STEP_FREQUENCY: Access = Access {
     get: |s, _| {
         let gait = s.gait.as_ref()?;
@@ -56,7 +56,7 @@ pub(super) const STEP_FREQUENCY: Access = Access {
     },
 };
 
-/// Access to `gait.model`: a model instead of a recording.
+/// Access to `gait.model`. Setting a load model replaces a recording.
 pub(super) const MODEL: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Model(name) => Some(Value::Text(name.clone())),
@@ -68,7 +68,7 @@ pub(super) const MODEL: Access = Access {
     },
 };
 
-/// Access to `gait.harmonics`: load factors given in the scene instead of a recording or a model.
+/// Access to `gait.harmonics`. Setting load factors replaces a recording or a load model.
 pub(super) const HARMONICS: Access = Access {
     get: |s, _| match &s.gait.as_ref()?.source {
         Source::Harmonics(list) => Some(Value::Texts(list.iter().map(written_harmonic).collect())),
@@ -81,7 +81,7 @@ pub(super) const HARMONICS: Access = Access {
     },
 };
 
-/// Access to `machine.learned_force`: mean and harmonics, N.
+/// Access to `machine.learned_force`: mean and harmonics of a force, N.
 pub(super) const LEARNED_FORCE: Access = Access {
     get: |s, _| {
         let list = &s.machine.learned_force;
@@ -108,7 +108,7 @@ fn written_harmonic(harmonic: &Harmonic) -> String {
     }
 }
 
-/// Access to `cam.offset`. With "auto" the offset is free; the default is 0.
+/// Access to `cam.offset`. With "auto", the design determines the offset; the default is 0.
 pub(super) const OFFSET: Access = Access {
     get: |s, _| {
         let offset = s.cam.offset.map(Value::Number);
@@ -120,7 +120,8 @@ pub(super) const OFFSET: Access = Access {
     },
 };
 
-/// Access to `cam.material`: a known material, in English or Spanish, or a designation of steel. An empty text means that no material is given.
+/// Access to `cam.material`. The text is a known material, in English or Spanish, or a designation of a steel. An empty text means that no material
+/// is given.
 pub(super) const MATERIAL: Access = Access {
     get: |s, _| s.cam.making.material.clone().map(Value::Text),
     set: |s, _, v| {
@@ -136,7 +137,7 @@ pub(super) const MATERIAL: Access = Access {
     },
 };
 
-/// Access to `cam.follower_material`: a known material replaces constants.
+/// Access to `cam.follower_material`. Setting a known material removes constants given earlier.
 pub(super) const FOLLOWER_MATERIAL: Access = Access {
     get: |s, _| s.cam.follower_material.stock.value(),
     set: |s, _, v| {
@@ -145,7 +146,7 @@ pub(super) const FOLLOWER_MATERIAL: Access = Access {
     },
 };
 
-/// Access to a constant of the material of cam or follower, which replaces the name of the material.
+/// Access to one material constant of the cam or the follower. Setting a constant removes the name of the material.
 macro_rules! constant {
     (material . $field:ident) => {
         Access {
@@ -168,7 +169,7 @@ macro_rules! constant {
     };
 }
 
-/// Access to `limits.force_min`. The word "none" also switches the default off.
+/// Access to `limits.force_min`. The word "none" also switches off the default bound.
 pub(super) const FORCE_MIN: Access = Access {
     get: |s, _| {
         bound(
@@ -183,7 +184,7 @@ pub(super) const FORCE_MIN: Access = Access {
     },
 };
 
-/// Access to `limits.hertz_pressure`. The word "none" also switches the default off.
+/// Access to `limits.hertz_pressure`. The word "none" also switches off the default bound.
 pub(super) const HERTZ_PRESSURE: Access = Access {
     get: |s, _| {
         bound(
@@ -198,7 +199,7 @@ pub(super) const HERTZ_PRESSURE: Access = Access {
     },
 };
 
-/// Access to `accuracy.rms`. The word "none" also switches the default off.
+/// Access to `accuracy.rms`. The word "none" also switches off the default bound.
 pub(super) const ACCURACY: Access = Access {
     get: |s, _| bound(s.limits.unjudged.accuracy, s.rms),
     set: |s, _, v| {
@@ -208,7 +209,7 @@ pub(super) const ACCURACY: Access = Access {
     },
 };
 
-/// Access to `limits.pressure_angle`: one value for both sides.
+/// Access to `limits.pressure_angle`, which is one bound for rise and fall.
 pub(super) const PRESSURE_ANGLE: Access = Access {
     get: |s, _| bound(s.limits.unjudged.pressure_angle, both_sides(&s.limits)),
     set: |s, _, v| {
@@ -227,13 +228,13 @@ fn is_none(value: &Value) -> bool {
     matches!(value, Value::Text(word) if word == NONE)
 }
 
-/// The pressure angle of both sides, if they are equal.
+/// Bound of the pressure angle, rad, if it is equal on rise and fall; otherwise `None`.
 pub(super) fn both_sides(limits: &Limits) -> Option<f64> {
     let [rise, fall] = limits.pressure_angles();
     rise.filter(|_| rise == fall)
 }
 
-/// Access to the pressure angle of one side, if the sides differ.
+/// Access to the bound of the pressure angle on rise or fall. The value is `None` if both bounds are equal.
 macro_rules! one_side {
     ($kind:ident) => {
         Access {
@@ -246,7 +247,7 @@ macro_rules! one_side {
     };
 }
 
-/// Row of a limit: path, limit, alternative to "none".
+/// Creates the row of a limit from its path, its kind, and the range of its number. The word "none" is also accepted.
 macro_rules! limit {
     ($path:literal, $kind:ident, $takes:expr) => {
         row(

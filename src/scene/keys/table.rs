@@ -1,4 +1,4 @@
-//! The rows of the key table.
+//! The rows of the key table, and the conditions on which rows depend.
 
 use std::f64::consts::TAU;
 
@@ -21,22 +21,21 @@ use crate::scene::{
 };
 use crate::units::Dimension::{self, *};
 
-/// Maximum number of spans of a spline. Above it, a certified optimum in reasonable time is not guaranteed.
+/// Maximum number of spans of a spline. With more spans, a certified optimum in reasonable time is not guaranteed.
 const MOST_SPANS: usize = 400;
 /// Maximum degree of a polynomial.
 const HIGHEST_DEGREE: usize = 30;
 /// Maximum number of harmonics.
 const MOST_HARMONICS: usize = 400;
-/// Maximum weight of a phase. Above it, the mean square loses the digits of the other phases.
+/// Maximum weight of a range of phases. With a larger weight, rounding errors of the mean square exceed the effect of the other phases.
 const LARGEST_WEIGHT: f64 = 1e6;
 /// Maximum number of walkers on a structure.
 const MOST_WALKERS: usize = 1000;
-/// Maximum number of turns of a barrel's groove.
+/// Maximum number of turns of a barrel cam.
 const MOST_TURNS: usize = 100;
 
-/// All keys, in the order of a scene file. A row follows the rows on which its conditions depend.
-///
-/// Columns: path, kind and range of the value, default, field, conditions.
+/// All keys, in the order of a scene file. A row must follow the rows on which its conditions depend. The columns are path, kind and range of the
+/// value, default, field, and conditions.
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     row("name", TEXT, "cam", field!(name)),
@@ -192,11 +191,11 @@ pub static KEYS: &[Key] = &[
     row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
 ];
 
-/// Type of a row: kind of value and range.
+/// Values that a row accepts: kind and range.
 struct Takes(Kind, Range);
 
 impl Takes {
-    /// Permits a word instead of the number.
+    /// Also accepts a word in place of the number.
     const fn or(self, word: &'static str) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),
@@ -204,7 +203,7 @@ impl Takes {
         }
     }
 
-    /// Permits a range or a distribution instead of the number.
+    /// Also accepts a range or a distribution in place of the number.
     const fn or_several(self) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOrSeveral(measure), range),
@@ -215,13 +214,13 @@ impl Takes {
 
 const FLAG: Takes = Takes(Kind::Flag, Any);
 const TEXT: Takes = Takes(Kind::Text, Any);
-/// The published load models.
+/// The name of a published load model.
 const MODELS: Takes = Takes(
     Kind::Choice(|| force::catalogue().iter().map(|m| m.name).collect()),
     Any,
 );
 const TEXTS: Takes = Takes(Kind::Texts, Any);
-/// Speed of a rotating or translating cam.
+/// Speed of the cam: an angular speed, or a velocity for a translating cam.
 const SPEED: Takes = Takes(
     Kind::Number(Measure {
         straight: Speed,
@@ -230,17 +229,17 @@ const SPEED: Takes = Takes(
     Positive,
 );
 
-/// A number with a unit.
+/// A number with a unit of the given dimension.
 const fn number(dimension: Dimension, range: Range) -> Takes {
     by_arm(dimension, dimension, range)
 }
 
-/// A number with one unit for followers on an arm and another for others.
+/// A number whose dimension is `arm` for followers on an arm, and `other` for all others.
 const fn by_arm(other: Dimension, arm: Dimension, range: Range) -> Takes {
     Takes(Kind::Number(Measure::by_arm(other, arm)), range)
 }
 
-/// Derivative of the lift of the given order with respect to the cam angle.
+/// A number for the derivative of the lift of the given order with respect to the cam angle.
 const fn lift(order: u8) -> Takes {
     match order {
         0 => by_arm(Length, Angle, Any),
@@ -323,23 +322,23 @@ fn no_force(scene: &Scene) -> Option<Idle> {
     scene.gait.is_none().then_some(Idle::NoForce)
 }
 
-/// No effect: the offset of a translating flat face.
+/// Reason for which the key is idle: a translating flat face, for which the offset has no effect.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
 }
 
-/// Condition: an unrolled profile has no diameter.
+/// Reason for which the key is idle: a cam that is not a disc, for which a diameter has no meaning.
 fn unrolled(scene: &Scene) -> Option<Idle> {
     (!is_disc(scene)).then_some(Idle::Follower)
 }
 
-/// No effect: the length of a face without a flat face.
+/// Reason for which the key is idle: a follower without a flat or arched face, so that the length of the face has no meaning.
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
 }
 
-/// No effect: a limit on the mean power without damping, since the mean power is then 0; it has an effect with a learned force.
+/// Reason for which the key is idle: a machine without damping and learned force. Its mean power is 0, so a limit on the mean power has no effect.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -353,29 +352,29 @@ fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
 }
 
-/// No effect: sliding friction of a roller.
+/// Reason for which the key is idle: a roller, for which sliding friction is not used.
 fn rolls(scene: &Scene) -> Option<Idle> {
     has_roller(scene).then_some(Idle::Follower)
 }
 
-/// No effect: vibration data of a rigid follower.
+/// Reason for which the key is idle: a rigid follower, which does not vibrate.
 fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// No effect: shaft data without a motor, since the speed is then constant.
+/// Reason for which the key is idle: a shaft without a motor, whose speed is constant.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
-/// No effect: data of walkers on a rigid floor.
+/// Reason for which the key is idle: a rigid floor, on which walkers have no effect.
 fn no_floor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
-/// No effect: a limit on vibration without a dwell.
+/// Reason for which the key is idle: a law without a dwell, so that a limit on the vibration in a dwell has no effect.
 fn no_dwell(scene: &Scene) -> Option<Idle> {
     let law = &scene.law;
     let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);

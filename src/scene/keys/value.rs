@@ -1,10 +1,10 @@
-//! Values of keys, and their notation in a scene file.
+//! Values of keys, and their text in a scene file.
 
 use toml::Value as Toml;
 
 use crate::units::{Dimension, parse};
 
-/// A typed value of a key.
+/// Value of a key, with its type.
 ///
 /// ```
 /// use gaitcam::Scene;
@@ -16,11 +16,11 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// A number in SI units.
+    /// A number in SI units, for a key with a dimension.
     Number(f64),
-    /// A whole number (count).
+    /// A whole number, such as a number of spans.
     Count(usize),
-    /// A truth value (flag).
+    /// A Boolean value.
     Flag(bool),
     /// A word or a text.
     Text(String),
@@ -29,7 +29,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// The number, if the value is a number.
+    /// The number; `None` if the value is not a number.
     pub fn number(self) -> Option<f64> {
         match self {
             Value::Number(x) => Some(x),
@@ -37,7 +37,7 @@ impl Value {
         }
     }
 
-    /// The whole number, if the value is a count.
+    /// The whole number; `None` if the value is not a whole number.
     pub fn count(self) -> Option<usize> {
         match self {
             Value::Count(n) => Some(n),
@@ -45,7 +45,7 @@ impl Value {
         }
     }
 
-    /// The text of the value; empty for other kinds.
+    /// The text; empty if the value is not a text.
     pub fn text(self) -> String {
         match self {
             Value::Text(text) => text,
@@ -53,7 +53,7 @@ impl Value {
         }
     }
 
-    /// The texts of the value; empty for other kinds.
+    /// The list of texts; empty if the value is not a list of texts.
     pub fn texts(self) -> Vec<String> {
         match self {
             Value::Texts(list) => list,
@@ -61,7 +61,7 @@ impl Value {
         }
     }
 
-    /// Notation of the value in a scene file. Numbers have a unit of `dimension` and are exact when read back.
+    /// TOML value for a scene file. A number has a unit of `dimension`. Reading the TOML value again gives exactly the same value.
     pub fn to_toml(&self, dimension: Option<Dimension>) -> Toml {
         match (self, dimension) {
             (Value::Number(x), None | Some(Dimension::Ratio)) => Toml::Float(*x),
@@ -77,7 +77,8 @@ impl Value {
     }
 }
 
-/// Notation of a number in a scene file. It is exact when read back, and in a common unit if the number is exact in this unit.
+/// Text of a number for a scene file, with its unit. Reading the text again gives exactly the same number. The unit is a common one if this is
+/// possible.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let si = format!("{value} {}", dimension.si());
     let common: &[(&str, f64)] = match dimension {
@@ -95,7 +96,7 @@ pub(super) fn written(value: f64, dimension: Dimension) -> String {
         .unwrap_or(si)
 }
 
-/// Rounds a number to twelve digits, to remove the rounding error of a quotient.
+/// The number, rounded to twelve significant digits. This removes the rounding error of a quotient.
 pub fn short(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }

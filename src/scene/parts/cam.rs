@@ -17,47 +17,47 @@ const THICKNESS: f64 = 0.01;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CamSpec {
-    /// Kind of the follower.
+    /// Kind of follower.
     pub follower: FollowerKind,
-    /// Base radius; `None`: the minimum that satisfies the limits.
+    /// Base radius; `None`: the minimum radius that satisfies the limits.
     pub base_radius: Option<f64>,
-    /// Prime radius; `None`: the minimum that satisfies the limits.
+    /// Prime radius; `None`: the minimum radius that satisfies the limits.
     pub prime_radius: Option<f64>,
-    /// Offset of the follower; `None`: the offset of the smallest cam.
+    /// Offset of the follower's line of motion; `None`: the offset for which the cam is smallest.
     pub offset: Option<f64>,
-    /// Radius of the roller, or of a mushroom's arc.
+    /// Radius of the roller, or of the arc of a mushroom follower.
     pub roller_radius: f64,
-    /// For oscillating followers: distance from the cam centre to the pivot.
+    /// Distance from the cam centre to the pivot of an oscillating follower.
     pub pivot_distance: Option<f64>,
-    /// For oscillating followers: length of the arm.
+    /// Length of the arm of an oscillating follower.
     pub arm: Option<f64>,
-    /// For oscillating followers: whether the arm is in another plane, so that its pivot may lie within the outline of the cam.
+    /// Whether the arm of an oscillating follower is in another plane than the cam, so that its pivot may be within the outline of the cam.
     pub pivot_beside: bool,
-    /// For an oscillating flat face: distance of the face from the pivot.
+    /// Distance of the face of an oscillating flat follower from the pivot.
     pub face_offset: f64,
-    /// Diameter of the bore, which lies inside the base circle.
+    /// Diameter of the bore, which is inside the base circle.
     pub bore: Option<f64>,
-    /// Keyway of the bore.
+    /// Keyway of the bore; `None` without a keyway.
     pub keyway: Option<KeywaySpec>,
-    /// Whether the position θ = 0 is engraved on the solid.
+    /// Whether the position θ = 0 is engraved on the solid model.
     pub mark: bool,
-    /// Thickness of the plate, for solids.
+    /// Thickness of the plate in the solid model.
     pub thickness: f64,
-    /// Material, hardness and tolerances.
+    /// Material, hardness and tolerances of the cam.
     pub making: Making,
-    /// Material of the follower where it touches the cam.
+    /// Material of the contact surface of the follower.
     pub follower_material: StatedMaterial,
-    /// For a cam of constant breadth: distance of both faces, or of both roller centres. The law is then given only for the first half turn.
+    /// Distance of both faces, or of both roller centres, of a constant-breadth cam. The law then contains only the first half turn.
     pub breadth: Option<f64>,
-    /// For a translating cam: length of the travel; `None`: the total length of the segments.
+    /// Length of the travel of a translating cam; `None`: the total length of the segments.
     pub travel: Option<f64>,
-    /// For a barrel: number of turns of the law.
+    /// Number of turns of the law; more than one only for a barrel cam.
     pub turns: usize,
-    /// For a barrel: depth of the groove; `None`: the diameter of the roller.
+    /// Depth of the groove of a barrel cam; `None`: the diameter of the roller.
     pub depth: Option<f64>,
-    /// For a barrel: offset between the axis of each of two rollers and the axis of the stud; `None`: one roller.
+    /// Offset of the axes of two rollers from the axis of their stud, for a barrel cam; `None` for one roller.
     pub eccentricity: Option<f64>,
-    /// Second cam of a conjugate pair.
+    /// Second cam of a conjugate pair; `None` for a single cam.
     pub conjugate: Option<ConjugateSpec>,
 }
 
@@ -89,7 +89,7 @@ impl Default for CamSpec {
     }
 }
 
-/// Width of the keyway of the bore.
+/// Specification of the keyway of the bore.
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
@@ -100,14 +100,14 @@ impl Default for CamSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum KeywaySpec {
-    /// The width that DIN 6885-1 assigns to the bore.
+    /// The width that DIN 6885-1 specifies for the diameter of the bore.
     Auto,
-    /// A width of DIN 6885-1, m.
+    /// A given width from DIN 6885-1, m.
     Width(f64),
 }
 
 impl CamSpec {
-    /// Elastic constants of cam and follower.
+    /// Elastic constants of the materials of cam and follower.
     pub fn materials(&self) -> [Material; 2] {
         [
             self.making.stated.material(),
@@ -115,14 +115,14 @@ impl CamSpec {
         ]
     }
 
-    /// Contact modulus E* of cam and follower, Pa.
+    /// Contact modulus E* of the materials of cam and follower, Pa.
     pub fn contact_modulus(&self) -> f64 {
         let [cam, follower] = self.materials();
         1.0 / (cam.compliance() + follower.compliance())
     }
 
-    /// Allowable pressure of the contact, Pa: the lower one of cam and follower. The allowable pressure of the cam is stated, or follows from its
-    /// hardness or its material. `None` if no value is known.
+    /// Allowable contact pressure, Pa: the lower value of cam and follower. The value of the cam is given, or follows from its hardness or its
+    /// material. `None` if no value is known.
     pub fn allowable_pressure(&self) -> Option<f64> {
         let making = &self.making;
         let of_hardness = making.hardness.map(|h| h.allowable_pressure());
@@ -134,7 +134,7 @@ impl CamSpec {
         of_cam.into_iter().chain(of_follower).reduce(f64::min)
     }
 
-    /// Cam for a kind of follower, with a size that the synthesis determines.
+    /// Cam for a kind of follower, whose size is determined by the design.
     #[must_use]
     pub fn new(follower: FollowerKind) -> CamSpec {
         CamSpec {
@@ -143,7 +143,7 @@ impl CamSpec {
         }
     }
 
-    /// Base radius and prime radius, m, if the scene fixes the size.
+    /// Base radius and prime radius, m; `None` if the scene does not prescribe the size.
     pub fn given_radii(&self) -> Option<[f64; 2]> {
         let roller = self.roller_radius;
         match (self.base_radius, self.prime_radius) {
@@ -152,7 +152,7 @@ impl CamSpec {
         }
     }
 
-    /// Default distance from the pivot of an arm at which forces act, m. It is the length of the arm; for a flat face it is the pivot distance.
+    /// Default distance from the pivot at which the force acts on an arm, m. It is the length of the arm, or the pivot distance for a flat face.
     /// `None` for a translating follower.
     pub fn lever(&self) -> Option<f64> {
         let arm = if self.follower.is_flat() {
@@ -163,7 +163,7 @@ impl CamSpec {
         arm.filter(|_| self.is_oscillating())
     }
 
-    /// Hole for the shaft; without a keyway if the standard has no keyway for the bore.
+    /// Hole for the shaft, with its keyway. The keyway is omitted if the standard has none for the diameter of the bore. `None` without a bore.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;
         let keyway = self.keyway.and_then(|spec| match spec {
@@ -177,9 +177,9 @@ impl CamSpec {
 /// Second cam of a conjugate pair. Exactly one of the first three dimensions must be given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
-    /// For translating followers: distance of both faces or roller centres, m.
+    /// Distance of both faces or both roller centres of translating followers, m.
     pub distance: Option<f64>,
-    /// For oscillating followers: angle between both arms, rad.
+    /// Angle between both arms of an oscillating follower, rad.
     pub angle: Option<f64>,
     /// Base radius of the second cam, m.
     pub base_radius: Option<f64>,
@@ -188,7 +188,7 @@ pub struct ConjugateSpec {
 }
 
 impl ConjugateSpec {
-    /// Dimension that determines the pair; `None` unless exactly one is given.
+    /// Dimension that determines the pair; `None` unless exactly one dimension is given.
     pub fn closure(&self) -> Option<Closure> {
         match (self.distance, self.angle, self.base_radius) {
             (Some(distance), None, None) => Some(Closure::Distance(distance)),
@@ -200,17 +200,17 @@ impl ConjugateSpec {
 }
 
 impl CamSpec {
-    /// Whether the follower oscillates. Its law is then in rad.
+    /// Whether the follower oscillates, so that its law is in rad.
     pub fn is_oscillating(&self) -> bool {
         self.follower.is_oscillating()
     }
 
-    /// Units of the follower's law.
+    /// Units of the law of the follower.
     pub fn measures(&self) -> Measures {
         self.follower.measures()
     }
 
-    /// Whether the cam translates. The law is then a function of the travel in m.
+    /// Whether the cam translates, so that its law is a function of the travel in m.
     pub fn is_straight(&self) -> bool {
         self.follower == FollowerKind::TranslatingCam
     }

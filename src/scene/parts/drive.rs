@@ -1,10 +1,10 @@
-//! `[drive]`: relation of lift and force.
+//! `[drive]`: relation between lift and force.
 
 use super::CamSpec;
 use crate::drive::DriveKind;
 use crate::units::G;
 
-/// Relation of lift and force.
+/// Relation between lift and force in the machine.
 ///
 /// ```
 /// use gaitcam::drive::DriveKind;
@@ -15,26 +15,26 @@ use crate::units::G;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveSpec {
-    /// Kind of drive.
+    /// Kind of the drive.
     pub kind: DriveKind,
-    /// Moved mass, kg (for an arm the moment of inertia, kg·m²); `None`: mean force / g.
+    /// Moved mass, kg (moment of inertia, kg·m², for an arm); `None`: mean force divided by g.
     pub mass: Option<f64>,
-    /// Cam speed, rad/s; `None`: one turn per cycle.
+    /// Speed of the cam, rad/s; `None`: one turn per cycle of the force.
     pub speed: Option<f64>,
     /// Gravitational acceleration g, m/s².
     pub gravity: f64,
-    /// For a hydraulic drive: pressure per displaced volume, Pa/m³.
+    /// Pressure per displaced volume of a hydraulic drive, Pa/m³.
     pub pressure_per_volume: f64,
-    /// For a hydraulic drive: radius of the piston, m.
+    /// Radius of the piston of a hydraulic drive, m.
     pub piston_radius: f64,
-    /// For a fixed axis: spring rate, N/m (for an arm N·m/rad).
+    /// Spring rate on a fixed axis, N/m (N·m/rad for an arm).
     pub spring_rate: f64,
-    /// For a fixed axis: preload on the base circle, N (for an arm N·m).
+    /// Preload of the spring on a fixed axis, with the follower on the base circle, N (N·m for an arm).
     pub preload: f64,
-    /// For a fixed axis: damping, N·s/m.
+    /// Damping coefficient on a fixed axis, N·s/m; not available for an arm.
     pub damping: f64,
-    /// For oscillating followers: distance from the pivot at which the target force and the piston act, m; `None`: the length of the arm, or the
-    /// pivot distance for a flat face.
+    /// Distance from the pivot at which the target force and the piston act on an arm, m; `None`: the length of the arm, or the pivot distance for a
+    /// flat face.
     pub lever: Option<f64>,
 }
 
@@ -56,7 +56,7 @@ impl Default for DriveSpec {
 }
 
 impl DriveSpec {
-    /// Drive with a moving axis: the shaft block of mass `mass`, kg, moves with the cam.
+    /// Drive with a moving axis: the block that carries the camshaft has the mass `mass`, kg, and moves with the cam.
     #[must_use]
     pub fn moving_axis(mass: f64) -> DriveSpec {
         DriveSpec {
@@ -65,7 +65,7 @@ impl DriveSpec {
         }
     }
 
-    /// Drive with a fixed axis: the cam lifts `mass`, kg, against a spring of `spring_rate`, N/m.
+    /// Drive with a fixed axis: the cam moves the mass `mass`, kg, against a spring of `spring_rate`, N/m.
     #[must_use]
     pub fn fixed_axis(mass: f64, spring_rate: f64) -> DriveSpec {
         DriveSpec {
@@ -76,7 +76,7 @@ impl DriveSpec {
         }
     }
 
-    /// Hydraulic drive with the given pressure per displaced volume, Pa/m³, and piston radius, m.
+    /// Hydraulic drive with a pressure per displaced volume, Pa/m³, and a piston radius, m.
     #[must_use]
     pub fn hydraulic(pressure_per_volume: f64, piston_radius: f64) -> DriveSpec {
         DriveSpec {
@@ -87,7 +87,7 @@ impl DriveSpec {
         }
     }
 
-    /// Default drive for a cam. A moving axis is only possible for a disc cam with a translating follower.
+    /// Default kind of drive for a cam. It is a moving axis for a disc cam with a translating follower, otherwise a fixed axis.
     pub fn usual_kind(cam: &CamSpec) -> DriveKind {
         if cam.follower.is_translating() {
             DriveKind::MovingAxis

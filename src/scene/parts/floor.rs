@@ -1,4 +1,4 @@
-//! `[machine.floor]` and `[machine.walkers]`: the structure and the walkers on it.
+//! `[machine.floor]` and `[machine.walkers]`: the structure under the feet, and the walkers on it.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use gaitcam_base::random::Sequence;
 use crate::dynamics::FloorMode;
 use crate::units::{Dimension, parse};
 
-/// Mode of the structure under the feet.
+/// Vibration mode of the structure under the feet.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -25,7 +25,7 @@ pub struct FloorSpec {
     pub frequency: Option<f64>,
     /// Damping ratio of the mode.
     pub damping: Option<f64>,
-    /// Ordinate of the mode at the feet.
+    /// Ordinate of the mode shape at the feet, in the normalisation to which the modal mass belongs; 1 by default.
     pub ordinate: f64,
 }
 
@@ -56,7 +56,7 @@ impl FloorSpec {
     }
 }
 
-/// Walkers on the structure and their phases.
+/// Number, phases and weights of the walkers on the structure.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -67,11 +67,11 @@ impl FloorSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct WalkersSpec {
-    /// Number of walkers, including the shaker.
+    /// Number of walkers; the shaker counts as the first one.
     pub count: usize,
-    /// Phase of each walker, the shaker first; random if not given.
+    /// Phases of the walkers, starting with the shaker. Random phases are used if empty.
     pub phases: Vec<String>,
-    /// Weight of each walker, the shaker first; only the ratios have an effect. Equal if not given.
+    /// Weights of the walkers, starting with the shaker. Only their ratios have an effect. Equal weights are used if empty.
     pub weights: Vec<String>,
 }
 
@@ -86,7 +86,7 @@ impl Default for WalkersSpec {
 }
 
 impl WalkersSpec {
-    /// Phases of the walkers, rad. Random phases are equal in every run.
+    /// Phases of the walkers, rad; `None` if the texts are invalid. Random phases are the same in every run.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         if self.phases.is_empty() {
             let mut random = Sequence::new(0);
@@ -96,7 +96,7 @@ impl WalkersSpec {
         self.listed(&self.phases, Dimension::Angle)
     }
 
-    /// Weight of each walker, relative to the shaker.
+    /// Weights of the walkers, relative to the shaker; `None` if the texts are invalid.
     pub(super) fn parts(&self) -> Option<Vec<f64>> {
         if self.weights.is_empty() {
             return Some(vec![1.0; self.count]);
@@ -106,7 +106,7 @@ impl WalkersSpec {
         sound.then(|| weights.iter().map(|w| w / weights[0]).collect())
     }
 
-    /// Parses one number for each walker.
+    /// Parses a list that must contain one quantity for each walker.
     fn listed(&self, texts: &[String], dimension: Dimension) -> Option<Vec<f64>> {
         let mut numbers = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {

@@ -7,7 +7,7 @@ use super::{Adjust, StepFrequencies};
 use crate::error::{Error, Placed, Result};
 use crate::force::{self, Feet, ForceCurve, FourierForce, Kind, OpenQuestion, ReadOptions, Walker};
 
-/// Body weight for which the load models were published, N.
+/// Body weight, N, for which the load models were published.
 const MODEL_WEIGHT: f64 = 700.0;
 
 /// Source of the target force.
@@ -20,22 +20,22 @@ const MODEL_WEIGHT: f64 = 700.0;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
-    /// A recording or a written cycle. A relative path is searched first in the folder of the scene, then in the working directory.
+    /// A recording, or a file with one cycle. A relative path is searched first in the folder of the scene, then in the working directory.
     File(PathBuf),
-    /// A published load model, by name.
+    /// A published load model, given by its name.
     Model(String),
-    /// Load factors in the scene, for the harmonics 1, 2, … of the step frequency.
+    /// Load factors given in the scene, for the harmonics 1, 2, … of the step frequency.
     Harmonics(Vec<Harmonic>),
 }
 
 impl Default for Source {
-    /// A recording without a name: the caller provides the force with the scene.
+    /// A recording without a path: the caller provides the force together with the scene.
     fn default() -> Source {
         Source::File(PathBuf::new())
     }
 }
 
-/// Target force of a scene.
+/// Target force of a scene, and options for reading it.
 ///
 /// ```
 /// use gaitcam::scene::Gait;
@@ -48,64 +48,64 @@ impl Default for Source {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Gait {
-    /// Source of the force.
+    /// Source of the target force.
     pub source: Source,
-    /// For load models: steps per second; `None`: the usual frequency of the model.
+    /// Number of steps per second for a load model, Hz; `None`: the usual frequency of the model.
     pub step_frequency: Option<f64>,
-    /// For load models: step frequencies of several walkers, instead of a single one.
+    /// Step frequencies of several walkers for a load model, in place of a single one.
     pub step_frequencies: Option<StepFrequencies>,
-    /// Files or folders of further walkers.
+    /// Further files or folders with recordings of walkers.
     pub more_files: Vec<PathBuf>,
-    /// Excluded walkers, by file or by name.
+    /// Walkers that are excluded, given by file or by name.
     pub leave_out: Vec<String>,
-    /// Adjustment of the machine for each of several walkers; `None`: mass and speed, if the scene does not fix them.
+    /// Quantities of the machine that are adjusted for each of several walkers; `None`: mass and speed, if the scene does not prescribe them.
     pub adjust: Option<Adjust>,
-    /// For load models: weight of the walker, N; `None`: 700 N.
+    /// Weight of the walker for a load model, N; `None`: 700 N.
     pub body_weight: Option<f64>,
-    /// For recordings: name of the time column.
+    /// Name of the time column of a recording; `None`: the column is recognised.
     pub time: Option<String>,
-    /// For recordings: names of the force columns.
+    /// Names of the force columns of a recording; empty: the columns are recognised.
     pub force: Vec<String>,
-    /// For recordings: unit of the force columns, as written.
+    /// Unit of the force columns of a recording, as written.
     pub unit: Option<String>,
-    /// For recordings: samples per second.
+    /// Sampling rate of a recording, Hz.
     pub rate: Option<f64>,
-    /// For recordings: mass of the walker, kg.
+    /// Mass of the walker of a recording, kg.
     pub mass: Option<f64>,
-    /// For recordings: kind of movement; `None`: recognised from the recording.
+    /// Kind of movement in a recording; `None`: recognised from the recording.
     pub kind: Option<Kind>,
-    /// For recordings: open questions that the user has accepted.
+    /// Open questions about a recording that the user has accepted.
     pub accept: Vec<OpenQuestion>,
     /// Feet whose force is used.
     pub feet: Feet,
-    /// Duration of the cycle, s, if the file contains exactly one cycle; no stances are then detected.
+    /// Duration of the cycle, s, for a file that contains exactly one cycle. Stances are then not detected.
     pub period: Option<f64>,
-    /// Angle of the turn that the file covers, rad; the force is zero in the rest of the turn.
+    /// Part of the turn that the file covers, rad; the force is zero in the rest of the turn.
     pub span: Option<f64>,
-    /// For recordings: root mean square noise of the readings, N; `None`: estimated from unloaded samples.
+    /// RMS noise of the samples of a recording, N; `None`: estimated from samples of unloaded plates.
     pub noise: Option<f64>,
-    /// Scaling of the target force to the moved mass of a moving axis.
+    /// Scaling of the target force to the mass on a moving axis.
     pub scale: ForceScale,
-    /// Band about the target in which the force must stay; `None`: the force error is minimised.
+    /// Band about the target in which the force must be; `None`: no band, and the force error is minimised by default.
     pub band: Option<Band>,
-    /// Weights of the force error in ranges of the cycle.
+    /// Ranges of the cycle in which the force error has another weight.
     pub weights: Vec<PhaseWeight>,
-    /// Phase of the cycle at cam angle 0.
+    /// Phase of the force cycle at cam angle 0.
     pub phase: Phase,
 }
 
 impl Gait {
-    /// Force of a recording with default options.
+    /// Target force from a recording, with default options.
     pub fn file(path: impl Into<PathBuf>) -> Gait {
         Gait::of(Source::File(path.into()))
     }
 
-    /// Force of a published load model at its usual step frequency.
+    /// Target force from a published load model, at its usual step frequency.
     pub fn model(name: &str) -> Gait {
         Gait::of(Source::Model(name.to_string()))
     }
 
-    /// A force that the caller provides with the scene.
+    /// Target force that the caller provides together with the scene.
     #[must_use]
     pub fn given() -> Gait {
         Gait::default()
@@ -118,12 +118,12 @@ impl Gait {
         }
     }
 
-    /// Weight of the walker of a load model, N.
+    /// Weight of the walker for a load model, N.
     pub fn model_weight(&self) -> f64 {
         self.body_weight.unwrap_or(MODEL_WEIGHT)
     }
 
-    /// Options for reading the recording. `metadata` is the table of subjects that accompanies a table of stances.
+    /// Options for reading the recording of the scene. `metadata` is the content of the table of subjects that belongs to a table of stances.
     ///
     /// # Errors
     ///
@@ -145,7 +145,7 @@ impl Gait {
         })
     }
 
-    /// Force of the load model or of the load factors in the scene; `None` for a recording, which the caller reads.
+    /// Force of the load model or of the load factors in the scene. `None` for a recording, which the caller reads.
     ///
     /// # Errors
     ///
@@ -154,7 +154,8 @@ impl Gait {
         self.force_of_weight(self.model_weight())
     }
 
-    /// Force for a walker of another weight, N. With several step frequencies there is one walker for each.
+    /// Force of the load model for a walker with another weight, N. With several step frequencies, the force is the mean of one walker for each
+    /// frequency.
     pub(crate) fn force_of_weight(&self, weight: f64) -> Result<Option<ForceCurve>> {
         let Some(several) = self.step_frequencies else {
             return self.of_step(self.step_frequency, weight);
@@ -184,7 +185,7 @@ impl Gait {
         force.map(Some).map_err(|e| e.at_key("gait.model"))
     }
 
-    /// Fourier series of the force of one walker at a step frequency, Hz; `None` if the force exists only as samples.
+    /// Fourier series of the force of one walker at a step frequency, Hz. `None` if the force is known only by samples.
     ///
     /// # Errors
     ///
@@ -207,18 +208,18 @@ impl Gait {
         }
     }
 
-    /// Whether the source is a recording.
+    /// Whether the source of the force is a recording.
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))
     }
 }
 
-/// Factor and phase, rad, of each harmonic.
+/// Amplitude factor and phase of each harmonic, in the form of the load models.
 fn pairs(list: &[Harmonic]) -> Vec<(f64, f64)> {
     list.iter().map(|h| (h.factor, h.phase)).collect()
 }
 
-/// Scaling of the target force to the moved mass of a moving axis.
+/// Scaling of the target force to the mass on a moving axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
@@ -232,26 +233,26 @@ pub enum ForceScale {
 }
 
 impl ForceScale {
-    /// All methods of scaling.
+    /// All methods of scaling, in the order of the reference page.
     pub const ALL: &'static [ForceScale] = <ForceScale as strum::VariantArray>::VARIANTS;
 
-    /// Name of the method in scenes.
+    /// Name of the method in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Half width of a band about the target.
+/// Half width of a band about the target force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Band {
-    /// Standard deviation of the force from step to step.
+    /// The step-to-step standard deviation of the force.
     Spread,
-    /// Constant half width, N.
+    /// A constant half width, N.
     Width(f64),
 }
 
 impl Band {
-    /// The band of the corresponding moment, for a lever in m.
+    /// The band for the moment of the force at a lever, m. A constant half width is multiplied by the lever.
     pub(crate) fn at_lever(self, lever: f64) -> Band {
         match self {
             Band::Spread => Band::Spread,
@@ -260,14 +261,14 @@ impl Band {
     }
 }
 
-/// A range of the cycle with its weight in the mean square force error.
+/// A range of the cycle, with the weight of its squared force error.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PhaseWeight {
-    /// First phase of the cycle, rad.
+    /// Phase at the start of the range, rad.
     pub from: f64,
-    /// Last phase, rad. If it is below `from`, the range continues at the start of the cycle.
+    /// Phase at the end of the range, rad. If it is smaller than `from`, the range continues at the start of the cycle.
     pub to: f64,
-    /// Weight of the range. The weight of all other phases is 1.
+    /// Weight of the squared force error in the range. Outside all ranges, the weight is 1.
     pub weight: f64,
 }
 

@@ -1,9 +1,9 @@
-//! Harmonics of a force with their phases, for `gait.harmonics` and `machine.learned_force`.
+//! Harmonics of a force, for `gait.harmonics` and `machine.learned_force`.
 
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
-/// One harmonic of a force: a sin(2π i f t + p), as a fraction of the weight.
+/// Harmonic i of a force: a sin(2π i f t + p), where a is the factor and p the phase.
 ///
 /// ```
 /// use gaitcam::scene::Harmonic;
@@ -15,21 +15,21 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
-    /// Load factor, as a fraction of the weight; for `machine.learned_force` a force, N.
+    /// Amplitude: a load factor as a fraction of the weight, or for `machine.learned_force` a force, N.
     pub factor: f64,
     /// Phase added to the sine, rad.
     pub phase: f64,
 }
 
 impl Harmonic {
-    /// Maximum number of harmonics; the samples of a cycle are much finer.
+    /// Maximum number of harmonics. The samples of a cycle resolve many more.
     pub const MOST: usize = 50;
 
-    /// Harmonics 1, 2, … from texts such as "0.1 at -90 deg". A text may contain several harmonics, separated by commas.
+    /// Reads the harmonics 1, 2, … from texts such as "0.1 at -90 deg". A text may contain several harmonics, separated by commas.
     ///
     /// # Errors
     ///
-    /// A text is not a factor with its phase; there are too many factors; all factors are zero.
+    /// A text is not a factor with an optional phase; there are too many harmonics; all factors are zero.
     pub fn list(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let mut list = Vec::new();
         for text in texts.iter().flat_map(|text| text.split(',')) {
@@ -43,11 +43,11 @@ impl Harmonic {
         Ok(list)
     }
 
-    /// Mean and harmonics 1, 2, … of a force over the cam angle, N, from texts such as "3.2 N at -90 deg".
+    /// Reads the mean and the harmonics 1, 2, … of a force over the cam angle, N, from texts such as "3.2 N at -90 deg".
     ///
     /// # Errors
     ///
-    /// A text is not a force with its phase; there are too many forces.
+    /// A text is not a force with an optional phase; there are too many forces.
     pub fn forces(texts: &[String]) -> Result<Vec<Harmonic>, SceneError> {
         let (given, most) = (texts.len(), Harmonic::MOST);
         if given > most {

@@ -3,7 +3,7 @@
 use super::{ErrorMeasure, Gait, Robust};
 use crate::law::Rise;
 
-/// Family of the law.
+/// Family of functions to which the law belongs.
 ///
 /// ```
 /// use gaitcam::scene::Family;
@@ -30,19 +30,19 @@ use crate::law::Rise;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Harmonics in closed form if they satisfy accuracy and limits, otherwise a spline. It is the default if the scene contains no key of a
-    /// particular family.
+    /// Harmonics in closed form if they satisfy accuracy and limits, otherwise a spline. This is the default if the scene contains no key that only
+    /// one family uses.
     Auto,
-    /// Polynomials joined with continuous derivatives.
+    /// A spline: polynomial spans that join with continuous derivatives.
     #[default]
     Spline,
-    /// One polynomial through given points, with a dwell elsewhere.
+    /// One polynomial through given points, with constant lift outside them.
     Polynomial,
-    /// A sum of harmonics.
+    /// A sum of harmonics and a mean.
     Harmonic,
-    /// Rise–fall–dwell with double harmonics, whose angles and lifts are optimised.
+    /// Rise–fall–dwell with double harmonics. The angles and lifts are variables of the design.
     DoubleHarmonic,
-    /// Segments of catalogue laws.
+    /// A programme: a sequence of segments with motions of the catalogue.
     Program,
 }
 
@@ -67,15 +67,15 @@ impl Family {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShaftSpeed {
-    /// The law is designed for the varying speed of the motor, if the scene has a motor.
+    /// The varying speed that results from the motor, if the scene has a motor.
     #[default]
     Motor,
-    /// The shaft turns at constant speed.
+    /// A constant speed.
     Constant,
 }
 
 impl ShaftSpeed {
-    /// All values, for keys and help.
+    /// All values, for keys and help texts.
     pub const ALL: &'static [ShaftSpeed] = <ShaftSpeed as strum::VariantArray>::VARIANTS;
 
     /// Name of the value in a scene file.
@@ -84,7 +84,7 @@ impl ShaftSpeed {
     }
 }
 
-/// Objective of the law.
+/// Quantity that the design of the law minimises.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
@@ -106,18 +106,18 @@ impl ShaftSpeed {
 pub enum Minimise {
     /// Mean square error of the force.
     ForceError,
-    /// Mean square of the derivative of this order (2 acceleration, 3 jerk, 4 snap).
+    /// Mean square of the derivative of the lift of this order (2 acceleration, 3 jerk, 4 snap).
     Energy(usize),
-    /// Maximum absolute value of the derivative of this order.
+    /// Maximum magnitude of the derivative of the lift of this order.
     Peak(usize),
-    /// Maximum absolute error of the force.
+    /// Maximum magnitude of the force error.
     PeakForceError,
-    /// Base circle of a flat-faced cam, or prime circle of a roller cam; law and size are variables of one program.
+    /// Size of the cam: radius of the base circle for a flat face, of the prime circle for a roller. Law and size are variables of one program.
     Size,
 }
 
 impl Minimise {
-    /// All objectives with their names in a scene file.
+    /// All objectives, each with its name in a scene file.
     pub const NAMES: [(&'static str, Minimise); 9] = [
         ("force-error", Minimise::ForceError),
         ("peak-force-error", Minimise::PeakForceError),
@@ -131,7 +131,7 @@ impl Minimise {
     ];
 }
 
-/// An exact condition on the law at one cam angle.
+/// Exact conditions on the law at one cam angle.
 ///
 /// ```
 /// use gaitcam::scene::LawPoint;
@@ -144,20 +144,20 @@ impl Minimise {
 pub struct LawPoint {
     /// Cam angle of the condition, rad.
     pub angle: f64,
-    /// Lift, m (or rad).
+    /// Prescribed lift, m (rad for an arm).
     pub lift: Option<f64>,
-    /// Force, N, instead of a lift, if the drive relates lift and force.
+    /// Prescribed force, N, in place of a lift. The drive must relate lift and force.
     pub force: Option<f64>,
-    /// Prescribed velocity ds/dθ, m/rad.
+    /// Prescribed velocity ds/dθ, m/rad (rad/rad for an arm).
     pub velocity: Option<f64>,
-    /// Prescribed acceleration d²s/dθ², m/rad².
+    /// Prescribed acceleration d²s/dθ², m/rad² (rad/rad² for an arm).
     pub acceleration: Option<f64>,
-    /// Prescribed jerk d³s/dθ³, m/rad³.
+    /// Prescribed jerk d³s/dθ³, m/rad³ (rad/rad³ for an arm).
     pub jerk: Option<f64>,
 }
 
 impl LawPoint {
-    /// Condition of a lift at a cam angle.
+    /// Condition that prescribes only the lift, m (or rad), at a cam angle, rad.
     #[must_use]
     pub fn at(angle: f64, lift: f64) -> LawPoint {
         LawPoint {
@@ -168,7 +168,7 @@ impl LawPoint {
     }
 }
 
-/// Dwell: a range of cam angles with constant lift.
+/// Prescribed dwell: a range of cam angles with constant lift.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, Dwell, LawPoint, LawSpec, Minimise};
@@ -190,15 +190,15 @@ impl LawPoint {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Dwell {
-    /// First angle of the dwell, rad.
+    /// Cam angle at the start of the dwell, rad.
     pub from: f64,
-    /// Last angle of the dwell, rad.
+    /// Cam angle at the end of the dwell, rad.
     pub to: f64,
-    /// Lift of the dwell, m; `None`: free.
+    /// Lift in the dwell, m (rad for an arm); `None`: determined by the design.
     pub lift: Option<f64>,
 }
 
-/// Segment of a programme.
+/// Segment of a programme, as given in a scene.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -210,16 +210,16 @@ pub struct Dwell {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SegmentSpec {
-    /// Motion of the segment; [`Rise::Dwell`] for a dwell.
+    /// Motion in the segment; [`Rise::Dwell`] for a dwell.
     pub motion: Rise,
-    /// Change of lift, m (or rad), negative for a fall.
+    /// Change of lift, m (rad for an arm); negative for a fall.
     pub lift: f64,
-    /// Angle of the segment, rad.
+    /// Length of the segment: cam angle, rad, or travel, m, for a translating cam.
     pub angle: f64,
 }
 
 impl SegmentSpec {
-    /// Segment with a motion, a lift (negative for a fall) and an angle.
+    /// Creates a segment from a motion, a lift (negative for a fall) and a length.
     #[must_use]
     pub fn new(motion: Rise, lift: f64, angle: f64) -> SegmentSpec {
         SegmentSpec {
@@ -229,14 +229,14 @@ impl SegmentSpec {
         }
     }
 
-    /// Dwell over an angle.
+    /// Creates a dwell of the given length.
     #[must_use]
     pub fn dwell(angle: f64) -> SegmentSpec {
         SegmentSpec::new(Rise::Dwell, 0.0, angle)
     }
 }
 
-/// Specification of the law: family, resolution and exact conditions.
+/// Specification of the law: family, size and exact conditions.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -253,25 +253,25 @@ impl SegmentSpec {
 pub struct LawSpec {
     /// Family of the law.
     pub family: Family,
-    /// Degree of the spline (`None`: 5) or of the polynomial (`None`: given by the points).
+    /// Degree of the spline (`None`: 5, or 7 for a polydyne cam with damping), or of the polynomial (`None`: determined by the points).
     pub degree: Option<usize>,
-    /// Number of spans of the spline; `None`: the minimum that reaches the accuracy.
+    /// Number of spans of the spline; `None`: the minimum number that reaches the accuracy.
     pub spans: Option<usize>,
-    /// Number of harmonics; `None`: the minimum that reaches the accuracy.
+    /// Number of harmonics; `None`: the minimum number that reaches the accuracy.
     pub harmonics: Option<usize>,
-    /// Objective; `None`: force error if there is a target force, otherwise jerk.
+    /// Objective of the law; `None`: the force error if there is a target force and no band, otherwise the jerk.
     pub minimise: Option<Minimise>,
     /// Objective over the force errors of several walkers.
     pub robust: Robust,
     /// Measure of the force errors of several walkers.
     pub error: ErrorMeasure,
-    /// Whether the law is monotone between adjacent points.
+    /// Whether the law must be monotone between adjacent points.
     pub monotone: bool,
-    /// Whether the law describes the end of a compliant follower (polydyne cam).
+    /// Whether the law describes the motion of the end of a compliant follower (polydyne cam).
     pub polydyne: bool,
     /// Shaft speed for which the law is designed.
     pub shaft: ShaftSpeed,
-    /// Exact conditions on the law.
+    /// Exact conditions on the law at single cam angles.
     pub points: Vec<LawPoint>,
     /// Dwells of the law.
     pub dwells: Vec<Dwell>,
@@ -280,7 +280,7 @@ pub struct LawSpec {
 }
 
 impl LawSpec {
-    /// Law of a family, with default values.
+    /// Specification of a family of laws, with default values.
     #[must_use]
     pub fn of(family: Family) -> LawSpec {
         LawSpec {
@@ -289,7 +289,7 @@ impl LawSpec {
         }
     }
 
-    /// Programme of motions.
+    /// Specification of a programme of segments.
     #[must_use]
     pub fn program(segments: Vec<SegmentSpec>) -> LawSpec {
         LawSpec {
@@ -298,7 +298,8 @@ impl LawSpec {
         }
     }
 
-    /// Default family: automatic, or a spline if a key requires a spline.
+    /// Default family of the scene. It is a spline if the scene has no target force or contains a key that only splines use. Otherwise it is a sum of
+    /// harmonics if their number is given, and the automatic family if not.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
         let of_splines = self.degree.is_some()

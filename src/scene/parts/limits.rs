@@ -1,12 +1,11 @@
-//! `[limits]`: bounds of the design.
+//! `[limits]`: limits of the design.
 
 use std::ops::{Index, IndexMut};
 
 use crate::cam::LimitKind;
 
-/// Bounds of the design, by [`LimitKind`], in SI units; `None`: no limit.
-///
-/// [`LimitKind::PressureAngle`] is one bound for rise and fall: [`Limits::set`] and [`Limits::with`] set both.
+/// Limits of the design in SI units, indexed by [`LimitKind`]; `None`: no limit. [`LimitKind::PressureAngle`] is one bound for rise and fall, so
+/// [`Limits::set`] and [`Limits::with`] set both.
 ///
 /// ```
 /// use gaitcam::LimitKind;
@@ -20,14 +19,14 @@ use crate::cam::LimitKind;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Limits {
     bounds: [Option<f64>; LimitKind::ALL.len()],
-    /// Default bounds that are switched off.
+    /// Default bounds that the scene switches off.
     pub unjudged: Unjudged,
 }
 
 impl Index<LimitKind> for Limits {
     type Output = Option<f64>;
 
-    /// Bound of a limit. For [`LimitKind::PressureAngle`] the result is the bound on the rise.
+    /// Bound of a limit in SI units. For [`LimitKind::PressureAngle`], it is the bound on the rise.
     fn index(&self, kind: LimitKind) -> &Option<f64> {
         &self.bounds[place(kind)]
     }
@@ -47,7 +46,7 @@ fn place(kind: LimitKind) -> usize {
 }
 
 impl Limits {
-    /// Sets or removes a limit; value in SI units.
+    /// Sets a limit in SI units, or removes it with `None`.
     pub fn set(&mut self, kind: LimitKind, bound: Option<f64>) {
         self[kind] = bound;
         if kind == LimitKind::PressureAngle {
@@ -55,34 +54,34 @@ impl Limits {
         }
     }
 
-    /// The limits with one of them set; value in SI units.
+    /// Copy of the limits in which one limit has the value `bound`, in SI units.
     #[must_use]
     pub fn with(mut self, kind: LimitKind, bound: f64) -> Limits {
         self.set(kind, Some(bound));
         self
     }
 
-    /// Maximum |pressure angle| on the rise and on the fall, rad.
+    /// Maximum magnitude of the pressure angle on the rise and on the fall, rad; `None` without a limit.
     pub fn pressure_angles(&self) -> [Option<f64>; 2] {
         [LimitKind::PressureAngleRise, LimitKind::PressureAngleFall].map(|side| self[side])
     }
 }
 
-/// Default bounds of the verdict that are switched off with `"none"`.
+/// Default bounds of the verdict that the scene switches off with `"none"`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Unjudged {
-    /// Whether `limits.pressure_angle = "none"`.
+    /// Whether the scene contains `limits.pressure_angle = "none"`.
     pub pressure_angle: bool,
-    /// Whether `limits.force_min = "none"`.
+    /// Whether the scene contains `limits.force_min = "none"`.
     pub contact_force: bool,
-    /// Whether `accuracy.rms = "none"`.
+    /// Whether the scene contains `accuracy.rms = "none"`.
     pub accuracy: bool,
-    /// Whether `limits.hertz_pressure = "none"`: the allowable pressure of hardness or materials is not a limit.
+    /// Whether the scene contains `limits.hertz_pressure = "none"`. The allowable pressure from hardness or materials is then not a limit.
     pub contact_pressure: bool,
 }
 
 impl Unjudged {
-    /// The keys with the value `"none"`.
+    /// Dotted keys with the value `"none"`.
     pub fn keys(self) -> Vec<&'static str> {
         let all = [
             ("limits.pressure_angle", self.pressure_angle),

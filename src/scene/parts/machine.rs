@@ -8,12 +8,12 @@ use crate::drive::{Drive, Motor, TorqueLine};
 use crate::dynamics::Train;
 use crate::error::{Placed, SceneError};
 
-/// Maximum number of pole pairs whose synchronous speed is a default.
+/// Maximum number of pole pairs for the default synchronous speed.
 const POLE_PAIRS: u32 = 4;
 /// Default damping ratio of a follower train, typical of lubricated steel parts.
 const DAMPING_RATIO: f64 = 0.05;
 
-/// Properties of the machine in addition to its drive, for `gaitcam simulate`.
+/// Properties of the machine in addition to its drive.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -28,31 +28,31 @@ const DAMPING_RATIO: f64 = 0.05;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MachineSpec {
-    /// First natural frequency of the follower train, Hz.
+    /// First natural frequency of the follower train, Hz; `None` if it is rigid or its stiffness is given.
     pub natural_frequency: Option<f64>,
-    /// Stiffness of the follower train, N/m (for an arm N·m/rad), instead of the frequency.
+    /// Stiffness of the follower train, N/m (N·m/rad for an arm), as an alternative to the natural frequency.
     pub stiffness: Option<f64>,
     /// Damping ratio of the follower train.
     pub damping_ratio: f64,
-    /// Coefficient of sliding friction between cam and follower.
+    /// Coefficient of sliding friction in the contact of cam and follower.
     pub friction: f64,
-    /// Coefficient of restitution of a landing, 0 … 1.
+    /// Coefficient of restitution when the follower lands on the cam, 0 to 1.
     pub restitution: f64,
-    /// Phase of a second, equal cam on the same shaft, rad.
+    /// Phase of a second, equal cam on the same shaft, rad; `None` without a second cam.
     pub second_cam: Option<f64>,
-    /// Motor of the shaft; without torque data the shaft speed is constant.
+    /// Motor of the shaft. Without torque data, the speed of the shaft is constant.
     pub motor: MotorSpec,
-    /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m².
+    /// Moment of inertia of all rotating parts except the rotor of the motor, referred to the camshaft, kg·m².
     pub inertia: Option<f64>,
     /// Friction torque in the bearings of the shaft, N·m.
     pub friction_torque: f64,
-    /// Force of the machine in addition to its drive, learned from a log: mean and harmonics 1, 2, … over the cam angle, N.
+    /// Force of the machine in addition to the force of the drive, learned from a log: mean and harmonics 1, 2, … of the cam angle, N.
     pub learned_force: Vec<Harmonic>,
-    /// Single mode of the structure under the feet.
+    /// Mode of the structure under the feet, if there is only one.
     pub floor: FloorSpec,
-    /// Modes of the floor, if there are several.
+    /// Modes of the structure under the feet, if there are several.
     pub modes: Vec<FloorSpec>,
-    /// Walkers on the structure.
+    /// Walkers on the structure, including the shaker.
     pub walkers: WalkersSpec,
 }
 
@@ -70,25 +70,25 @@ pub struct MachineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotorSpec {
-    /// Decrease of torque with speed, at the camshaft, N·m·s/rad.
+    /// Decrease of the torque per increase of the speed, referred to the camshaft, N·m·s/rad.
     pub slope: Option<f64>,
     /// Torque of the motor at standstill, N·m.
     pub stall_torque: Option<f64>,
-    /// No-load speed of the motor, rad/s; `None`: the one for which the shaft has the mean speed.
+    /// No-load speed of the motor, rad/s; `None`: the speed for which the shaft has the prescribed mean speed.
     pub no_load_speed: Option<f64>,
-    /// Rated torque of an induction motor, N·m, at its rated speed.
+    /// Torque of an induction motor at its rated speed, N·m.
     pub rated_torque: Option<f64>,
-    /// Rated speed of the motor, rad/s.
+    /// Rated speed of an induction motor, rad/s.
     pub rated_speed: Option<f64>,
-    /// Synchronous speed of the motor, rad/s; `None`: the next one of a supply of 50 Hz or 60 Hz above the rated speed.
+    /// Synchronous speed of an induction motor, rad/s; `None`: the lowest one above the rated speed for a supply of 50 Hz or 60 Hz.
     pub synchronous_speed: Option<f64>,
-    /// Moment of inertia of the rotor, before the gear, kg·m².
+    /// Moment of inertia of the rotor, at the motor, kg·m².
     pub inertia: f64,
-    /// Speeds, rad/s, and torques, N·m, of the motor, alternating, from a file.
+    /// Torque curve of the motor, as a list of numbers in which speeds, rad/s, and torques, N·m, alternate.
     pub curve: Option<String>,
-    /// Turns of the motor per turn of the cam.
+    /// Gear ratio: turns of the motor per turn of the cam.
     pub gear: f64,
-    /// Efficiency of the gear.
+    /// Efficiency of the gear, 0 to 1.
     pub efficiency: f64,
 }
 
@@ -110,7 +110,7 @@ impl Default for MotorSpec {
 }
 
 impl MotorSpec {
-    /// Whether torque data are given.
+    /// Whether torque data of the motor are given.
     pub fn is_given(&self) -> bool {
         self.slope.is_some()
             || self.stall_torque.is_some()
@@ -118,8 +118,8 @@ impl MotorSpec {
             || self.curve.is_some()
     }
 
-    /// Torque of the straight line at standstill, N·m, and its no-load speed, rad/s. They are stated, or follow from the nameplate of an induction
-    /// motor, whose torque vanishes at its synchronous speed.
+    /// Torque at standstill, N·m, and no-load speed, rad/s, of a linear torque line, at the motor. They are given, or follow from the nameplate of an
+    /// induction motor, whose torque is zero at the synchronous speed.
     fn straight(&self) -> Option<(f64, Option<f64>)> {
         if let Some(stall) = self.stall_torque {
             return Some((stall, self.no_load_speed));
@@ -132,7 +132,7 @@ impl MotorSpec {
         ))
     }
 
-    /// Synchronous speed, rad/s: stated, or the next one of 2, 4, 6 or 8 poles above the rated speed.
+    /// Synchronous speed, rad/s: the given one, or the lowest one of 2, 4, 6 or 8 poles that is above the rated speed.
     fn synchronous(&self) -> Option<f64> {
         let rated = self.rated_speed?;
         let per_pair = [50.0, 60.0].map(|frequency| TAU * frequency);
@@ -141,12 +141,13 @@ impl MotorSpec {
         self.synchronous_speed.or_else(next)
     }
 
-    /// Moment of inertia of the rotor at the camshaft, kg·m².
+    /// Moment of inertia of the rotor, referred to the camshaft, kg·m².
     pub fn rotor_at_cam(&self) -> f64 {
         self.inertia * self.gear * self.gear
     }
 
-    /// Speeds and torques of the curve; `None` unless they form a decreasing curve with at least two rows that reaches zero torque.
+    /// Rows of the torque curve: speed, rad/s, and torque, N·m. `None` unless there are at least two rows with increasing speed and decreasing
+    /// torque.
     pub fn rows(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = self.curve.as_ref()?.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
@@ -156,7 +157,7 @@ impl MotorSpec {
         sound.then_some(rows)
     }
 
-    /// Torque against speed at the camshaft, and the maximum no-load speed.
+    /// Torque as a function of speed, referred to the camshaft, and the no-load speed of the camshaft, rad/s, if it is known.
     fn line(&self) -> Option<(TorqueLine, Option<f64>)> {
         let (n, factor) = (self.gear, self.gear * self.efficiency);
         if let Some(slope) = self.slope {
@@ -177,11 +178,11 @@ impl MotorSpec {
 }
 
 impl MachineSpec {
-    /// Checks that a motor has exactly one decreasing torque line and the inertia of its shaft.
+    /// Checks that a motor has exactly one decreasing torque line, and that the inertia of its shaft is given.
     ///
     /// # Errors
     ///
-    /// The invalid key and its error.
+    /// Error with the key that is invalid.
     pub(in crate::scene) fn check_motor(&self) -> Result<(), (&'static str, SceneError)> {
         let motor = &self.motor;
         let lines = [
@@ -225,14 +226,15 @@ impl MachineSpec {
         Err(fault)
     }
 
-    /// Moment of inertia of all that turns, at the camshaft, kg·m²: the given one and the rotor of the motor.
+    /// Moment of inertia of all rotating parts, referred to the camshaft, kg·m²: the given inertia plus the rotor of the motor. `None` if neither is
+    /// given.
     fn total_inertia(&self) -> Option<f64> {
         let rotor = self.motor.rotor_at_cam();
         let alone = (rotor > 0.0).then_some(rotor);
         self.inertia.map(|own| own + rotor).or(alone)
     }
 
-    /// The motor with flywheel and friction; `None` for a constant shaft speed.
+    /// The motor with flywheel and friction, referred to the camshaft; `None` if the shaft speed is constant.
     pub fn motor(&self) -> Option<Motor> {
         let spec = &self.motor;
         let (line, nominal) = spec.line()?;
@@ -246,12 +248,12 @@ impl MachineSpec {
         })
     }
 
-    /// Whether the shaft speed is constant, the floor is rigid, and there is no learned force.
+    /// Whether the machine has a constant shaft speed, a rigid floor and no learned force.
     pub fn is_plain(&self) -> bool {
         !self.motor.is_given() && !self.has_floor() && self.learned_force.is_empty()
     }
 
-    /// Learned force at a cam angle, N.
+    /// Learned force at a cam angle, rad; result in N.
     pub fn learned_at(&self, theta: f64) -> f64 {
         let each = (0..).zip(&self.learned_force);
         each.map(|(n, h)| match n {
@@ -264,7 +266,7 @@ impl MachineSpec {
     /// Compliance between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
-    /// A natural frequency without a mass.
+    /// A natural frequency is given without a mass.
     pub fn train(&self, drive: &Drive) -> crate::error::Result<Option<Train>> {
         if let Some(hz) = self.natural_frequency {
             return Train::from_frequency(drive, hz, self.damping_ratio)

@@ -1,11 +1,11 @@
-//! Floor of a machine: its modes and the walkers on it.
+//! Floor of a machine: the modes of the structure and the walkers on it.
 
 use super::machine::MachineSpec;
 use crate::dynamics::{Floor, FloorMode};
 use crate::error::SceneError;
 
 impl MachineSpec {
-    /// Structure with its walkers; `None` for a rigid floor.
+    /// The structure with its walkers; `None` for a rigid floor.
     pub fn floor(&self) -> Option<Floor> {
         let single = self.floor.mode("machine.floor.damping");
         let listed = self.modes.iter();
@@ -21,16 +21,16 @@ impl MachineSpec {
         })
     }
 
-    /// Whether the floor moves.
+    /// Whether the scene has a structure that moves.
     pub fn has_floor(&self) -> bool {
         self.floor.is_given() || !self.modes.is_empty()
     }
 
-    /// Checks that each mode is complete, and that the follower is not flexible.
+    /// Checks that each mode of the structure is complete, and that the follower is rigid.
     ///
     /// # Errors
     ///
-    /// The invalid key and its error.
+    /// Error with the key that is invalid.
     pub(in crate::scene) fn check_floor(&self) -> Result<(), (&'static str, SceneError)> {
         let floor = &self.floor;
         if !self.has_floor() {

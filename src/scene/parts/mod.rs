@@ -1,4 +1,4 @@
-//! Sections of a scene file, one type for each.
+//! The sections of a scene file, with one type for each section.
 
 mod cam;
 mod drive;

@@ -1,4 +1,4 @@
-//! Keys for a population of walkers: objective over the errors, and adjustment of the machine for each walker.
+//! Keys for a population of walkers: objective over their force errors, and adjustment of the machine for each walker.
 
 use std::str::FromStr;
 
@@ -17,12 +17,12 @@ use crate::units::{Dimension, parse};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Robust {
-    /// Mean square of all errors.
+    /// Mean square of the force errors of all walkers.
     #[default]
     Mean,
-    /// The maximum error over the walkers.
+    /// Maximum force error over the walkers.
     Worst,
-    /// Mean square of the largest errors: those above this fraction of the walkers (conditional value at risk).
+    /// Mean square force error of the worst walkers (conditional value at risk). The number is the fraction of the walkers that are not counted.
     Tail(f64),
 }
 
@@ -73,20 +73,20 @@ pub enum ErrorMeasure {
     /// Errors in percent of each walker's mean force.
     #[default]
     Relative,
-    /// Errors in newtons, so that heavy walkers have more influence.
+    /// Errors in newtons, which give more weight to heavy walkers.
     Absolute,
 }
 
 impl ErrorMeasure {
-    /// All measures, for keys and help.
+    /// All measures, for keys and help texts.
     pub const ALL: [ErrorMeasure; 2] = [ErrorMeasure::Relative, ErrorMeasure::Absolute];
 
-    /// Name of the measure in scenes.
+    /// Name of the measure in a scene file.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// Suffix of the names of columns in this measure.
+    /// Suffix of column names for errors in this measure, which denotes the unit.
     pub fn suffix(self) -> &'static str {
         match self {
             ErrorMeasure::Relative => "percent",
@@ -95,7 +95,7 @@ impl ErrorMeasure {
     }
 }
 
-/// Adjustment of the machine for each walker.
+/// Quantities of the machine that are adjusted for each walker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Adjust {
     /// Whether the moved mass is adjusted.
@@ -106,11 +106,11 @@ pub struct Adjust {
     pub phase: bool,
 }
 
-/// Words for the quantities that can be adjusted.
+/// Names of the quantities that can be adjusted.
 const ADJUSTED: [&str; 4] = ["mass", "speed", "phase", "none"];
 
 impl Adjust {
-    /// Parses the words; `"none"` means no adjustment.
+    /// Reads the names of the adjusted quantities; `"none"` means that nothing is adjusted.
     ///
     /// # Errors
     ///
@@ -136,7 +136,7 @@ impl Adjust {
         Ok(out)
     }
 
-    /// Words in a scene for the adjusted quantities.
+    /// Names of the adjusted quantities, as written in a scene.
     pub fn words(self) -> Vec<String> {
         let all = [
             (self.mass, "mass"),
@@ -153,23 +153,23 @@ impl Adjust {
     }
 }
 
-/// Step frequencies of the walkers of one load model.
+/// Step frequencies of several walkers with the same load model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepFrequencies {
     /// First and last frequency, Hz, and number of equally spaced frequencies.
     Range(f64, f64, usize),
-    /// A normal distribution: mean and standard deviation, Hz.
+    /// Normal distribution with a mean and a standard deviation, Hz.
     Normal(f64, f64),
 }
 
-/// Number of points of a normal distribution.
+/// Number of frequencies that represent a normal distribution.
 const POINTS: usize = 21;
 const REACH: f64 = 2.5;
-/// Maximum number of points of a range.
+/// Maximum number of frequencies in a range.
 const MOST_POINTS: usize = 2000;
 
 impl StepFrequencies {
-    /// Frequencies, Hz, with their weights.
+    /// Step frequencies, Hz, each with its weight. The weights are not normalised.
     pub fn points(self) -> Vec<(f64, f64)> {
         let place = |i: usize, n: usize| i as f64 / (n - 1) as f64;
         match self {
@@ -187,7 +187,7 @@ impl StepFrequencies {
         }
     }
 
-    /// Whether the text of the key denotes several frequencies.
+    /// Whether the text of the key denotes several step frequencies.
     pub fn is_meant(typed: &str) -> bool {
         typed.contains(':') || typed.trim_start().starts_with("normal")
     }

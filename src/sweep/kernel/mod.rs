@@ -1,7 +1,9 @@
-//! Computation of rows from a batch of parameters, without side effects and independent of the number of threads. Words determine the structure of a
-//! scene. Each combination of words is read once per batch; the numbers of the rows are then set directly. A harmonic law that satisfies its limits
-//! has a closed form. Other rows are designed like a single scene. Forces are cached with the results derived from them, so a grid of few step
-//! frequencies is faster than a sample.
+//! Computation of rows from a batch of parameters. It has no side effects and does not depend on the number of threads.
+//!
+//! Keys with words determine the structure of a scene. The scene of each combination of words is read once per batch, and the numbers of each row are
+//! then set directly. A harmonic law that satisfies its limits is computed in closed form. All other rows are designed like a single scene.
+//!
+//! Forces are cached together with the results that are computed from them. A grid with few step frequencies is therefore faster than a sample.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, RwLock};
@@ -20,39 +22,39 @@ use crate::sweep::plan::{NamedScene, Plan};
 use crate::sweep::table::results::{Outcome, Row};
 use crate::synth::{Search, closed_form, design};
 
-/// Clock with arbitrary origin; returns the time in s.
+/// Clock with an arbitrary zero, which returns the time in s.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
-/// Returns the time limit of a row that starts now.
+/// Function that returns the time limit of a row that starts now.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
-/// Maximum number of cached forces. When it is exceeded, all are dropped.
+/// Maximum number of cached forces. A further force removes all earlier ones.
 const KEPT_FORCES: usize = 1024;
-/// Computes the results of batches.
+/// Computes the rows of batches.
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
     files: &'a Files,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    /// Whether numbers of the force vary, so that a recording results in several forces.
+    /// Whether a numeric key of the force is varied, so that one recording gives several forces.
     varies_gait: bool,
     cycles: RwLock<BTreeMap<CycleName, Result<Arc<ForceCycle>>>>,
 }
 
-/// Cache key of a force: its source, and the bits of its step frequency.
+/// Key of a cached force: its source, and the bits of its step frequency.
 type CycleName = (Arc<str>, u64);
 
-/// A parsed combination of words.
+/// Scene for one combination of words.
 #[derive(Default)]
 struct Base {
-    /// Scene of the combination; `None` if it must be read row by row, because the numbers of its first row are invalid.
+    /// The scene with the numbers of its first row. `None` if these numbers are invalid; the scene must then be read for each row.
     scene: Option<Scene>,
-    /// Source of the force; `None` if it depends on the numbers of a row.
+    /// Source of the force; `None` if it depends on the numbers of the row.
     source: Option<Arc<str>>,
 }
 
 impl<'a> Kernel<'a> {
-    /// Creates a kernel for the scenes and keys of a plan. `files` contains the recordings of the scenes.
+    /// Creates a kernel for the scenes and the varied keys of a plan. `files` contains the recordings of the scenes.
     pub fn new(
         plan: &'a Plan,
         files: &'a Files,
@@ -77,7 +79,7 @@ impl<'a> Kernel<'a> {
         &self.keys
     }
 
-    /// Whether computing times are recorded.
+    /// Whether the computing time of each row is recorded.
     pub fn has_clock(&self) -> bool {
         self.clock.is_some()
     }
@@ -86,7 +88,7 @@ impl<'a> Kernel<'a> {
         self.clock.map_or(0.0, |clock| clock())
     }
 
-    /// Computes all rows of a batch. An invalid scene gives a row with its error. `None` if `stop` ended the computation between two rows.
+    /// Computes all rows of a batch. For an invalid scene, the row contains the error. `None` if `stop` ended the computation between two rows.
     pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Vec<Row>> {
         let mut results = Vec::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
@@ -134,16 +136,16 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Reads the scene of a row as a user would write it.
+    /// Reads the scene of a row from its table.
     fn read(&self, batch: &Batch, row: usize) -> Result<Scene> {
         scene::read(&self.table(batch, row)?)
     }
 
-    /// Table of a row: the base scene with the values of the row, in SI units.
+    /// Table of the scene of a row: the base scene with the values of the row, in SI units.
     ///
     /// # Errors
     ///
-    /// A key rejects its value.
+    /// A value cannot be set.
     pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
         let scene = batch.scene[row] as usize;
         let named = self
@@ -181,7 +183,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Sets the numbers of a row; `false` if the scene must be read again for one of them.
+    /// Sets the numbers of a row in a scene. Returns `false` if the scene must be read again because of one of the numbers.
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Numbers(x) = column
@@ -193,7 +195,7 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// Row of a scene, in closed form if possible.
+    /// Computes the row of a scene, in closed form if possible.
     fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
         let problem = match self.problem(index, scene, source) {
             Ok(problem) => problem,
@@ -212,7 +214,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Problem of a scene, with its force from the cache.
+    /// The problem of a scene. Its force is taken from the cache.
     fn problem(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Problem> {
         let Some(gait) = &scene.gait else {
             return Problem::of_multiple(scene, None);
@@ -226,7 +228,7 @@ impl<'a> Kernel<'a> {
         Problem::of_multiple(scene, Some((&cycle, times)))
     }
 
-    /// Force of a scene, cached; for a load model with a body weight of 1 N.
+    /// The cached force of a scene. A force that is proportional to the body weight is computed for 1 N.
     fn cycle(
         &self,
         index: usize,
@@ -256,7 +258,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Row of a scene without a design: the scene is infeasible or invalid.
+/// Row of a scene for which no design exists, because the scene is infeasible or invalid.
 fn refused(why: &Error) -> Row {
     let row = Row::error(why.to_string());
     if !why.is_answer() {
@@ -269,7 +271,7 @@ fn refused(why: &Error) -> Row {
     }
 }
 
-/// Force of a load model or of load factors in the scene. The body weight is 1 N if the force is proportional to the weight.
+/// Force of a load model or of load factors in the scene. If the force is proportional to the body weight, it is computed for 1 N.
 fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     if !is_multiple(gait) {
         let force = gait.model_force()?.ok_or(SweepError::NoForceError)?;
@@ -282,12 +284,12 @@ fn model_cycle(gait: &Gait) -> Result<ForceCycle> {
     Ok(ForceCycle::new(force))
 }
 
-/// Whether the force is proportional to the body weight at one step frequency.
+/// Whether the force is proportional to the body weight: it does not come from a recording and has a single step frequency.
 fn is_multiple(gait: &Gait) -> bool {
     !gait.is_recording() && gait.step_frequencies.is_none()
 }
 
-/// Source of the force of a scene: the recording with its options, or the model and feet.
+/// Text that identifies the source of the force: the recording with its options, or the load model and the feet.
 fn source(index: usize, scene: &Scene) -> Arc<str> {
     let Some(gait) = &scene.gait else {
         return Arc::from("");
@@ -299,7 +301,7 @@ fn source(index: usize, scene: &Scene) -> Arc<str> {
     })
 }
 
-/// Converts a panic to an error, so that the other rows are still computed.
+/// Result of a computation; a panic becomes an error. Other rows can then still be computed.
 fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
         let words = cause.downcast_ref::<String>().map(String::as_str);

@@ -1,8 +1,10 @@
-//! Behaviour of a manufactured cam: law, force, acceleration and lift-off, from the deviations of its profile.
+//! Law, force, acceleration and lift-off of a manufactured cam, from the measured deviations of its profile.
 //!
-//! To first order and at the same cam angle, a deviation δ along the normal of the profile moves the follower by ε = δ/l. For a translating follower
-//! l is the cosine of the pressure angle; for an arm it is the lever of the normal about the pivot. ε(θ) is fitted with the number of waves that
-//! Schwarz's criterion selects. The residual is measurement noise and roughness, which the derivatives would amplify.
+//! To first order and at the same cam angle, a deviation δ along the normal of the profile moves the follower by ε = δ/l. For a translating follower,
+//! l is the cosine of the pressure angle. For an arm, l is the lever of the normal about the pivot.
+//!
+//! The displacement ε(θ) is fitted with a number of waves that Schwarz's criterion selects. The residual of the fit is measurement noise and
+//! roughness. It is excluded because the derivatives would amplify it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,14 +17,14 @@ use crate::dynamics::rigid::touch::held;
 use crate::law::{Law, Wave};
 use crate::synth::Design;
 
-/// Maximum number of waves per turn.
+/// Maximum number of waves per turn in the fit.
 const MOST_WAVES: usize = 60;
-/// Minimum number of points per wave.
+/// Minimum number of measured points for each wave.
 const POINTS_PER_WAVE: usize = 4;
-/// Size, m, below which a deviation is a rounding error.
+/// Deviation, m, below which the residual of the fit counts as a rounding error.
 const ROUNDING: f64 = 1e-10;
 
-/// Force and motion of a cam in its machine. The extremes of the law are exact.
+/// Force and motion of a follower in its machine. The extremes are exact for the continuous law.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
@@ -39,21 +41,21 @@ const ROUNDING: f64 = 1e-10;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Behaviour {
-    /// RMS error of the force, N.
+    /// RMS force error, N; `None` without a target force.
     pub rms_error_n: Option<f64>,
-    /// Maximum error of the force, N.
+    /// Maximum force error, N; `None` without a target force.
     pub max_error_n: Option<f64>,
-    /// Minimum contact force, N.
+    /// Minimum contact force over the turn, N.
     pub min_n: f64,
-    /// Maximum contact force, N.
+    /// Maximum contact force over the turn, N.
     pub max_n: f64,
-    /// Maximum absolute acceleration, m/s² (for an arm rad/s²).
+    /// Maximum magnitude of the acceleration, m/s² (rad/s² for an arm).
     pub acceleration: f64,
-    /// Minimum speed at which the follower lifts off, rad/s; `None` if it never lifts off.
+    /// Minimum speed of the cam at which the follower lifts off, rad/s; `None` if it does not lift off at any speed.
     pub liftoff_speed: Option<f64>,
 }
 
-/// Behaviour of a manufactured cam, compared with the design.
+/// Behaviour of a manufactured cam and of its design.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
@@ -71,9 +73,9 @@ pub struct Behaviour {
 pub struct MadeCam {
     /// Law of motion of the cam as manufactured.
     pub law: Law,
-    /// Number of waves per turn in the difference between the law and the designed law.
+    /// Number of waves per turn in the difference between the manufactured and the designed law.
     pub waves: usize,
-    /// RMS residual of the fit with waves, m (for an arm rad).
+    /// RMS residual of the fit with waves, m (rad for an arm).
     pub left: f64,
     /// Behaviour of the cam as manufactured.
     pub made: Behaviour,
@@ -82,8 +84,8 @@ pub struct MadeCam {
 }
 
 impl MadeCam {
-    /// Manufactured cam of `design` from an inspection, without outliers. `None` for a law that does not cover one turn, or if a part of the profile
-    /// was not measured.
+    /// Determines the manufactured cam of `design` from the points of an inspection that are not outliers. `None` if the law does not cover exactly
+    /// one turn, or if a part of the profile was not measured.
     pub fn of(design: &Design, inspection: &Inspection) -> Option<MadeCam> {
         let (start, length) = design.cam.law.extent();
         if inspection.unmeasured.is_some()
@@ -140,8 +142,8 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
     }
 }
 
-/// Normal displacement of the profile per lift: the cosine of the pressure angle, or the lever of the normal about the
-/// pivot, m.
+/// Ratio of a normal displacement of the profile to the displacement of the follower. It is the cosine of the pressure angle, or for an arm the lever
+/// of the normal about the pivot, m.
 fn lever(cam: &Cam, theta: f64) -> f64 {
     let point = cam.point(theta);
     let normal = cam.normal(&point);
@@ -156,18 +158,18 @@ fn lever(cam: &Cam, theta: f64) -> f64 {
     }
 }
 
-/// A series with a mean and waves per turn.
+/// A series: a mean plus waves per turn.
 struct Series {
     mean: f64,
-    /// Amplitudes (cos, sin) of the waves 1, 2, …
+    /// Amplitudes (cosine, sine) of the waves 1, 2, … per turn.
     terms: Vec<(f64, f64)>,
-    /// RMS of the residual of the fit.
+    /// RMS residual of the fit.
     left: f64,
 }
 
 impl Series {
-    /// Least-squares fit of values at increasing angles. The number of waves minimises n ln(mean square residual) + (number of terms) ln n. Half the
-    /// minimum wavelength is at least the maximum gap between points.
+    /// Least-squares fit of values at increasing angles, rad. The number of waves minimises n ln(mean square residual) + (number of terms) ln n,
+    /// where n is the number of values. Half the shortest wavelength is at least the maximum gap between angles.
     fn fitted(values: &[(f64, f64)]) -> Series {
         let n = values.len();
         let most = MOST_WAVES
@@ -202,7 +204,7 @@ impl Series {
         }
     }
 
-    /// Sum of the law and the series.
+    /// Law that is the sum of a law and the series.
     fn added_to(&self, law: &Law) -> Law {
         let raised = law.raised(self.mean);
         let waves: Vec<Vec<Wave>> = (0..raised.poly().pieces())
@@ -231,7 +233,7 @@ fn widest_gap(values: &[(f64, f64)]) -> f64 {
         .fold(seam, f64::max)
 }
 
-/// Basis function k of 1, cos θ, sin θ, cos 2θ …
+/// Value of the basis function k of 1, cos θ, sin θ, cos 2θ, …
 fn column(k: usize, theta: f64) -> f64 {
     let wave = k.div_ceil(2) as f64;
     match k % 2 {

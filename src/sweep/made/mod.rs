@@ -1,4 +1,4 @@
-//! Cams as manufactured: errors within tolerances, and measured profiles.
+//! Cams as manufactured: random errors within tolerances, and measured profiles.
 
 pub(super) mod measured;
 mod over_time;

@@ -1,24 +1,24 @@
-//! Force error of a design, from forces at equal cam angles: over the angle at constant speed, otherwise over time with the optimal phase. The phase
-//! is linearised, because manufacturing errors change it only slightly.
+//! Force error of a design, from forces at equally spaced cam angles. At constant speed, it is the mean over the angle. Otherwise it is the mean over
+//! time, with the phase that minimises the error. The effect of the phase is linearised, because manufacturing errors change the phase only slightly.
 
 use std::f64::consts::TAU;
 
 use crate::force::ForceCurve;
 use crate::synth::Design;
 
-/// Number of equal angles per turn. The trapezoidal rule converges fast for smooth functions.
+/// Number of equally spaced angles per turn. For smooth functions, the trapezoidal rule converges fast.
 pub const POINTS: usize = 4096;
 
-/// Weights for the mean square force error over time.
+/// Weights of the cam angles in a mean over time.
 pub struct OverTime {
-    /// Weight of each angle, as a fraction of the period.
+    /// Weight of each angle: its fraction of the period.
     pub weights: Vec<f64>,
-    /// Derivative of the target with respect to its phase, up to a factor, N; zero at constant speed.
+    /// Derivative of the target with respect to its phase, N, up to a common factor. It is zero at constant speed.
     pub rates: Vec<f64>,
 }
 
 impl OverTime {
-    /// Error measure of a design, with its target over the cam angle.
+    /// Weights for a design and its target as a function of the cam angle.
     pub fn of(design: &Design, target: &ForceCurve) -> OverTime {
         if design.shaft.is_none() {
             return OverTime {
@@ -36,7 +36,7 @@ impl OverTime {
         }
     }
 
-    /// Minimum root mean square over the phase, N, of differences at the angles.
+    /// RMS of the differences `off` at the angles, N, minimised over the phase.
     pub fn error(&self, off: impl Fn(usize) -> f64) -> f64 {
         let [mut square, mut slope, mut bend] = [0.0; 3];
         for (i, (weight, rate)) in self.weights.iter().zip(&self.rates).enumerate() {
@@ -53,7 +53,8 @@ impl OverTime {
         (square - gained).max(0.0).sqrt()
     }
 
-    /// Subtracts the reduction by the optimal phase from mean products of functions. The last function is the derivative with respect to the phase.
+    /// Corrects the mean products of functions for the optimal phase. The last function must be the derivative of the target with respect to the
+    /// phase; it is removed from the result.
     pub fn free_of_phase(mut products: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let of_rate = products.pop().unwrap_or_default();
         let bend = of_rate.last().copied().unwrap_or_default();
@@ -68,7 +69,7 @@ impl OverTime {
     }
 }
 
-/// Equally spaced angle with index i, rad.
+/// The i-th of the equally spaced angles, rad.
 pub fn angle(i: usize) -> f64 {
     TAU * i as f64 / POINTS as f64
 }

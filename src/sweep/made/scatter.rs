@@ -1,4 +1,4 @@
-//! A sweep over manufacturing errors of one design: row i is the i-th manufactured cam.
+//! A sweep over the manufacturing errors of one design. Row i is the i-th manufactured cam.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use crate::sweep::plan::NamedScene;
 use crate::sweep::table::records::{Field, Records};
 use crate::synth::{Design, Search, design};
 
-/// One design, manufactured many times with errors within tolerances.
+/// One design that is manufactured many times, with errors within tolerances.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -32,17 +32,17 @@ use crate::synth::{Design, Search, design};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scattered {
-    /// Scene of the scattered cams.
+    /// Scene of the design.
     pub scene: NamedScene,
-    /// Tolerances as written, such as `profile=0.02 mm`.
+    /// Tolerances as written by the user, such as `profile=0.02 mm`.
     pub tolerances: Vec<String>,
     /// Number of manufactured cams.
     pub count: u64,
-    /// Seed of the random errors.
+    /// Seed of the random manufacturing errors.
     pub seed: u64,
 }
 
-/// Columns of a table of samples after `row`.
+/// Columns of a table of manufacturing samples, in addition to the column `row`.
 pub const SAMPLE_COLUMNS: [&str; 6] = [
     "profile_m",
     "base_radius_m",
@@ -52,7 +52,7 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
     "force_rms_error_percent",
 ];
 
-/// Manufacturing samples of a design.
+/// Computes the manufacturing samples of a design.
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,
@@ -61,7 +61,7 @@ pub struct Samples {
 }
 
 impl Scattered {
-    /// Parses the tolerances.
+    /// Parses the tolerances of the sweep.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl Scattered {
             .collect()
     }
 
-    /// The sweep as data. Equal sweeps have equal descriptions.
+    /// Description of the sweep as JSON data. Descriptions are equal exactly for equal sweeps.
     pub fn description(&self) -> Value {
         json!({
             "scenes": [{"name": self.scene.name, "text": self.scene.table.to_string()}],
@@ -83,7 +83,7 @@ impl Scattered {
         })
     }
 
-    /// Designs the cam whose manufacturing errors are sampled.
+    /// Designs the cam of the scene and prepares its manufacturing samples.
     ///
     /// # Errors
     ///
@@ -104,7 +104,7 @@ impl Scattered {
         self.samples_of(&design)
     }
 
-    /// Manufacturing samples of a given design.
+    /// Prepares the manufacturing samples of a given design.
     ///
     /// # Errors
     ///
@@ -120,7 +120,7 @@ impl Scattered {
 }
 
 impl Samples {
-    /// Samples of a range of rows.
+    /// Table of the samples in a range of rows.
     pub fn records(&self, rows: Range<u64>) -> Records {
         let count = (rows.end - rows.start) as usize;
         let (scatter, tolerances) = (&self.scatter, &self.tolerances);
@@ -134,7 +134,7 @@ impl Samples {
     }
 }
 
-/// Values in the order of [`SAMPLE_COLUMNS`].
+/// Values of a sample, in the order of [`SAMPLE_COLUMNS`].
 fn numbers(made: Made) -> [f64; SAMPLE_COLUMNS.len()] {
     [
         made.profile_m,

@@ -1,4 +1,4 @@
-//! Manufacturing scatter of a design: force error for a cam with manufacturing errors.
+//! Manufacturing scatter of a design: the force errors of cams with random manufacturing errors.
 //!
 //! The force of the manufactured cam differs from the target by
 //!
@@ -6,9 +6,11 @@
 //! F′ − F* = (F − F*) + (F₀′ − F₀ + kΔ) + c(ω′ − ω)·v + (m′ω′² − mω²)·a + k ε + cω′ ε_θ + m′ω′² ε_θθ
 //! ```
 //!
-//! where Δ is the error of the base radius and ε(θ) the error of the profile. Both are measured along the motion of the follower: for a flat face
-//! this is the distance of the face; for a roller, to first order, the normal error divided by the cosine of the pressure angle. The difference is
-//! linear in a few fixed functions, so the RMS of a sample is a small quadratic form of their mean products.
+//! where Δ is the error of the base radius and ε(θ) the error of the profile. Both are displacements of the follower. For a flat face, the
+//! displacement is that of the face. For a roller, to first order, it is the normal error divided by the cosine of the pressure angle.
+//!
+//! The difference is linear in a few fixed functions of θ. The mean square force error of a sample is therefore a quadratic form of the mean products
+//! of these functions.
 
 use std::f64::consts::TAU;
 
@@ -31,7 +33,8 @@ use gaitcam_base::random::{mixed, unit};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Profile: waves of 2 to 12 lobes, whose amplitudes decrease with the square of the number of lobes. Their sum is within the tolerance.
+    /// Error of the profile: a sum of waves with 2 to 12 lobes per turn. The amplitudes decrease with the square of the number of lobes, and their
+    /// sum is at most the tolerance.
     Profile,
     /// Radius of the base circle.
     BaseRadius,
@@ -44,7 +47,7 @@ pub enum Part {
 impl Part {
     const ALL: [Part; 4] = [Part::Profile, Part::BaseRadius, Part::Mass, Part::Speed];
 
-    /// Key of the quantity in the scene; `None` for the profile.
+    /// Key of the quantity in the scene; `None` for the profile, which has no key.
     fn key(self) -> Option<&'static str> {
         match self {
             Part::Profile => None,
@@ -54,7 +57,7 @@ impl Part {
         }
     }
 
-    /// Whether `name` is the key of the quantity or the last word of the key.
+    /// Whether `name` is the key of the quantity, or the last word of the key.
     fn is_named(self, name: &str) -> bool {
         match self.key() {
             None => name == "profile",
@@ -62,14 +65,15 @@ impl Part {
         }
     }
 
-    /// Dimension of the tolerance.
+    /// Dimension of the tolerance of the quantity.
     fn dimension(self) -> Dimension {
         let measure = self.key().and_then(keys::find).and_then(Key::measure);
         measure.map_or(Dimension::Length, |m| m.translating)
     }
 }
 
-/// A symmetric tolerance of a quantity. Samples are uniformly distributed over it.
+/// A symmetric tolerance of a quantity. The errors of samples are uniformly distributed within the tolerance. For the profile, the sum of the
+/// amplitudes is distributed from 0 to the half width.
 ///
 /// ```
 /// use gaitcam::sweep::Tolerance;
@@ -81,21 +85,22 @@ impl Part {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// The quantity that has the tolerance.
+    /// Quantity to which the tolerance belongs.
     pub part: Part,
-    /// Half width in SI units, or a fraction of the value if `relative`.
+    /// Half width of the tolerance in SI units. If `relative` is true, it is a fraction of the value.
     pub half_width: f64,
     /// Whether the tolerance is relative to the value.
     pub relative: bool,
 }
 
-/// Numbers of lobes of the profile error.
+/// Numbers of lobes per turn of the profile error.
 const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
-/// Number of fixed functions before the lobes: F − F*, 1, v and a.
+/// Number of fixed functions before those of the lobes: F − F*, 1, v and a.
 const FIXED: usize = 4;
 
 impl Tolerance {
-    /// Parses `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
+    /// Parses a tolerance such as `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %` or `speed=2 %`. Masses and speeds can also have absolute
+    /// tolerances (`0.5 kg`, `1 rpm`).
     ///
     /// # Errors
     ///
@@ -133,7 +138,7 @@ impl Tolerance {
     }
 }
 
-/// A sample: manufacturing errors and the resulting force error.
+/// A manufacturing sample: errors of the quantities, and the resulting force error.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -150,7 +155,7 @@ impl Tolerance {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Made {
-    /// Sum of the amplitudes of the profile error, m.
+    /// Sum of the amplitudes of all waves of the profile error, m.
     pub profile_m: f64,
     /// Error of the base radius, m.
     pub base_radius_m: f64,
@@ -158,13 +163,13 @@ pub struct Made {
     pub mass_kg: f64,
     /// Error of the speed, rad/s.
     pub speed_rad_per_s: f64,
-    /// RMS error of the force, N.
+    /// RMS force error, N.
     pub force_rms_error_n: f64,
-    /// RMS force error, in percent of the mean target force.
+    /// RMS force error in percent of the mean target force.
     pub force_rms_error_percent: f64,
 }
 
-/// A design with the precomputed mean products of its error functions.
+/// Computes the force errors of manufacturing samples of a design, from precomputed mean products.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -181,16 +186,16 @@ pub struct Made {
 pub struct Scatter {
     drive: Drive,
     mean: f64,
-    /// Mean products of the fixed functions and the lobes.
+    /// Mean products of the fixed functions and the functions of the lobes.
     products: Vec<Vec<f64>>,
 }
 
 impl Scatter {
-    /// Computes the mean products of a design.
+    /// Computes the mean products for a design.
     ///
     /// # Errors
     ///
-    /// The design has no target force and therefore no force error; the follower is on an arm, where the effect of a profile error depends on the
+    /// The design has no target force, so that no force error exists. The follower is on an arm, where the effect of a profile error depends on the
     /// angle.
     pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = design.target() else {
@@ -232,7 +237,7 @@ impl Scatter {
         })
     }
 
-    /// Sample `index` of `count`; reproducible for the same `seed`.
+    /// Sample `index` (from 0) of `count` samples. The same `seed` gives the same sample.
     pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
         let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
@@ -285,7 +290,7 @@ impl Scatter {
     }
 }
 
-/// Statistics of a list of numbers.
+/// Statistics of a set of numbers.
 ///
 /// ```
 /// use gaitcam::sweep::Spread;
@@ -297,18 +302,18 @@ impl Scatter {
 pub struct Spread {
     /// Mean of the values.
     pub mean: f64,
-    /// Standard deviation of the values.
+    /// Standard deviation of the values, with n − 1 in the denominator.
     pub deviation: f64,
-    /// Quantiles 5 %, 50 % and 95 %.
+    /// Quantiles 5 %, 50 % and 95 % of the values.
     pub quantiles: [f64; 3],
     /// Maximum of the values.
     pub largest: f64,
-    /// Fraction of the values within the band, if a band is given.
+    /// Fraction of the values up to the bound `band`; `None` if no bound is given.
     pub within: Option<f64>,
 }
 
 impl Spread {
-    /// Statistics of `values`; values up to `band` are within the band. `None` without values.
+    /// Statistics of `values`, including the fraction of values up to the bound `band`. `None` if there are no values.
     pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);

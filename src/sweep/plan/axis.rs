@@ -1,4 +1,4 @@
-//! A varied key with its values: a range of numbers or a list.
+//! A varied key with its values, which are a range of numbers or a list.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use toml::Table;
 use super::key::{Key, starts_a_number};
 use crate::error::{Placed, Result, SweepError};
 
-/// The values of an axis.
+/// The values of a varied key.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, Values};
@@ -19,24 +19,25 @@ use crate::error::{Placed, Result, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// A list of words, counts or paths.
+    /// A list of words, whole numbers or paths, as text.
     Words(Vec<Arc<str>>),
     /// A list of numbers in SI units.
     Numbers(Vec<f64>),
-    /// `count` numbers at equal steps from the first to the last.
+    /// Numbers at equal steps between a first and a last value, both included.
     Range {
         /// First value of the range.
         first: f64,
         /// Last value of the range.
         last: f64,
-        /// Number of values; `None` for a range that is only sampled.
+        /// Number of values; `None` for a range from which values are sampled.
         count: Option<u64>,
-        /// Unit of the values: SI for a key with a known unit, otherwise as written. Empty for counts, which are rounded to whole numbers.
+        /// Unit of the values. It is the SI unit for a key with a known unit, otherwise the unit as written. It is empty for whole numbers, to which
+        /// the values are rounded.
         unit: String,
     },
 }
 
-/// One value of an axis.
+/// One value of a varied key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisValue {
     /// A number in SI units.
@@ -56,14 +57,14 @@ pub enum AxisValue {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Key of the axis.
+    /// The varied key.
     pub key: Key,
-    /// Values of the axis.
+    /// The values of the key.
     pub values: Values,
 }
 
 impl AxisValue {
-    /// Writes the value of a key into a scene.
+    /// Sets the value of a key in the table of a scene.
     pub(super) fn write(&self, key: &Key, table: &mut Table) -> Result<()> {
         match self {
             AxisValue::Number(x) => key.write_number(table, *x),
@@ -73,7 +74,7 @@ impl AxisValue {
 }
 
 impl Axis {
-    /// Parses `KEY=START:STOP:COUNT` or `KEY=A,B,C`. If `sampled`, ranges have no count.
+    /// Parses `KEY=START:STOP:COUNT` or `KEY=A,B,C`. If `sampled` is true, a range has no count.
     ///
     /// # Errors
     ///
@@ -93,7 +94,7 @@ impl Axis {
         Axis::list(name, parts_of(values).into_iter().map(str::trim))
     }
 
-    /// Creates an axis of listed values.
+    /// Creates an axis from a list of values.
     ///
     /// # Errors
     ///
@@ -115,7 +116,7 @@ impl Axis {
         })
     }
 
-    /// Number of values; `None` for a range that is only sampled.
+    /// Number of values; `None` for a range from which values are sampled.
     pub fn count(&self) -> Option<u64> {
         match &self.values {
             Values::Words(list) => Some(list.len() as u64),
@@ -124,7 +125,7 @@ impl Axis {
         }
     }
 
-    /// Value with index `i` of the grid, from 0.
+    /// Value with the index `i`, from 0, in a grid.
     pub fn value(&self, i: u64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[i as usize].clone()),
@@ -136,16 +137,16 @@ impl Axis {
         }
     }
 
-    /// Writes the first value into a scene.
+    /// Sets the first value of the key in the table of a scene.
     ///
     /// # Errors
     ///
-    /// The scene has a value where the key needs a section.
+    /// The scene has a value in place of the section that contains the key.
     pub fn begin(&self, table: &mut Table) -> Result<()> {
         self.sampled(0.0).write(&self.key, table)
     }
 
-    /// Value at a fraction u ∈ [0, 1) of the axis: between the ends of a range, or an element of a list.
+    /// Value for a fraction u ∈ [0, 1) of the axis. It is a number between the ends of a range, or an element of a list.
     pub fn sampled(&self, u: f64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
@@ -154,7 +155,7 @@ impl Axis {
         }
     }
 
-    /// Value after `part` of `whole` steps from the first to the last value, exact at both ends.
+    /// Value after `part` of `whole` equal steps from the first to the last value. It is exact at both ends.
     fn between(&self, part: f64, whole: f64) -> AxisValue {
         let Values::Range {
             first, last, unit, ..
@@ -173,7 +174,7 @@ impl Axis {
         })
     }
 
-    /// The axis as text, for comparing plans.
+    /// The values as text, for the comparison of plans.
     pub fn text(&self) -> String {
         match &self.values {
             Values::Words(list) => list.join(","),
@@ -195,7 +196,7 @@ impl Axis {
     }
 }
 
-/// Parts between commas, ignoring commas inside brackets and quotes.
+/// Divides a text at its commas. Commas within brackets or quotes are ignored.
 fn parts_of(values: &str) -> Vec<&str> {
     let (mut out, mut begin) = (Vec::new(), 0);
     let (mut depth, mut quote) = (0_usize, None);
@@ -247,7 +248,7 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     Ok(Axis { key, values })
 }
 
-/// Parses the number of values of a range. A sampled range has no count.
+/// Parses the number of values of a range. The range of a sample has no such number.
 fn count(typed: Option<&str>, sampled: bool) -> std::result::Result<Option<u64>, SweepError> {
     match (typed, sampled) {
         (Some(_), true) => Err(SweepError::SampledCount),

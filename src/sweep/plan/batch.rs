@@ -1,15 +1,15 @@
-//! Parameters of many scenes as plain columns.
+//! Parameters of many rows, stored as one column per varied key.
 
 use std::sync::Arc;
 
 use super::axis::AxisValue;
 
-/// Values of one key, row by row.
+/// Values of one varied key for all rows of a batch.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
-    /// A number for each row, in SI units.
+    /// Numbers in SI units, one for each row.
     Numbers(Vec<f64>),
-    /// Words, counts or paths, as written.
+    /// Words, whole numbers or paths as written, one for each row.
     Words(Vec<Arc<str>>),
 }
 
@@ -22,7 +22,7 @@ impl Column {
         }
     }
 
-    /// Words of the column; `None` for numbers.
+    /// Words of the column; `None` for a column of numbers.
     pub fn words(&self) -> Option<&Vec<Arc<str>>> {
         match self {
             Column::Words(words) => Some(words),
@@ -41,12 +41,12 @@ impl Column {
     }
 }
 
-/// Parameters of consecutive rows: base scene, and one column per varied key.
+/// Parameters of consecutive rows: the index of the base scene, and one column for each varied key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Batch {
     /// Index of the base scene of each row.
     pub scene: Vec<u32>,
-    /// One column per key of the kernel, in the same order, each with the length of `scene`.
+    /// One column for each varied key of the kernel, in the same order. Each column has the length of `scene`.
     pub columns: Vec<Column>,
 }
 
@@ -56,7 +56,7 @@ impl Batch {
         self.scene.len()
     }
 
-    /// Whether the batch is empty.
+    /// Whether the batch contains no rows.
     pub fn is_empty(&self) -> bool {
         self.scene.is_empty()
     }

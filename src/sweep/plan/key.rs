@@ -1,4 +1,4 @@
-//! Keys that a sweep varies, and the notation of their values in a scene.
+//! Keys that a sweep varies, and the text of their values in a scene.
 
 use toml::{Table, Value};
 
@@ -7,7 +7,7 @@ use crate::scene::keys::{self, KEYS, Kind};
 use crate::scene::{self, Scene};
 use crate::units::Dimension;
 
-/// A varied key: a quantity in SI units, or words.
+/// A varied key, whose values are numbers in SI units or words.
 ///
 /// ```
 /// use gaitcam::sweep::Key;
@@ -23,17 +23,17 @@ pub struct Key {
     number: Option<Number>,
 }
 
-/// A key with numeric values.
+/// A varied key with numeric values.
 #[derive(Debug, Clone, Copy)]
 struct Number {
     row: &'static keys::Key,
-    /// Index of a list entry.
+    /// Index of the list entry, from 0; 0 outside lists.
     index: usize,
-    /// Dimension of the numbers, which depends on the follower: the stroke of an arm is an angle, otherwise a length.
+    /// Dimension of the numbers. It can depend on the follower: for the stroke, it is an angle for an arm and otherwise a length.
     dimension: Dimension,
 }
 
-/// Whether a text starts like a number.
+/// Whether a text begins like a number: with a digit, a sign or a decimal point.
 pub fn starts_a_number(text: &str) -> bool {
     let text = text.trim();
     text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
@@ -46,7 +46,7 @@ impl PartialEq for Key {
 }
 
 impl Key {
-    /// A key whose values are words, counts or paths.
+    /// A key whose values are words, whole numbers or paths.
     pub fn words(name: &str) -> Key {
         Key {
             name: name.trim().to_string(),
@@ -54,8 +54,8 @@ impl Key {
         }
     }
 
-    /// The key with this name for which `values` have valid units, and the values in SI units. `None` if the key has no unit or a value is a word
-    /// such as `auto`.
+    /// The key with this name in the dimension that fits the units of `values`, and the values in SI units. `None` if the key has no unit, or if a
+    /// value is a word such as `auto`.
     ///
     /// # Errors
     ///
@@ -82,7 +82,7 @@ impl Key {
         }
     }
 
-    /// Numeric keys of a name, one for each possible dimension.
+    /// Numeric keys with this name, one for each dimension that the key can have. Empty if the key has no unit.
     fn of_each_dimension(name: &str) -> Vec<Key> {
         let row = keys::find(name).and_then(|row| Some((row, row.index_in(name)?, row.measure()?)));
         let Some((row, index, measure)) = row else {
@@ -99,7 +99,7 @@ impl Key {
         measure.each().into_iter().map(of).collect()
     }
 
-    /// Names of all keys that can be varied, each once.
+    /// Names of all keys that can be varied, in alphabetical order.
     pub fn names() -> Vec<&'static str> {
         let mut names: Vec<&str> = KEYS
             .iter()
@@ -110,7 +110,7 @@ impl Key {
         names
     }
 
-    /// The key of a column, used when tables are read.
+    /// The key to which a column of a table belongs.
     pub fn of_column(column: &str) -> Key {
         let names = (0..=column.len()).filter(|&end| column.is_char_boundary(end));
         names
@@ -119,7 +119,7 @@ impl Key {
             .unwrap_or_else(|| Key::words(column))
     }
 
-    /// Dotted name of the key.
+    /// Dotted name of the key, such as `limits.stroke`.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -129,7 +129,7 @@ impl Key {
         self.number.is_some()
     }
 
-    /// SI unit in the notation of scenes; empty for words and ratios.
+    /// SI unit as written in scenes; empty for words and ratios.
     pub fn unit(&self) -> &'static str {
         self.number.map_or("", |n| n.dimension.si())
     }
@@ -144,14 +144,14 @@ impl Key {
         format!("{}_{}", self.name, unit.replace(' ', "_"))
     }
 
-    /// Sets a number in a parsed scene; `false` if the scene must be read again to check it.
+    /// Sets a number in a scene, in SI units. Returns `false` if the scene must be read again with the number.
     pub(in crate::sweep) fn set(&self, scene: &mut Scene, value: f64) -> bool {
         self.number.is_some_and(|n| {
             n.row.dimension(scene) == Some(n.dimension) && n.row.set_number(scene, n.index, value)
         })
     }
 
-    /// Writes a number, in SI units, into the table of a scene.
+    /// Sets a number, in SI units, in the table of a scene.
     ///
     /// # Errors
     ///
@@ -160,7 +160,7 @@ impl Key {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
 
-    /// Writes words into the table of a scene.
+    /// Sets words in the table of a scene.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Scenes of a sweep: base scenes with a list, a grid or a sample of values. A row depends only on its number.
+//! Plan of the scenes of a sweep: base scenes, combined with a list, a grid or a sample of values. Each row depends only on its number.
 
 pub(super) mod axis;
 pub(super) mod batch;
@@ -28,14 +28,14 @@ use crate::scene;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedScene {
-    /// Name of the scene in tables, usually its file.
+    /// Name of the scene in tables, usually the name of its file.
     pub name: String,
     /// TOML table of the scene.
     pub table: Table,
 }
 
 impl NamedScene {
-    /// A scene with the name in the scene itself, which does not depend on the computer.
+    /// Creates a named scene from its table. The name is that in the table, so it does not depend on the computer.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -43,7 +43,7 @@ impl NamedScene {
     }
 }
 
-/// Rows listed by the user: values of several keys together.
+/// Values of several keys that the user lists row by row.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, List};
@@ -57,17 +57,17 @@ impl NamedScene {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct List {
-    /// Keys of the list, with one value per row.
+    /// Listed keys, with one value for each row of the list.
     pub columns: Vec<Axis>,
 }
 
 impl List {
-    /// Number of rows in the list.
+    /// Number of rows of the list.
     pub fn rows(&self) -> u64 {
         self.columns.first().and_then(Axis::count).unwrap_or(0)
     }
 
-    /// Rejects columns of unequal length.
+    /// Rejects a list whose columns have different lengths.
     fn check(&self) -> Result<()> {
         let first = self.rows();
         for column in &self.columns {
@@ -81,7 +81,7 @@ impl List {
     }
 }
 
-/// Combination of the axes.
+/// Method that combines the values of the axes to rows.
 ///
 /// ```
 /// use gaitcam::sweep::{Method, Plan, Sampling};
@@ -93,9 +93,9 @@ impl List {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
-    /// All combinations; the last axis varies fastest.
+    /// All combinations of the values. The last axis varies fastest.
     Grid,
-    /// Points distributed over all axes together.
+    /// Sampled combinations of values from all axes.
     Sample {
         /// Sampling method of the points.
         method: Method,
@@ -106,7 +106,7 @@ pub enum Sampling {
     },
 }
 
-/// Plan of a sweep. The rows are base scenes × list × axes; the axes vary fastest.
+/// Plan of a sweep. Its rows are the combinations of base scenes, rows of the list, and values of the axes. The axes vary fastest.
 ///
 /// ```
 /// use gaitcam::sweep::{Plan, Sampling};
@@ -120,21 +120,21 @@ pub enum Sampling {
 pub struct Plan {
     /// Base scenes of the sweep.
     pub scenes: Vec<NamedScene>,
-    /// Listed rows, if any.
+    /// List of values, if given.
     pub list: Option<List>,
     /// Varied keys, each with its values.
     pub axes: Vec<Axis>,
-    /// Combination of the axes.
+    /// Method that combines the values of the axes to rows.
     pub sampling: Sampling,
 }
 
-/// Maximum number of combinations of words with which a value is checked before the sweep starts.
+/// Maximum number of combinations of words for which a value is checked before the sweep starts.
 const TRIED_COMBINATIONS: u128 = 256;
-/// Maximum number of values of one list that are checked before the sweep starts.
+/// Maximum number of values of each list that are checked before the sweep starts.
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
-    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`, for a sample `KEY=START:STOP`.
+    /// Creates a plan for one scene. Each element of `vary` is `KEY=START:STOP:COUNT` or `KEY=A,B`. For a sample, a range is `KEY=START:STOP`.
     ///
     /// # Errors
     ///
@@ -149,7 +149,7 @@ impl Plan {
         })
     }
 
-    /// Number of rows; saturates at the maximum of the type.
+    /// Number of rows, or the maximum of the type if the number is larger.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
         let sampling = match self.sampling {
@@ -165,7 +165,7 @@ impl Plan {
             .saturating_mul(sampling)
     }
 
-    /// The varied keys in the order of their columns.
+    /// The varied keys, in the order of their columns.
     pub fn keys(&self) -> Vec<Key> {
         self.all_axes().map(|a| a.key.clone()).collect()
     }
@@ -175,7 +175,7 @@ impl Plan {
         listed.chain(self.axes.iter())
     }
 
-    /// Parameters of the rows in `first .. first + count`.
+    /// Parameters of `count` rows, starting with the row `first`.
     pub fn batch(&self, first: u64, count: usize) -> Batch {
         let mut batch = Batch {
             scene: Vec::with_capacity(count),
@@ -226,12 +226,12 @@ impl Plan {
         batch
     }
 
-    /// Checks that the plan is valid. It must have rows, each key can be varied and occurs once, and each value is valid with at least one
-    /// combination of the others.
+    /// Checks that the plan is valid. It must have rows. Each key must be variable and occur only once. Each value must be valid in at least one
+    /// combination with values of the other keys.
     ///
     /// # Errors
     ///
-    /// An axis has no effect, occurs twice, or has a value that no scene accepts.
+    /// The plan has no rows. A key cannot be varied, has no effect, occurs twice, or has a value that no scene accepts.
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
@@ -269,8 +269,8 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value that is invalid with every combination of words and first values of the other keys. Values that are invalid with only some
-    /// combinations result in rows with an error.
+    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with words,
+    /// and the first value of a key with numbers. A value that is invalid only in some combinations results in rows with an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
@@ -312,13 +312,13 @@ impl Plan {
         fault.map_or(Ok(()), Err)
     }
 
-    /// Names of the base scenes, if there are several.
+    /// Names of the base scenes; `None` if there is only one.
     pub fn scene_names(&self) -> Option<Vec<String>> {
         let names = self.scenes.iter().map(|s| s.name.clone());
         (self.scenes.len() > 1).then(|| names.collect())
     }
 
-    /// The plan as data, to be stored with its table. Equal plans have equal descriptions.
+    /// Description of the plan as JSON data, which is stored with its table. Descriptions are equal exactly for equal plans.
     pub fn description(&self) -> Value {
         let scene = |s: &NamedScene| json!({"name": s.name, "text": s.table.to_string()});
         let mut out = json!({"scenes": self.scenes.iter().map(scene).collect::<Value>()});
@@ -347,14 +347,14 @@ impl Plan {
     }
 }
 
-/// Maximum number of rows: the largest exact integer in 64-bit floating point, the type of row numbers in many readers.
+/// Maximum number of rows. It is the limit up to which all integers are exact in 64-bit floating point, in which many programs read row numbers.
 const MOST_ROWS: u64 = 1 << 53;
 
-/// Number of rows.
+/// Checks the number of rows.
 ///
 /// # Errors
 ///
-/// There are too many rows.
+/// The number of rows exceeds the maximum.
 pub(super) fn row_count(rows: u128) -> Result<u64> {
     let count = u64::try_from(rows).ok().filter(|n| *n <= MOST_ROWS);
     count.ok_or_else(|| {

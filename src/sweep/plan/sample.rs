@@ -1,9 +1,9 @@
-//! Low-discrepancy points in a cube: Latin hypercube and Sobol sequence. Each point is computed from its index only.
+//! Evenly distributed points in a cube: Latin hypercube and Sobol sequence. Each point is computed only from its index.
 
 use gaitcam_base::random::{mixed, unit};
 use serde::{Deserialize, Serialize};
 
-/// Sampling methods.
+/// Sampling method for the values of the axes.
 ///
 /// ```
 /// use gaitcam::sweep::Method;
@@ -19,10 +19,10 @@ use serde::{Deserialize, Serialize};
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Latin hypercube: each of the N equal slices of every axis contains exactly one point, at a random position.
+    /// Latin hypercube. Each axis is divided into N equal intervals, and each interval contains exactly one of the N points, at a random position.
     #[default]
     Latin,
-    /// Sobol sequence: dyadic boxes are filled evenly, and further points extend the same sequence.
+    /// Sobol sequence. Its points fill the cube evenly, and further points continue the same sequence.
     Sobol,
 }
 
@@ -35,7 +35,7 @@ impl Method {
         self.into()
     }
 
-    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; reproducible for the same `seed`.
+    /// Coordinate of the point `index` on the axis `axis`, in [0, 1). `count` is the number of points. The same `seed` gives the same points.
     pub fn coordinate(self, index: u64, count: u64, axis: usize, seed: u64) -> f64 {
         match self {
             Method::Latin => latin(index, count, axis, seed),
@@ -51,8 +51,8 @@ fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
     ((slice as f64 + within) / count as f64).min(1.0 - f64::EPSILON / 2.0)
 }
 
-/// Permutation of 0 … count − 1 that needs no memory. A four-round Feistel network on the next even power of two is applied until the result lies in
-/// the range.
+/// Permutation of 0 … count − 1, computed without a table. A Feistel network with four rounds permutes the numbers below the next even power of two.
+/// It is applied again until the result is in the range.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();
     let half = bits.div_ceil(2).max(1);
@@ -71,8 +71,7 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     }
 }
 
-/// Degree, coefficients of the primitive polynomial and first direction numbers of axes 2, 3, …
-/// (Joe and Kuo 2008, table new-joe-kuo-6).
+/// Degree, coefficients of the primitive polynomial and first direction numbers for the axes 2, 3, … (Joe and Kuo 2008, table new-joe-kuo-6).
 const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (1, 0, &[1]),
     (2, 1, &[1, 3]),
@@ -96,7 +95,7 @@ const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
     (7, 4, &[1, 3, 7, 13, 13, 15, 69]),
 ];
 
-/// Number of bits of a Sobol coordinate, enough for 2⁴⁰ points.
+/// Number of bits of a Sobol coordinate, sufficient for 2⁴⁰ points.
 const SOBOL_BITS: u32 = 40;
 
 fn sobol(index: u64, axis: usize) -> f64 {

@@ -1,4 +1,4 @@
-//! Tables as CSV: numbers in their shortest exact form, empty cells for missing numbers.
+//! Tables as CSV. Numbers have the shortest text that is exact when read again, and missing numbers are empty cells.
 
 use std::fmt::Write;
 
@@ -8,18 +8,18 @@ use super::text_cell;
 use gaitcam_base::text::quoted;
 
 impl Records {
-    /// The whole table: names of the columns, then the rows.
+    /// The whole table as CSV: a line with the names of the columns, then the rows.
     pub fn csv(&self) -> String {
         self.csv_header() + &self.csv_rows()
     }
 
-    /// The names of the columns as a line of CSV.
+    /// Names of the columns as one line of CSV.
     pub fn csv_header(&self) -> String {
         let names = self.fields.iter().map(|field| quoted(&field.name));
         names.collect::<Vec<_>>().join(",") + "\n"
     }
 
-    /// The rows as lines of CSV; computing times have four digits.
+    /// The rows as lines of CSV. Computing times have four significant digits.
     pub fn csv_rows(&self) -> String {
         let mut out = String::with_capacity(self.len() * 20 * (self.fields.len() + 4));
         for row in 0..self.len() {
@@ -43,7 +43,8 @@ impl Records {
     }
 }
 
-/// Writes the shortest form of a number that is exact when read back, with an exponent below 1e-5 and from 1e16 on.
+/// Appends the shortest text of a number that is exact when read again. The text has an exponent for magnitudes below 1e-5 and from 1e16 on. NaN is
+/// empty.
 fn number(out: &mut String, x: f64) {
     if x.is_nan() {
         return;

@@ -1,4 +1,4 @@
-//! Table in memory, column by column.
+//! A table in memory, stored by columns.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use super::unit_of;
 use crate::sweep::plan::batch::{Batch, Column};
 use crate::sweep::plan::key::Key;
 
-/// Values of one column.
+/// Values in one column of a table.
 ///
 /// ```
 /// use gaitcam::sweep::{Field, FieldValues};
@@ -17,15 +17,15 @@ use crate::sweep::plan::key::Key;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Row numbers in the plan.
+    /// Row numbers in the plan, from 0.
     Rows(Vec<u64>),
     /// Numbers in SI units; NaN if missing.
     Numbers(Vec<f64>),
-    /// Words, without repetitions.
+    /// Words. Each distinct word is stored once.
     Words(Words),
 }
 
-/// Words of a column, as indices in a list.
+/// Words of a column, stored as indices in a list of distinct words.
 ///
 /// ```
 /// use gaitcam::sweep::Words;
@@ -35,13 +35,13 @@ pub enum Values {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Words {
-    /// Index of each row's word in `names`; −1 if missing.
+    /// Index in `names` of the word of each row; −1 if the row has no word.
     pub codes: Vec<i32>,
-    /// List of the distinct words.
+    /// The distinct words of the column.
     pub names: Vec<String>,
 }
 
-/// A column with its name.
+/// A column of a table, with its name.
 ///
 /// ```
 /// use gaitcam::sweep::Field;
@@ -51,13 +51,13 @@ pub struct Words {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Name of the column; it ends in its unit.
+    /// Name of the column, whose suffix denotes the unit.
     pub name: String,
     /// Values of the column.
     pub values: Values,
 }
 
-/// Rows of a table, column by column.
+/// A table, stored by columns.
 ///
 /// ```
 /// use gaitcam::sweep::{Field, Records};
@@ -67,12 +67,12 @@ pub struct Field {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Records {
-    /// Columns of equal length.
+    /// Columns of the table. All columns have the same length.
     pub fields: Vec<Field>,
 }
 
 impl Values {
-    /// Number of rows of the column.
+    /// Number of rows in the column.
     pub fn len(&self) -> usize {
         match self {
             Values::Rows(x) => x.len(),
@@ -81,14 +81,14 @@ impl Values {
         }
     }
 
-    /// Whether the column is empty.
+    /// Whether the column has no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
 impl Words {
-    /// Creates a column of words, row by row. An empty word counts as missing.
+    /// Creates a column of words from the word of each row. An empty word counts as missing.
     pub fn of<'a>(words: impl Iterator<Item = &'a str>) -> Words {
         let mut out = Words::default();
         let mut known: HashMap<&str, i32> = HashMap::new();
@@ -112,7 +112,7 @@ impl Words {
         out
     }
 
-    /// Word of a row; `None` if missing.
+    /// Word in a row; `None` if it is missing.
     pub fn at(&self, row: usize) -> Option<&str> {
         let code = usize::try_from(self.codes[row]).ok()?;
         self.names.get(code).map(String::as_str)
@@ -120,7 +120,7 @@ impl Words {
 }
 
 impl Field {
-    /// A column of numbers.
+    /// Creates a column of numbers in SI units.
     pub fn numbers(name: &str, values: Vec<f64>) -> Field {
         Field {
             name: name.to_string(),
@@ -128,7 +128,7 @@ impl Field {
         }
     }
 
-    /// A column of words.
+    /// Creates a column of words. An empty word counts as missing.
     pub fn words<'a>(name: &str, words: impl Iterator<Item = &'a str>) -> Field {
         Field {
             name: name.to_string(),
@@ -136,7 +136,7 @@ impl Field {
         }
     }
 
-    /// Column `row`, with `count` row numbers from `first` on.
+    /// Creates the column `row` with `count` consecutive row numbers, starting at `first`.
     pub fn rows(first: u64, count: usize) -> Field {
         Field {
             name: "row".to_string(),
@@ -144,7 +144,7 @@ impl Field {
         }
     }
 
-    /// SI unit of the numbers; empty for words, counts and ratios.
+    /// Unit of the numbers; empty for words, whole numbers and ratios.
     pub fn unit(&self) -> &'static str {
         match self.values {
             Values::Numbers(_) => unit_of(&self.name),
@@ -154,8 +154,8 @@ impl Field {
 }
 
 impl Records {
-    /// Rows from `first` on of a sweep over `keys`. They contain no computing times, so they depend only on the plan. `scenes` are the names of
-    /// several base scenes.
+    /// Table of consecutive rows of a sweep over `keys`, starting with the row `first`. It contains no computing times and therefore depends only on
+    /// the plan. `scenes` contains the names of the base scenes if there are several.
     pub fn of(
         first: u64,
         keys: &[Key],
@@ -186,7 +186,7 @@ impl Records {
         Records { fields }
     }
 
-    /// The rows with their computing times.
+    /// The table with a further column for the computing times, s.
     #[must_use]
     pub fn with_times(mut self, results: &[Row]) -> Records {
         let times = results.iter().map(|row| row.time_s).collect();
@@ -194,7 +194,7 @@ impl Records {
         self
     }
 
-    /// Joins the rows of all parts in sequence.
+    /// Joins tables with the same columns, in the given order.
     pub fn joined(parts: Vec<Records>) -> Records {
         let mut out = Records::default();
         for part in parts {
@@ -208,7 +208,7 @@ impl Records {
         Some(&field.values)
     }
 
-    /// The column of numbers with this name.
+    /// Numbers in the column with this name; `None` if there is no such column of numbers.
     pub fn numbers(&self, name: &str) -> Option<&[f64]> {
         match self.column(name)? {
             Values::Numbers(x) => Some(x),
@@ -216,7 +216,7 @@ impl Records {
         }
     }
 
-    /// The column of words with this name.
+    /// Words in the column with this name; `None` if there is no such column of words.
     pub fn words(&self, name: &str) -> Option<&Words> {
         match self.column(name)? {
             Values::Words(words) => Some(words),
@@ -224,7 +224,7 @@ impl Records {
         }
     }
 
-    /// Number of the first row.
+    /// Number of the first row of the table in the plan; `None` for an empty table.
     pub fn first_row(&self) -> Option<u64> {
         match self.column("row")? {
             Values::Rows(rows) => rows.first().copied(),
@@ -232,17 +232,17 @@ impl Records {
         }
     }
 
-    /// Number of rows of the table.
+    /// Number of rows in the table.
     pub fn len(&self) -> usize {
         self.fields.first().map_or(0, |f| f.values.len())
     }
 
-    /// Whether the table is empty.
+    /// Whether the table has no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Appends the following rows, which have the same columns.
+    /// Appends the rows of a table that has the same columns.
     pub fn append(&mut self, next: Records) {
         if self.fields.is_empty() {
             *self = next;

@@ -1,11 +1,11 @@
-//! Result of a scene as a row of the table.
+//! Result of one scene, as a row of the table.
 
 use crate::cam::Verdict;
 use crate::force::Interpretation;
 use crate::problem::Target;
 use crate::synth::{Design, FIGURES, Figures, Tier};
 
-/// Numeric columns in SI units: the columns of [`FIGURES`]. Missing numbers are NaN here, empty in CSV and null in Parquet.
+/// Names of the numeric columns, which are those of [`FIGURES`] in SI units. A missing number is NaN here, empty in CSV, and null in Parquet.
 pub const NUMBERS: [&str; FIGURES.len()] = {
     let mut names = [""; FIGURES.len()];
     let mut i = 0;
@@ -16,18 +16,18 @@ pub const NUMBERS: [&str; FIGURES.len()] = {
     names
 };
 
-/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`; verdict; solution method; active (or conflicting)
-/// limits; violated limits; error; codes of the warnings about the recording.
+/// Names of the columns of words, which follow the numbers. `outcome` is `built`, `infeasible` or `error`. `tier` is the solution method, `binding`
+/// the active or conflicting limits, and `failed` the violated limits. `warnings` contains the codes of the warnings about the recording.
 pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
 
-/// Columns that have values even without a cam.
+/// Numeric columns that have values even if no cam was designed.
 const TARGET_MEAN: usize = column("target_mean_n");
 const MASS: usize = column("mass_kg");
 const SPEED: usize = column("speed_rad_per_s");
 
-/// Columns that have values only for a design with a target.
+/// Numeric columns that have values only for a design with a target force.
 const OF_TARGET: [usize; 4] = [
     column("force_rms_error_n"),
     column("force_rms_error_percent"),
@@ -35,7 +35,7 @@ const OF_TARGET: [usize; 4] = [
     TARGET_MEAN,
 ];
 
-/// Index of a numeric column; an unknown name is a compile-time error.
+/// Index of the numeric column with a name. An unknown name is an error at compile time.
 const fn column(name: &str) -> usize {
     let mut place = 0;
     while !is_same(NUMBERS[place].as_bytes(), name.as_bytes()) {
@@ -52,10 +52,10 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     same == a.len() && same == b.len()
 }
 
-/// Last column: computing time of the row, s. It is the only column that differs from run to run.
+/// Name of the last column: the computing time of the row, s. Only this column differs between runs.
 pub const TIME: &str = "time_s";
 
-/// Outcome of a row.
+/// Outcome of the computation of a row.
 ///
 /// ```
 /// use gaitcam::sweep::Outcome;
@@ -65,22 +65,22 @@ pub const TIME: &str = "time_s";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Outcome {
-    /// A cam was designed. The verdict states whether it is usable.
+    /// A cam was designed. Its verdict states whether it is usable.
     Built,
-    /// The limits are infeasible.
+    /// No cam was designed, because the limits are infeasible.
     Infeasible,
-    /// The scene is invalid.
+    /// No cam was designed, because the scene is invalid.
     Error,
 }
 
 impl Outcome {
-    /// Name of the outcome in the table.
+    /// Name of the outcome in a table.
     pub fn name(self) -> &'static str {
         self.into()
     }
 }
 
-/// Row of the table.
+/// Result of one scene, as a row of the table.
 ///
 /// ```
 /// use gaitcam::sweep::{NUMBERS, Outcome, Row};
@@ -96,28 +96,28 @@ impl Outcome {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Values in the order of [`NUMBERS`].
+    /// Numbers in the order of [`NUMBERS`]; NaN if missing.
     pub numbers: [f64; NUMBERS.len()],
     /// Outcome of the design.
     pub outcome: Outcome,
-    /// Verdict on the cam, if one was built.
+    /// Verdict on the design; `None` for an invalid scene.
     pub verdict: Option<Verdict>,
-    /// Solution method of the law.
+    /// Method by which the law was computed; `None` without a law.
     pub tier: Option<Tier>,
-    /// Active or conflicting limits, joined by `+`.
+    /// Names of the active or conflicting limits, joined by `+`.
     pub binding: String,
-    /// Limits that the cam violates, joined by `+`.
+    /// Names of the limits that the cam violates, joined by `+`.
     pub failed: String,
-    /// Error of the scene.
+    /// Error of the scene; empty for a valid scene.
     pub error: String,
     /// Codes of the warnings about the recording, joined by `+`.
     pub warnings: String,
-    /// Processor time of the row, s.
+    /// Computing time of the row, s.
     pub time_s: f64,
 }
 
 impl Row {
-    /// Cells of the row for the columns [`WORDS`]; empty if there is no value.
+    /// Cells of the row in the columns [`WORDS`]; a cell without a value is empty.
     pub fn words(&self) -> [&str; WORDS.len()] {
         [
             self.outcome.name(),
@@ -130,7 +130,7 @@ impl Row {
         ]
     }
 
-    /// Row of an invalid scene.
+    /// Row of a scene with an error.
     pub fn error(what: String) -> Row {
         Row {
             numbers: [f64::NAN; NUMBERS.len()],
@@ -145,7 +145,7 @@ impl Row {
         }
     }
 
-    /// Row of a closed-form design that satisfies every limit.
+    /// Row of a harmonic design in closed form that satisfies all limits.
     pub(crate) fn spectral(figures: &Figures, target: Option<&Target>) -> Row {
         Row {
             numbers: FIGURES.each_ref().map(|f| f.value(figures)),
@@ -157,7 +157,7 @@ impl Row {
         }
     }
 
-    /// Row of a finished design. An infeasible scene has no cam: its row contains only the values of the requirements.
+    /// Row of a design. For an infeasible scene, the row contains only the values that follow from the requirements.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
         let recording = design.target().and_then(|t| t.recording.as_deref());
@@ -188,13 +188,13 @@ impl Row {
     }
 }
 
-/// Codes of the warnings about the recording from which a force was computed.
+/// Codes of the warnings about the recording from which a force was computed, joined by `+`.
 fn warnings(recording: Option<&Interpretation>) -> String {
     let codes = recording.map(Interpretation::codes);
     codes.unwrap_or_default().join("+")
 }
 
-/// Names joined by `+`, each once.
+/// Distinct names, joined by `+`.
 fn joined(names: impl Iterator<Item = String>) -> String {
     let mut list: Vec<String> = Vec::new();
     for name in names {
