@@ -49,8 +49,8 @@ impl Cam {
         geometry.profile_point(theta, self.law.svaj(theta))
     }
 
-    /// Profile points at the discontinuities of the law, by angle: one on each side of a jump. Derivatives up to `order` are considered (2:
-    /// acceleration, 3: jerk). An exported profile contains these points and is smooth between them.
+    /// Profile points at the discontinuities of the law, sorted by angle, with one point on each side of a jump. Derivatives up to `order`
+    /// are considered (2: acceleration, 3: jerk). An exported profile contains these points and is smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
         let none = [0, 1, 2, 3].map(|k| NO_JUMP * self.law.bound(k));
         let jumps = |joint: &Joint| {

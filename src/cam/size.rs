@@ -4,7 +4,7 @@ use super::{Cam, Follower};
 use crate::error::{CamError, CamInputError, Result};
 use crate::law::Law;
 
-/// A prime circle and the offset of the follower's line of motion, m.
+/// Radius of the prime circle and offset of the follower's line of motion, m.
 ///
 /// ```
 /// use gaitcam::cam::smallest_prime_circle;
@@ -140,8 +140,8 @@ const GROWTHS: i32 = 90;
 /// Minimum base radius, m, for which `cam`, with its other dimensions, fits its law and satisfies the limits; for a barrel, minimum radius of the
 /// cylinder. The relative accuracy is 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
 ///
-/// For a translating flat face the result is a closed form. Otherwise the cam grows in steps of a quarter until it is feasible, and bisection refines
-/// the size.
+/// For a translating flat face the result is a closed form. Otherwise the size is increased by 25 % per step until the cam is feasible.
+/// Bisection then refines the size.
 ///
 /// # Errors
 ///
@@ -180,7 +180,8 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     Ok(least_between(bad, good, 1e-10, holds))
 }
 
-/// Minimum size that satisfies a limit, by bisection between an infeasible and a feasible size, to a relative accuracy.
+/// Minimum size that satisfies a limit, by bisection between the infeasible size `bad` and the feasible size `good`, to a relative
+/// accuracy.
 pub(crate) fn least_between(
     mut bad: f64,
     mut good: f64,

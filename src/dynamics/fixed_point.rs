@@ -2,11 +2,11 @@
 
 use crate::error::Result;
 
-/// Maximum number of designs.
+/// Maximum number of designs in the iteration.
 const ROUNDS: usize = 30;
-/// Number of earlier iterates in the acceleration.
+/// Number of earlier iterates used by the acceleration.
 const MEMORY: usize = 5;
-/// Relative difference below which an iterate is linearly dependent and not used.
+/// Fraction of an iterate that must be linearly independent of the other iterates. An iterate below this fraction is not used.
 const DEPENDENT: f64 = 1e-6;
 
 /// A design with the machine state that it causes.
@@ -23,7 +23,7 @@ pub struct Round<D> {
 pub struct Settled<D> {
     /// Final design of the iteration.
     pub design: D,
-    /// State that the final design causes, if the iteration has not converged.
+    /// State that the final design causes; `None` if the iteration has converged.
     pub made: Option<Vec<f64>>,
     /// Number of designs computed.
     pub rounds: usize,
@@ -33,8 +33,8 @@ pub struct Settled<D> {
     pub difference: f64,
 }
 
-/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`. If an iterate has no law, or without convergence,
-/// the result is the design with the minimum residual.
+/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`. If an iterate has no law, or if the
+/// iteration does not converge, the result is the design with the minimum residual.
 ///
 /// # Errors
 ///
@@ -99,7 +99,7 @@ fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
     from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
 }
 
-/// Next assumed state: the combination of iterates with the minimum residual (Anderson acceleration; Walker and Ni 2011).
+/// Next assumed state: the combination of iterates whose residual is minimum (Anderson acceleration; Walker and Ni 2011).
 fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
     let Some([made, off]) = path.last() else {
         return Vec::new();

@@ -10,8 +10,8 @@ use crate::law::Law;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam. Its
-/// contact is that of a roller with the radius of the arc, but only a part of the circle exists.
+/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam.
+/// It touches the cam like a roller with the radius of the arc, but only a part of the circle exists.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -98,7 +98,7 @@ pub enum Follower {
     },
 }
 
-/// The arm of a follower with a circular contact, m.
+/// Arm of an oscillating follower with a circular contact (roller, knife edge or mushroom); lengths in m.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -116,7 +116,7 @@ pub struct Arm {
 }
 
 impl Follower {
-    /// The arm of an oscillating roller or mushroom.
+    /// Arm of an oscillating roller or mushroom; `None` for other followers.
     pub fn arm(&self) -> Option<Arm> {
         match *self {
             Follower::RollerOscillating {
@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle: the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam it is the base
-    /// height, for a barrel the radius of the cylinder.
+    /// Radius of the base circle, m: radius of the profile where the follower dwells at s = 0. For a translating cam it is the base height,
+    /// for a barrel the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -145,7 +145,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the prime circle; for a flat face the radius of the base circle.
+    /// Radius of the prime circle, m; for a flat face the radius of the base circle.
     pub fn prime_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -196,7 +196,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the roller or of the mushroom's arc; 0 for other followers.
+    /// Radius of the roller or of the mushroom's arc, m; 0 for other followers.
     pub fn roller_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. } => 0.0,
@@ -270,7 +270,7 @@ impl Follower {
         }
     }
 
-    /// Minimum and maximum lift of a law.
+    /// Minimum and maximum lift of a law, m (or rad for an arm).
     pub(super) fn lift_range(law: &Law) -> (f64, f64) {
         let (low, high) = law.extremes(0);
         (low.value, high.value)

@@ -26,11 +26,11 @@ const DIN_6885: [[f64; 3]; 17] = [
 const THINNEST: f64 = 6e-3;
 /// Wall of a hub as a fraction of its bore diameter: the outer diameter of a hub is 1.5 to 2 times the shaft diameter.
 const HUB: f64 = 0.25;
-/// Minimum thickness of the wall around a bore, and around a keyway, m.
+/// Minimum thickness of the wall around a bore without a keyway, and outside a keyway, m.
 const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
-/// Keyway in the hub.
+/// Keyway in the bore of the cam, for a parallel key.
 ///
 /// ```
 /// use gaitcam::cam::Keyway;
@@ -102,7 +102,7 @@ pub struct Bore {
 }
 
 impl Bore {
-    /// A bore without a keyway; `diameter` in m.
+    /// Creates a bore without a keyway; `diameter` in m.
     pub fn plain(diameter: f64) -> Bore {
         Bore {
             diameter,
