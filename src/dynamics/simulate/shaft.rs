@@ -18,7 +18,7 @@ const FEW: usize = 32;
 ///
 /// # Errors
 ///
-/// The errors of [`Carrier::new`]; a motor is combined with a second cam.
+/// The errors of [`Carrier::new`], and a motor in combination with a second cam.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;
     let motor = machine.motor.as_ref();

@@ -3,7 +3,7 @@
 //! The steps are hₖ. R is the cyclic matrix of the integrals of hat functions, Q the cyclic matrix of second differences. The second derivatives γ at
 //! the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The system is cyclic with two diagonals on either side.
 
-/// A periodic cubic spline.
+/// A periodic cubic spline, evaluated at any time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Periodic {
     period: f64,
@@ -136,7 +136,7 @@ impl Cyclic {
         rest.chain(last).collect()
     }
 
-    /// Solves the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
+    /// Solves the system of the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
     fn solve_band(&self, m: usize, columns: &mut [Vec<f64>]) {
         let mut lower = vec![[0.0; 2]; m];
         let mut diagonal = vec![0.0; m];

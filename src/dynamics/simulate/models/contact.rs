@@ -74,7 +74,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Contact force, and height above the lift, at the rows of one period.
+/// Contact force, N, and height above the lift of the profile, m, at the rows of one period.
 fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, Vec<f64>) {
     let (from, _) = run.window();
     let n = p.nodes.len();
@@ -100,7 +100,7 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     (forces, heights)
 }
 
-/// Integrals and extremes over one period of the motion.
+/// Integrals and extremes of force and torque over one period of the motion.
 struct Sums {
     force: [f64; 2],
     torque: [f64; 2],
