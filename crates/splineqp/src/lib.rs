@@ -8,11 +8,12 @@
 //!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics. y are a few further variables with names (a minimised peak, sizes in a cone, ends of ranges).
-//! A limit is equivalent to infinitely many rows. The exact worst points of s, from the roots of its derivatives in Bernstein form, are added as rows
-//! until no limit is exceeded between them. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//! The law s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics with the coefficients x. The further variables y have names. They are, for
+//! example, a minimised peak, sizes in a cone, or ends of ranges. A limit is equivalent to infinitely many rows, one linear inequality for
+//! each θ. The points at which s exceeds a limit most are computed exactly, from the roots of derivatives in Bernstein form. They are added
+//! as rows until no limit is exceeded at any θ. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
-//! The types of the names of limits and equalities are chosen by the caller ([`Names`]); with `()` the names are texts.
+//! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are texts.
 //!
 //! | file | |
 //! |---|---|

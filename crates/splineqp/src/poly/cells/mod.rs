@@ -1,6 +1,6 @@
-//! A smooth periodic function as cubics on equal cells: its least-squares approximations, and its distance from polynomials.
+//! Smooth periodic functions, represented by cubics on equal cells, with their least-squares approximations and distances from polynomials.
 //!
-//! A target force has a thousand cells and a law about ten pieces, so sums over cells determine the cost.
+//! A target force has a thousand cells and a law about ten pieces, so the computing time is that of the sums over cells.
 
 mod distance;
 mod nearest;
