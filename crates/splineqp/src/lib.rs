@@ -15,7 +15,7 @@
 //!
 //! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are texts.
 //!
-//! | file | |
+//! | file | content |
 //! |---|---|
 //! | `program` | program, limits, rows and solution |
 //! | `variable` | further variables and their cones |

@@ -27,7 +27,7 @@ pub fn prepared(
     DefaultSolver::new(p, q, a, b, cones, settings)
 }
 
-/// Solves the prepared problem; the result is in `solution` of the solver.
+/// Solves the prepared problem. The result is in the field `solution` of the solver.
 pub fn run(solver: &mut DefaultSolver<f64>) {
     solver.solve();
 }
@@ -109,7 +109,7 @@ fn solved<N: Names>(
     })
 }
 
-/// Units that scale the numbers of the solver to about one.
+/// Units by which the quantities of the program are divided, so that the numbers of the solver are about one.
 struct Scaling {
     /// Further variables that are used in the program; their columns follow those of the coefficients.
     free: Vec<Variable>,
