@@ -29,7 +29,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rollers {
-    /// One roller. It touches one wall at a time, and its sense of rotation changes with the wall.
+    /// One roller. It touches one wall at a time, and its sense of rotation is reversed when the wall changes.
     One {
         /// Radius of the roller, m.
         radius: f64,
@@ -201,7 +201,8 @@ impl BarrelGroove {
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
-    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut; infinite for a wall without a convex part.
+    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut. The value is infinite for a wall without a convex
+    /// part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
         let side = -wall.sign();
         let bulge = |at| side * self.pitch_curvature(at, radius);

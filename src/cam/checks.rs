@@ -88,7 +88,7 @@ impl Check {
 pub enum Verdict {
     /// Every check passes and the acceleration is continuous.
     Acceptable,
-    /// Every check passes, but the acceleration has a jump: only for slow machines.
+    /// Every check passes, but the acceleration has a jump. The cam is only suitable for slow machines.
     NotForHighSpeed,
     /// A check fails, or lift or velocity jumps.
     Unacceptable,

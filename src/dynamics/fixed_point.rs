@@ -29,7 +29,7 @@ pub struct Settled<D> {
     pub rounds: usize,
     /// Ratio of the last two residuals.
     pub contraction: Option<f64>,
-    /// Residual of the final iterate.
+    /// Residual of the final iterate: maximum difference between the assumed state and the caused state.
     pub difference: f64,
 }
 
@@ -81,7 +81,7 @@ pub fn settled<D>(
     }
 }
 
-/// Maximum difference of two states.
+/// Maximum absolute difference between the entries of two states.
 pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let pairs = a.iter().zip(b);
     pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))

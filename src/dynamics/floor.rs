@@ -1,7 +1,8 @@
 //! Moving floor: modes of a structure in steady vibration under the periodic force of the feet.
 //!
-//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ + 2ζω q′ + ω²
-//! q) = −φ F. For F = Re Fₙ e^{inΩt} the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
+//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ +
+//! 2ζω q′ + ω² q) = −φ F. For F = Re Fₙ e^{inΩt}, the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory
+//! §10).
 
 use std::f64::consts::TAU;
 
@@ -65,7 +66,7 @@ pub struct FloorMode {
 pub struct Floor {
     /// Modes of the floor.
     pub modes: Vec<FloorMode>,
-    /// Phase, rad, and weight relative to the shaker, for every walker. The first walker is the shaker.
+    /// Phase, rad, and weight for every walker, relative to the shaker. The first walker is the shaker.
     pub walkers: Vec<(f64, f64)>,
 }
 

@@ -32,7 +32,7 @@ pub enum Model {
 }
 
 impl Model {
-    /// Name of the model in commands and files.
+    /// Name of the model in commands and files, such as `rigid`.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -68,7 +68,7 @@ pub struct Row {
     pub time: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Force along the motion of the follower, N; 0 in flight.
+    /// Contact force along the motion of the follower, N; 0 in flight.
     pub contact_force: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m.
     pub torque: f64,

@@ -85,11 +85,11 @@ pub use squares::{LeastWorst, Square, least_worst};
 /// }
 /// ```
 pub trait Names: std::fmt::Debug + Copy + PartialEq {
-    /// Name of a limit.
+    /// Type of the names of limits.
     type Limit: std::fmt::Debug + Copy + PartialEq;
-    /// Name of an equality.
+    /// Type of the names of equalities.
     type Equality: std::fmt::Debug + Copy + PartialEq;
-    /// Meaning of a bound for the caller, such as the quantity from which it is computed.
+    /// Type of the meaning of a bound for the caller, such as the quantity from which the bound is computed.
     type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 

@@ -5,10 +5,10 @@ use super::basis::{Basis, Entries, apply, only};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 
-/// Quadratic function ½xᵀHx + gᵀx + constant.
+/// Quadratic function ½xᵀHx + gᵀx + constant of the coefficients x of a law.
 #[derive(Debug, Clone)]
 pub struct Quadratic {
-    /// Symmetric matrix H.
+    /// Symmetric matrix H of the quadratic part.
     pub hessian: ArrowMatrix,
     /// Vector g of the linear part.
     pub gradient: Vec<f64>,

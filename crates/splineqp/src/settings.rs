@@ -170,7 +170,7 @@ settings! {
         same: f64 = 1e-7,
         /// Multiplier, relative to the maximum, below which a row does not count as active.
         weakest: f64 = 1e-6,
-        /// Negative multiplier, relative to the maximum, whose magnitude must be exceeded before a row is removed as inactive.
+        /// Magnitude of a negative multiplier, relative to the maximum multiplier, above which its row is removed as inactive.
         negative_multiplier: f64 = 1e-9,
         /// Maximum number of rows per coefficient in the quadratic program of a step.
         rows_per_unknown: usize = 24,
@@ -227,7 +227,7 @@ settings! {
         /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
         /// thousandth of the force.
         least_objective: f64 = 1e-6,
-        /// Magnitude of xᵀr, relative to the objective, below which it is used in the gap without replacement.
+        /// Magnitude of xᵀr, relative to the objective, up to which it is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
         small: f64 = 1e-9,
         /// Same fraction as `ActiveSetSettings::dependent`, for equalities.
         dependent: f64 = 1e-20,

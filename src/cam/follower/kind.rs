@@ -52,7 +52,7 @@ impl FollowerKind {
         self.into()
     }
 
-    /// The kind with this name, if it exists.
+    /// The kind with this name in a scene file; `None` for an unknown name.
     pub fn named(name: &str) -> Option<FollowerKind> {
         name.parse().ok()
     }

@@ -4,7 +4,7 @@
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};
 
-/// An output unit.
+/// Unit in which a quantity is displayed.
 ///
 /// ```
 /// use gaitcam::cam::Unit;

@@ -209,7 +209,8 @@ impl Follower {
         }
     }
 
-    /// Whether the profile extends along a line: a translating cam, or an unrolled barrel. Such a profile has ends even if the law is closed.
+    /// Whether the profile extends along a line: a translating cam, or an unrolled barrel. Such a profile has two ends even if the law is
+    /// closed.
     pub fn is_unrolled(&self) -> bool {
         matches!(
             self,

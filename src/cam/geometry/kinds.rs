@@ -134,7 +134,7 @@ impl Unrolled {
 pub struct FlatOnArm {
     /// Distance |c| of the pivot from the cam centre, m.
     pub pivot: f64,
-    /// σ: +1 for a pivot on +x, −1 on −x.
+    /// Sign σ of the x coordinate of the pivot, 1 or −1.
     pub side: f64,
     /// Offset f of the face from its parallel through the pivot, m.
     pub offset: f64,
@@ -182,7 +182,7 @@ impl FlatOnArm {
 pub struct CircleOnArm {
     /// Distance |c| of the pivot from the cam centre, m.
     pub pivot: f64,
-    /// σ: +1 for a pivot on +x, −1 on −x.
+    /// Sign σ of the x coordinate of the pivot, 1 or −1.
     pub side: f64,
     /// Length A of the arm, m.
     pub arm: f64,

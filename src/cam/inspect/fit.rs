@@ -11,7 +11,7 @@ pub const SAME: f64 = 0.02;
 pub const ALIKE: (f64, f64) = (1.02, 1e-9);
 /// Number of initial angles of the search.
 const STARTS: usize = 72;
-/// Number of points and of profile samples in the search.
+/// Number of points, number of profile samples and maximum number of iterations in the search.
 const COARSE_POINTS: usize = 90;
 const COARSE_PROFILE: usize = 360;
 const COARSE_ROUNDS: usize = 12;
@@ -130,7 +130,7 @@ impl Exact<'_> {
         fits
     }
 
-    /// Foot point of `q`: the profile point whose tangent is perpendicular to its connection with `q`.
+    /// Foot point of `q`: the profile point whose normal passes through `q`.
     pub fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
         let near = nearest(&self.samples, self.longest, q);

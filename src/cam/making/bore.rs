@@ -123,14 +123,15 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius with a sufficient wall around the hole, m. The wall is 1 mm around a bore; outside a keyway it is 3 mm, and at least half
-    /// the depth of the keyway.
+    /// Minimum base radius with a sufficient wall around the hole, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway,
+    /// the wall is 3 mm, or half the depth of the keyway if this is more.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
     }
 
-    /// Base radius with the usual wall of a hub, m: a quarter of the bore diameter, and at least the minimum.
+    /// Base radius with the usual wall of a hub, m. The usual wall is a quarter of the bore diameter. The result is at least the minimum
+    /// base radius.
     pub fn hub_radius(&self) -> f64 {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }

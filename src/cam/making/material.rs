@@ -65,7 +65,7 @@ pub enum Stock {
     Pa66,
     /// Polylactide (PLA), 3D-printed without voids.
     Pla,
-    /// Glycol-modified polyester (PETG), 3D-printed without voids.
+    /// Glycol-modified polyethylene terephthalate (PETG), 3D-printed without voids.
     Petg,
 }
 

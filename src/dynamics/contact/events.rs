@@ -18,7 +18,7 @@ const MOST_STEPS: usize = 200_000;
 /// Difference between the states at two full turns, relative to the maximum lift, below which the motion counts as periodic.
 const SAME: f64 = 1e-9;
 
-/// State of the mass at the first angle of a turn.
+/// State of the mass at the start of a turn: the profile in contact, or height and slope of the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mark {
     On(usize),
@@ -41,8 +41,8 @@ struct Engine<'a> {
     marks: Vec<Mark>,
 }
 
-/// Simulates one mass on one or more profiles of a shaft, from contact at the first angle, until the motion is periodic. The speed of the drive must
-/// be positive or zero.
+/// Simulates one mass on one or more profiles of a shaft until the motion is periodic. The mass starts in contact at the first angle. The
+/// speed of the drive must be positive or zero.
 ///
 /// Source of the events: theory §10. Gravity and preload are part of the rest force of the drive.
 pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limits) -> ContactRun {

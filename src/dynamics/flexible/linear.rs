@@ -1,9 +1,9 @@
 //! Exact response of a small linear system to a piecewise polynomial input.
 //!
-//! z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a linear combination of the
-//! Bernstein coefficients of f. The vectors of this combination are computed once per width. On a short part of the span, Gauss quadrature
-//! integrates the product of polynomial and exponential up to rounding errors. Repeated doubling extends the result to the full width. The
-//! method has no cancellation at any frequency and needs no time steps.
+//! The system is z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a linear
+//! combination of the Bernstein coefficients of f. The vectors of this combination are computed once per width. On a short part of the
+//! span, Gauss quadrature integrates the product of polynomial and exponential up to rounding errors. Repeated doubling extends the result
+//! to the full width. The method has no cancellation at any frequency and needs no time steps.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
@@ -15,7 +15,7 @@ const SERIES: usize = 24;
 /// Maximum norm of A times the length of a span. Above this value the response is computed as quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
-/// A linear system of two states with one input. An unused state decays and is not coupled.
+/// A linear system of two states with one input. If only one state is used, the other state decays and is not coupled to it.
 ///
 /// ```
 /// use gaitcam::dynamics::flexible::Linear;

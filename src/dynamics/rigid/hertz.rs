@@ -1,6 +1,6 @@
 //! Hertz contact of cam and follower: pressure, half-width, and depth of the maximum shear stress.
 //!
-//! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
+//! Curvatures are 1/radius, positive for convex bodies. The contact modulus is E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
 
 pub use crate::cam::{Material, STEEL};
 use crate::drive::Drive;
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
 
-/// A line contact under load.
+/// Stresses and dimensions of a line contact under load.
 ///
 /// ```
 /// use gaitcam::dynamics::hertz::{STEEL, line, modulus};

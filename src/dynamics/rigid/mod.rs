@@ -1,7 +1,7 @@
 //! Rigid bodies in contact: force, torque, power, lift-off speed.
 //!
-//! F = F₀ + k s + c ω v + m ω² a along the line of motion (theory §1). The shaft torque is T = F·v. Under a flat face, friction adds μ|F|·d against
-//! the rotation (Campillo de Blas 2017, eq. 27).
+//! The force along the line of motion is F = F₀ + k s + c ω v + m ω² a (theory §1). The shaft torque is T = F·v. Under a flat face,
+//! friction at the distance d from the cam centre increases the torque by μ|F|·d against the rotation (Campillo de Blas 2017, eq. 27).
 
 pub mod hertz;
 pub(crate) mod touch;
@@ -39,9 +39,9 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
     Some(force.times(&arm))
 }
 
-/// Minimum speed of lift-off, rad/s. 0 if the force is negative at rest, `None` if the follower never lifts off. In each iteration, the
-/// force at the angle with the minimum force is a quadratic function of ω. Its root is the next, lower speed. The iteration converges from
-/// above, and the extremes are exact.
+/// Minimum speed of lift-off, rad/s. The result is 0 if the force is negative at rest, and `None` if the follower never lifts off. Each
+/// iteration computes the angle with the minimum force at the present speed. The force at this angle is a quadratic function of ω, and its
+/// root is the next, lower speed. The iteration converges from above, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     let extremes = |[s, v, a]: [f64; 3], constant| law.extremes_of([s, v, a, 0.0], constant);
     let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);

@@ -31,7 +31,7 @@ pub struct Touch {
     pub entraining: f64,
     /// Lateral force on the guides, or force along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Tilting moment of a flat face about the point where the guide's line passes the cam centre, N·m.
+    /// Tilting moment on a flat face about the point at which the guide's line passes the cam centre, N·m.
     pub tipping: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m; for a translating cam the force along its travel, N.
     pub torque: f64,

@@ -78,7 +78,7 @@ pub fn error_in_time(
     }
 }
 
-/// A force with its time and duration, as fractions of the period.
+/// A force with the time at which it acts and its duration, both as fractions of the period.
 #[derive(Clone, Copy)]
 struct Weighed {
     force: f64,

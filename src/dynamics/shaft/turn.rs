@@ -24,7 +24,7 @@ pub const PLACES: [f64; STAGES] = {
 /// Positions of the stages and ends of a step, as fractions of the step.
 const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
-/// √15, for the Gauss points of order three.
+/// Value of √15 for the three Gauss points of a step.
 const ROOT: f64 = 3.872_983_346_207_417;
 
 /// Coefficient matrix of the stages: integrals of the Lagrange polynomials (Hairer, Nørsett and Wanner 1993, II.7).
@@ -44,11 +44,11 @@ pub struct Node {
     arms: [f64; 2],
     /// Static force F₀ + k s, N.
     rest: f64,
-    /// Damping c v, N·s/rad.
+    /// Coefficient c v of the speed ω in the contact force, N·s/rad.
     damping: f64,
-    /// Inertia term 2 m a, kg·m/rad².
+    /// Coefficient 2 m a of the energy E in the contact force, kg·m/rad².
     bend: f64,
-    /// Inertia term m v, kg·m/rad.
+    /// Coefficient m v of E′ in the contact force, kg·m/rad.
     pub mass: f64,
 }
 

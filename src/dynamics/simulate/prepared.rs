@@ -36,7 +36,7 @@ pub(super) struct Prepared {
     pub bearing: Follower,
     /// Contact formulas of the follower.
     pub contact: FollowerContact,
-    /// Units of the law, for messages.
+    /// Kind of motion, which determines the units of the law in messages.
     pub measures: Measures,
     /// Motion of the shaft if its speed varies.
     pub shaft: Option<Motion>,
@@ -47,7 +47,7 @@ pub(super) struct Prepared {
     pub held: bool,
     /// Whether friction acts and its torque differs from the friction torque of a translating flat face.
     pub rubs: bool,
-    /// Target at the angles of the rows.
+    /// Target force at the angles of the rows, N.
     pub target: Option<Vec<f64>>,
     pub mismatch: f64,
     pub law_mismatch: f64,
@@ -162,7 +162,7 @@ fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     (vec![first, second], lift)
 }
 
-/// Rejects invalid machine data.
+/// Rejects negative or non-finite machine data.
 fn check_machine(input: &Run) -> Result<()> {
     let drive = &input.drive;
     let numbers = [
@@ -203,7 +203,7 @@ fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64
     Ok(parts.map(|part| phase_value(target, part)).collect())
 }
 
-/// Rejects machines that no model supports.
+/// Rejects combinations of machine data that no model supports.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
         return Err(DynamicsError::SlideBackwards.into());

@@ -1,4 +1,4 @@
-//! Motion of shaft and floor in a run. The motor is included if it changes the force; the force moves the floor.
+//! Motion of shaft and floor in a run. The motor is included if it changes the force. The floor moves under the force.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;

@@ -13,7 +13,7 @@ use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 use crate::units::{Dimension, Quantity};
 
-/// Minimum and maximum number of steps of the shaft between two rows, and its steps per time constant of the motor.
+/// Minimum and maximum number of integration steps between two rows, and number of steps per time constant of the motor.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
 /// Relative difference between the available and the required torque of the motor above which the motor cannot follow the programme.
@@ -39,7 +39,7 @@ const SAME_TORQUE: f64 = 1e-6;
 pub struct ProgrammeRun {
     /// Times of the rows of the programme, s.
     pub time_s: Vec<f64>,
-    /// Cam angle, rad, which counts the turns.
+    /// Cam angle, rad, which increases over all turns.
     pub angle: Vec<f64>,
     /// Speed of the camshaft, rad/s.
     pub speed: Vec<f64>,

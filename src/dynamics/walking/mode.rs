@@ -38,7 +38,7 @@ pub struct RepeatedForce {
 }
 
 impl RepeatedForce {
-    /// Damping ratios of the modes, typical of footbridges of steel, of composite decks and of concrete.
+    /// Damping ratios for which modes are compared, typical of footbridges of steel, of composite decks and of concrete.
     pub const DAMPING_RATIOS: [f64; 3] = [0.003, 0.005, 0.01];
 
     /// Spectral lines of a force, N, that is given at equal steps of its duration, s. The duration contains `strides` strides of two steps.

@@ -11,7 +11,8 @@ use crate::error::{DynamicsError, Result};
 use crate::force::Walk;
 use crate::units::{Dimension, Quantity};
 
-/// Smoothing parameters, relative to the cube of a step time, for a practically constant speed and for a practically unsmoothed one.
+/// Smoothing parameters relative to the cube of a step time. With the first, the speed is practically constant. With the second, it is
+/// practically unsmoothed.
 const SMOOTHEST: f64 = 1e9;
 const LEAST: f64 = 1e-6;
 /// Number of halvings in the search for the smoothing parameter on a logarithmic scale.

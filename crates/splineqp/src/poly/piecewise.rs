@@ -64,9 +64,9 @@ impl Range {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Peak {
-    /// Index of the piece.
+    /// Index of the piece on which the maximum is.
     pub piece: usize,
-    /// Position on the piece, 0 … 1.
+    /// Position u on the piece, from 0 at its start to 1 at its end.
     pub u: f64,
     /// Abscissa of the maximum.
     pub at: f64,
@@ -106,7 +106,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Another function with the same breaks.
+    /// Function with the same breaks and the given Bernstein coefficients.
     fn with_pieces(&self, degree: usize, coef: Vec<f64>) -> Self {
         PiecewisePoly {
             breaks: self.breaks.clone(),

@@ -11,7 +11,7 @@ pub enum Failure<N: Names> {
         /// Names of the dependent equalities that contradict the other equalities.
         equalities: Vec<N::Equality>,
     },
-    /// The limits are infeasible.
+    /// No law satisfies all limits.
     Infeasible,
     /// The solver stopped without a result.
     Numerical {

@@ -31,9 +31,9 @@ use variable::Declared;
 pub struct Equality<N: Names> {
     /// Name of the equality.
     pub name: N::Equality,
-    /// Coefficients of the row.
+    /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
-    /// Value of the left side.
+    /// Prescribed value of the left side.
     pub value: f64,
 }
 
@@ -79,7 +79,7 @@ pub struct Program<N: Names> {
 /// Row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
 #[derive(Debug, Clone)]
 pub struct Row<N: Names> {
-    /// Index of the limit; `None` for a fixed row.
+    /// Index of the limit; `None` for a row that does not belong to a limit.
     pub limit: Option<usize>,
     /// Name of the limit for users.
     pub name: N::Limit,
@@ -87,7 +87,7 @@ pub struct Row<N: Names> {
     pub peak: Peak,
     /// Weights of s, v, a, j and the fourth derivative at that position.
     pub weights: [f64; 5],
-    /// Coefficients of the row.
+    /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
     /// Part of the coefficients that belongs to the value of the law at the reference angle.
     pub reference: Entries,
@@ -118,7 +118,7 @@ impl<N: Names> Row<N> {
         }
     }
 
-    /// Bound minus left side.
+    /// Bound of the row minus its left side for the given coefficients and further variables.
     pub(crate) fn slack(&self, x: &[f64], extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra) - apply(&self.entries, x)
     }

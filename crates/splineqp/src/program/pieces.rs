@@ -207,7 +207,8 @@ fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     around
 }
 
-/// Weights of the differences of the spline coefficients in the Bernstein coefficients of the velocity on a span, row by row.
+/// Weights with which the differences of the spline coefficients contribute to the Bernstein coefficients of the velocity on a span, row by
+/// row.
 fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     let n = space.degree() + 1;
     let factor = space.degree() as f64 / space.spans()[span].width;

@@ -15,7 +15,7 @@ const RIDGE: f64 = 1e-13;
 pub struct Ball {
     /// Cholesky factor L of the Hessian H of the quadratic q (see [`RmsLimit`]).
     pub factor: ArrowFactor,
-    /// Shift h of the cone.
+    /// Vector h by which the cone is shifted.
     pub shift: Vec<f64>,
     /// Radius √(most² − 2 min q) of the cone.
     pub radius: f64,

@@ -124,7 +124,7 @@ impl<N: Names> Program<N> {
         Pieces::new(space, x, highest)
     }
 
-    /// The row of a limit at a point.
+    /// Row of the limit with the index `index` at the point `peak`.
     pub fn row(&self, index: usize, peak: Peak) -> Row<N> {
         let limit = &self.limits[index];
         let by_piece = matches!(self.basis, Basis::Spline { .. });

@@ -65,7 +65,7 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Sum of the products of the entries.
+    /// Sum over all variables of the products of both entries.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()

@@ -9,7 +9,7 @@
 //! | search for the weight of the mean square in the objective | a limit on a root mean square; with a peak and sizes: `exchange` | `rms` |
 //! | Newton's method for the active points | every solution whose certificate is not sufficient | `refine` |
 //!
-//! Between separations, `active_set` and `exchange` solve programs with finitely many rows, by the trait in `row_solver`.
+//! In each iteration, `active_set` and `exchange` solve a program with finitely many rows by a solver with the trait `RowSolver`.
 
 mod active_set;
 pub mod exchange;
@@ -150,7 +150,7 @@ impl<N: Names> Program<N> {
         (inside.violation <= self.settings.tolerance).then_some(inside)
     }
 
-    /// The unlimited optimum as the solution, if it satisfies all limits.
+    /// The optimum without limits as the solution, if it satisfies all limits.
     pub(crate) fn without_rows(&self, x: &[f64]) -> Option<Solution<N>> {
         let extra = Values::NONE;
         let violation = self.violation(x, &extra);

@@ -11,7 +11,7 @@ pub struct Point<N: Names> {
     pub extra: Values,
     /// Tangents of the limits on root mean squares, with their multipliers.
     pub tangents: Vec<Row<N>>,
-    /// Total number of iterations so far.
+    /// Total number of iterations of the solver so far.
     pub iterations: usize,
 }
 

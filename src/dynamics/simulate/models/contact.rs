@@ -109,7 +109,8 @@ struct Sums {
     error: f64,
 }
 
-/// Integration with two Gauss points per row and phase: fourth order, with exact ends of the flights.
+/// Integrates force, torque and error with two Gauss points per row and phase. The method is of fourth order, and the ends of the flights
+/// are exact.
 fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
     const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
     let (from, to) = run.window();

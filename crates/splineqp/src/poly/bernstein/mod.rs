@@ -1,7 +1,7 @@
 //! A polynomial on u ∈ [0, 1] in Bernstein form.
 //!
-//! The coefficients `b[0..=n]` represent Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the minimum and the maximum coefficient; the end
-//! coefficients are its end values.
+//! The coefficients `b[0..=n]` represent Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the minimum and the maximum coefficient. The
+//! first and the last coefficient are its values at u = 0 and u = 1.
 
 mod roots;
 

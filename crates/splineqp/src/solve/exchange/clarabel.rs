@@ -113,7 +113,7 @@ fn solved<N: Names>(
 struct Scaling {
     /// Further variables that are used in the program; their columns follow those of the coefficients.
     free: Vec<Variable>,
-    /// Unit of the peak.
+    /// Unit of the peak variable.
     peak: f64,
     /// Unit of the objective.
     objective: f64,
@@ -135,7 +135,7 @@ impl Scaling {
         }
     }
 
-    /// Unit of a further variable.
+    /// Unit by which a further variable is divided.
     fn variable<N: Names>(&self, program: &Program<N>, k: Variable) -> f64 {
         if k == PEAK {
             self.peak

@@ -205,7 +205,7 @@ impl<'a, N: Names> Local<'a, N> {
         next
     }
 
-    /// The step with the active planes as equalities, solved with iterative refinement for the last digits.
+    /// The step with the active planes as equalities, computed again with higher accuracy by a sparse linear system.
     fn with_last_digits(
         &self,
         planes: &[Plane],
