@@ -62,11 +62,11 @@ impl DriveKind {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drive {
-    /// Kind of the machine.
+    /// Kind of machine that converts the motion into a force.
     pub kind: DriveKind,
     /// Force at rest on the base circle, N: M·g for the moving axis, otherwise the preload.
     pub rest_force: f64,
-    /// Force per lift, N/m.
+    /// Increase of the force per lift, N/m.
     pub spring_rate: f64,
     /// Force per velocity of the lift, N·s/m.
     pub damping: f64,
@@ -180,7 +180,8 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, both as (cosine, sine); `None` at resonance.
+    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, where harmonics are given as (cosine, sine); `None` at
+    /// resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
         let square = re * re + im * im;

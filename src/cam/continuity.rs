@@ -57,9 +57,8 @@ impl Cam {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. A jump of the next lower
-    /// derivative makes the maximum infinite if it is positive, and the minimum if it is negative. A jump of a still lower derivative makes
-    /// both infinite.
+    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. A positive jump of the next lower
+    /// derivative makes the maximum infinite, and a negative jump the minimum. A jump of a still lower derivative makes both infinite.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();

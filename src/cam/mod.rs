@@ -54,7 +54,7 @@ use serde::Serialize;
 pub struct Cam {
     /// The law of motion. Its lift is measured from the base circle (prime circle).
     pub law: Law,
-    /// Follower of the cam.
+    /// Follower of the cam with its dimensions.
     pub follower: Follower,
 }
 

@@ -38,7 +38,7 @@ pub struct ProfilePoint {
     pub pitch_y: f64,
     /// Signed radius of curvature of the finished cam: positive where convex, negative where concave.
     pub rho: f64,
-    /// Signed pressure angle, rad.
+    /// Pressure angle, rad; positive if the force is rotated counter-clockwise from the motion, as during a rise.
     pub pressure_angle: f64,
 }
 

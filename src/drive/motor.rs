@@ -64,7 +64,7 @@ impl Motor {
         numbers.iter().all(|x| x.is_finite() && *x >= 0.0) && is_positive
     }
 
-    /// Torque at the camshaft, N·m, at a given speed and no-load speed, rad/s, with its derivatives with respect to both.
+    /// Torque at the camshaft, N·m, at a given speed and no-load speed, rad/s, with its derivatives with respect to the two speeds.
     pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
         match &self.line {
             TorqueLine::Slope(k) => [k * (no_load - speed), -k, *k],

@@ -11,7 +11,7 @@ const DEPENDENT: f64 = 1e-6;
 
 /// A design with the machine state that it causes.
 pub struct Round<D> {
-    /// Design of the iterate.
+    /// Design that is computed in this iterate.
     pub design: D,
     /// Machine state that the design causes.
     pub made: Vec<f64>,
@@ -19,13 +19,13 @@ pub struct Round<D> {
     pub has_law: bool,
 }
 
-/// Result of the iteration.
+/// Result of the fixed-point iteration.
 pub struct Settled<D> {
     /// Final design of the iteration.
     pub design: D,
     /// State that the final design causes; `None` if the iteration has converged.
     pub made: Option<Vec<f64>>,
-    /// Number of designs computed.
+    /// Number of designs that were computed.
     pub rounds: usize,
     /// Ratio of the last two residuals.
     pub contraction: Option<f64>,

@@ -66,7 +66,7 @@ pub struct FloorMode {
 pub struct Floor {
     /// Modes of the floor.
     pub modes: Vec<FloorMode>,
-    /// Phase, rad, and weight for every walker, relative to the shaker. The first walker is the shaker.
+    /// Phase, rad, and weight relative to the shaker, for every walker. The first walker is the shaker.
     pub walkers: Vec<(f64, f64)>,
 }
 

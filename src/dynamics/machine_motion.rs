@@ -24,7 +24,7 @@ const UNSETTLED: f64 = 1e-6;
 /// Drive, motor, floor and follower of a machine, with the force of a walker.
 #[derive(Clone)]
 pub struct Carrier<'a> {
-    /// Drive of the machine.
+    /// Drive of the machine: relation of lift and force.
     pub drive: Drive,
     /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<&'a Motor>,
@@ -34,7 +34,7 @@ pub struct Carrier<'a> {
     pub walker: Vec<Term>,
     /// Follower of the cam.
     pub follower: Follower,
-    /// Coefficient of sliding friction.
+    /// Coefficient of sliding friction of the follower.
     pub friction: f64,
     /// Number of steps of the shaft motion between the breaks of the law.
     pub steps: usize,

@@ -1,4 +1,4 @@
-//! Results of a simulation.
+//! Results of the simulation of a cam.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use super::rigid::hertz::LineContact;
 use super::shaft::{InTime, Shaft};
 use crate::error::Error;
 
-/// Models of the simulation.
+/// Models with which a cam can be simulated.
 ///
 /// ```
 /// use gaitcam::dynamics::Model;
@@ -221,7 +221,7 @@ pub struct Pressure {
     pub contact: LineContact,
 }
 
-/// Result of a simulation.
+/// Result of the simulation of a cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -279,7 +279,7 @@ pub struct Outcome {
     pub profile_mismatch: f64,
     /// Maximum difference between the lift of the emitted points and the lift of the law, m.
     pub law_mismatch: f64,
-    /// Notes on the run.
+    /// Notes on the run for the user.
     pub notes: Vec<RunNote>,
     /// Rows of one period of the motion, at equal angles.
     pub rows: Vec<Row>,

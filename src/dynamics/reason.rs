@@ -102,7 +102,7 @@ pub enum Vibration {
     },
 }
 
-/// Note on a run.
+/// Note on a run for the user.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -69,13 +69,13 @@ pub struct Machine {
 pub struct Face {
     /// Length of the contact line, m: the thickness of the cam.
     pub length: f64,
-    /// Material of the cam.
+    /// Elastic constants of the cam's material.
     pub cam: Material,
-    /// Material of the follower.
+    /// Elastic constants of the follower's material.
     pub follower: Material,
 }
 
-/// Input of a simulation.
+/// Input of the simulation of a cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

@@ -136,7 +136,7 @@ impl ArrowMatrix {
         }
     }
 
-    /// Sum of all entries.
+    /// Sum of all entries of the matrix.
     pub fn sum(&self) -> f64 {
         let lower: f64 = self.core.iter().chain(&self.rows).sum();
         let diagonal: f64 = (0..self.n).map(|i| self.get(i, i)).sum();
@@ -309,7 +309,7 @@ impl ArrowFactor {
         self.backward(x);
     }
 
-    /// Replaces x by L⁻¹x.
+    /// Replaces the vector x by L⁻¹x.
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
@@ -323,7 +323,7 @@ impl ArrowFactor {
         }
     }
 
-    /// Replaces x by L⁻ᵀx.
+    /// Replaces the vector x by L⁻ᵀx.
     pub fn backward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;

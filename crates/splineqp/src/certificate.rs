@@ -68,7 +68,7 @@ impl Certificate {
         self.violation <= TOLERANCE * 1.000_001
     }
 
-    /// Whether gap and stationarity prove the optimum: both are at most [`PROVED`].
+    /// Whether the optimum is proved: gap and stationarity are at most [`PROVED`].
     pub fn proves_optimum(&self) -> bool {
         self.relative_gap <= PROVED && self.stationarity <= PROVED
     }

@@ -222,7 +222,7 @@ settings! {
         solver_iterations: u32 = 200,
     }
 
-    /// Settings of the certificate.
+    /// Settings of the duality gap in the certificate.
     CertificateSettings {
         /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
         /// thousandth of the force.

@@ -20,12 +20,12 @@ use super::{Follower, Measures};
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
-    /// A translating flat face.
+    /// A flat face that translates along a line.
     #[default]
     FlatTranslating,
     /// A roller that translates along a line.
     RollerTranslating,
-    /// A translating knife edge.
+    /// A knife edge that translates along a line.
     KnifeTranslating,
     /// A translating mushroom: a face rounded to an arc, convex towards the cam.
     MushroomTranslating,

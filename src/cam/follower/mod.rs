@@ -1,4 +1,4 @@
-//! Followers with their dimensions.
+//! Followers of a cam with their dimensions.
 
 mod kind;
 mod measures;
@@ -47,7 +47,7 @@ pub enum Follower {
         prime_radius: f64,
         /// Offset e of the line of motion of the arc's centre, positive towards +x.
         offset: f64,
-        /// Radius of the arc.
+        /// Radius of the arc of the face.
         arc_radius: f64,
     },
     /// A roller on an arm, with its centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s. The law is in rad.
@@ -69,7 +69,7 @@ pub enum Follower {
         arm: f64,
         /// Distance of the arc's centre from the cam centre at s = 0.
         prime_radius: f64,
-        /// Radius of the arc.
+        /// Radius of the arc of the face.
         arc_radius: f64,
     },
     /// A flat face on an arm. Its distance from the cam centre is f + c sin ξ, ξ = ξ₀ + s. The law is in rad.

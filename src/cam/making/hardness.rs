@@ -66,9 +66,9 @@ impl HardnessScale {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Hardness {
-    /// Value on the scale.
+    /// Numeric value of the hardness on its scale.
     pub value: f64,
-    /// Scale of the value.
+    /// Hardness scale of the value.
     pub scale: HardnessScale,
 }
 

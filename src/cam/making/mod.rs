@@ -23,7 +23,7 @@ pub struct Making {
     pub material: Option<String>,
     /// Constants of the material; missing ones are those of steel.
     pub stated: StatedMaterial,
-    /// Hardness of the surface.
+    /// Hardness of the cam's surface.
     pub hardness: Option<Hardness>,
     /// Arithmetical mean roughness Ra of the profile.
     pub roughness: Option<f64>,

@@ -34,7 +34,7 @@ use std::f64::consts::TAU;
 pub enum Phase {
     /// The mass is in contact with a profile.
     Contact {
-        /// Index of the profile.
+        /// Index of the profile in contact.
         surface: usize,
     },
     /// The follower is in free flight.
@@ -62,7 +62,7 @@ pub enum Phase {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Kind of the phase.
+    /// Contact, flight or loss of contact.
     pub phase: Phase,
     /// First angle of the phase.
     pub from: f64,
@@ -147,9 +147,9 @@ pub struct ContactRun {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Maximum number of turns.
+    /// Maximum number of turns of the simulation.
     pub turns: usize,
-    /// Maximum number of impacts.
+    /// Maximum number of impacts in the simulation.
     pub impacts: usize,
 }
 
@@ -182,7 +182,7 @@ impl ContactRun {
         (0.0 + lost) / (to - from)
     }
 
-    /// Impacts within one period.
+    /// Impacts within one period of the motion.
     pub fn steady_impacts(&self) -> impl Iterator<Item = &Impact> {
         let (from, to) = self.window();
         self.impacts

@@ -1,4 +1,4 @@
-//! Two cams on one shaft: the maximum of both lifts.
+//! Maximum of the lifts of two cams on one shaft.
 
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, bernstein};

@@ -30,7 +30,7 @@ pub struct Emitted {
     pub mismatch: f64,
 }
 
-/// Extent of a profile.
+/// Length of a profile, and whether it is closed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
     /// Length, rad (m of travel for a translating cam).

@@ -22,13 +22,13 @@ const LINE_SHEAR: f64 = 0.300;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct LineContact {
-    /// Maximum pressure p₀, Pa.
+    /// Maximum contact pressure p₀, Pa.
     pub pressure: f64,
     /// Half-width of the contact, m.
     pub half_width: f64,
     /// Depth of the maximum shear stress, m, where pitting starts.
     pub shear_depth: f64,
-    /// Maximum shear stress, Pa.
+    /// Maximum shear stress below the surface, Pa.
     pub shear: f64,
 }
 

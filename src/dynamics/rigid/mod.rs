@@ -96,8 +96,8 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
 }
 
 /// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. Near this point s = α φⁿ, with the angle φ
-/// measured from this point. At angles before this point, k s + c ω s′ + m ω² s″ is negative somewhere at all speeds if c² is above 4 k m
-/// (n − 1)/n, and at no speed if c² is below. The order n is 2, or 3 at the end of a dwell.
+/// measured from this point. Consider the force k s + c ω s′ + m ω² s″ at angles before this point. If c² is above 4 k m (n − 1)/n, it is
+/// negative somewhere at all speeds. If c² is below, it is negative at no speed. The order n is 2, or 3 at the end of a dwell.
 fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
     let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
     let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {

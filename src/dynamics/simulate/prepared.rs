@@ -19,7 +19,7 @@ use crate::law::{Law, Svaj};
 pub(super) struct Prepared {
     pub drive: Drive,
     pub reversed: bool,
-    /// Lift of each cam.
+    /// Lift of each cam in the direction of rotation.
     pub laws: Vec<Law>,
     /// Maximum of the lifts of all cams at every angle.
     pub lift: Law,
@@ -162,7 +162,7 @@ fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     (vec![first, second], lift)
 }
 
-/// Rejects negative or non-finite machine data.
+/// Rejects invalid machine data: non-finite values, negative mass, stiffness, damping or friction, and invalid contact data.
 fn check_machine(input: &Run) -> Result<()> {
     let drive = &input.drive;
     let numbers = [

@@ -33,7 +33,7 @@ pub struct RepeatedForce {
     squares: Vec<f64>,
     means: Vec<f64>,
     strides: usize,
-    /// Step frequency, Hz.
+    /// Step frequency of the walk, Hz.
     pub step_frequency_hz: f64,
 }
 

@@ -28,9 +28,9 @@ const HALVINGS: usize = 24;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Maximum angular acceleration, rad/s².
+    /// Maximum angular acceleration of the camshaft, rad/s².
     pub acceleration: f64,
-    /// Minimum contact force, N.
+    /// Minimum contact force of the run, N.
     pub force_min: f64,
 }
 
@@ -65,7 +65,7 @@ pub struct Followed {
     pub misfits: [Misfit; 3],
     /// Maximum deviation of a step time of the programme from the recorded one, s.
     pub step_error_s: f64,
-    /// Root mean square of the difference between both forces, N.
+    /// Root mean square difference between the force of the cam and the force of the walk, N.
     pub rms_error_n: f64,
 }
 

@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Extreme {
     /// Abscissa of the extreme, in the units of the function's breaks.
     pub at: f64,
-    /// Value of the extreme.
+    /// Value of the function at the extreme.
     pub value: f64,
 }
 

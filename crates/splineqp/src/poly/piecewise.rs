@@ -68,9 +68,9 @@ pub struct Peak {
     pub piece: usize,
     /// Position u on the piece, from 0 at its start to 1 at its end.
     pub u: f64,
-    /// Abscissa of the maximum.
+    /// Abscissa at which the maximum is.
     pub at: f64,
-    /// Value of the maximum.
+    /// Value of the function at the maximum.
     pub value: f64,
 }
 
@@ -121,7 +121,7 @@ impl PiecewisePoly {
         &self.breaks
     }
 
-    /// Degree of all pieces.
+    /// Degree of the polynomials of all pieces.
     #[inline]
     pub fn degree(&self) -> usize {
         self.degree

@@ -29,7 +29,7 @@ use variable::Declared;
 /// Equality constraint on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality<N: Names> {
-    /// Name of the equality.
+    /// Name of the equality for the caller.
     pub name: N::Equality,
     /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
@@ -70,7 +70,7 @@ pub struct Program<N: Names> {
     variables: Vec<Declared>,
     /// Typical size of the coefficients, used as unit of the solver.
     pub length: f64,
-    /// Settings of the solvers.
+    /// Settings of the solvers for this program.
     pub settings: Settings,
     /// Stop condition of the solvers.
     pub halt: Halt,
@@ -93,7 +93,7 @@ pub struct Row<N: Names> {
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Bound of the row.
+    /// Bound of the left side of the row.
     pub bound: f64,
     /// Scale of the margin; 0 if no margin is permitted.
     pub scale: f64,
@@ -134,7 +134,7 @@ impl<N: Names> Row<N> {
 /// Solution of a program, with the data for its certificate.
 #[derive(Debug, Clone)]
 pub struct Solution<N: Names> {
-    /// Coefficients of the law.
+    /// Coefficients of the law, without the further variables.
     pub x: Vec<f64>,
     /// Values of the further variables.
     pub extra: Values,
@@ -144,7 +144,7 @@ pub struct Solution<N: Names> {
     pub used_rows: bool,
     /// Total number of interior-point iterations.
     pub iterations: usize,
-    /// Number of exchange iterations.
+    /// Number of iterations in which rows were added.
     pub rounds: usize,
     /// Maximum violation of a limit over all angles, relative to its scale.
     pub violation: f64,

@@ -21,7 +21,7 @@ impl Variable {
         Variable(n)
     }
 
-    /// Indices of all variables.
+    /// Iterator over all variables, used or not.
     pub fn all() -> impl Iterator<Item = Variable> {
         (0..MOST).map(Variable)
     }
@@ -57,7 +57,7 @@ impl<T: Copy> ByVariable<T> {
 }
 
 impl Values {
-    /// Zero for every variable.
+    /// The value zero for every variable.
     pub const NONE: Values = ByVariable([0.0; MOST]);
 
     /// Whether all entries are 0.

@@ -34,14 +34,14 @@ impl Cells {
 /// Approximation by polynomials of degree N − 1, from the moments ∫ f xʲ dx with x ∈ [−1, 1] on the range.
 ///
 /// On whole cells of the width w, the function f is a sum of Hermite cubics. Each end X of a cell, with the value f and the slope s, has
-/// one even and one odd cubic. The integral over the cell to the right of an end is
+/// one even and one odd cubic. The contribution of an end to the integral over the cell on its right is
 ///
 /// ```text
 /// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// For the cell to the left of an end, the last factor is (−1)ᵏ (aₖ f − bₖ s). The moments are therefore combinations of the sums Σ Xᵃ f
-/// and Σ Xᵃ s over the ends. The first and the last end have a cell on one side only.
+/// In its contribution to the cell on its left, the last factor is (−1)ᵏ (aₖ f − bₖ s). The moments are therefore combinations of the sums
+/// Σ Xᵃ f and Σ Xᵃ s over the ends. The first and the last end have a cell on one side only.
 struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],

@@ -33,7 +33,7 @@ pub struct Dual<'a> {
     dependent: f64,
 }
 
-/// Inequality aᵀx ≤ b.
+/// Inequality aᵀx ≤ b of the quadratic program.
 pub struct Plane<'p> {
     pub entries: &'p Entries,
     pub bound: f64,

@@ -115,9 +115,9 @@ struct Scaling {
     free: Vec<Variable>,
     /// Unit of the peak variable.
     peak: f64,
-    /// Unit of the objective.
+    /// Unit by which the objective is divided.
     objective: f64,
-    /// Unit of each row.
+    /// Unit by which each row is divided.
     rows: Vec<f64>,
 }
 

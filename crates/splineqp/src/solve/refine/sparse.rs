@@ -5,7 +5,7 @@ use rsparse::data::{Sprs, Trpl};
 /// Minimum ratio of a diagonal entry to the maximum entry of its column for which the diagonal entry is used as the pivot. Other pivots
 /// cause fill-in.
 const THRESHOLD: f64 = 0.1;
-/// Number of iterative refinements.
+/// Number of iterative refinements of a solution.
 const CORRECTIONS: usize = 2;
 /// Ordering of the unknowns in `rsparse`; 0 is minimum degree for the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
