@@ -8,10 +8,10 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
-/// Gain, relative to its largest term, below which a frequency is a resonance: no finite lift produces a force there.
+/// Gain, relative to its largest term, below which a frequency counts as a resonance. No finite lift produces a given force at a resonance.
 pub(crate) const RESONANCE: f64 = 1e-9;
 
-/// Kind of machine between cam and force.
+/// Kind of machine that converts the motion of the follower into a force.
 ///
 /// ```
 /// use gaitcam::drive::{Drive, DriveKind};
@@ -29,14 +29,14 @@ pub(crate) const RESONANCE: f64 = 1e-9;
 pub enum DriveKind {
     /// Moving axis: the shaft block with the cam moves, and the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
-    /// The cam turns in a fixed bearing and lifts the follower, with spring, preload, damping and mass.
+    /// Fixed axis: the cam turns in a fixed bearing and lifts a follower with spring, preload, damping and mass.
     FixedAxis,
-    /// The cam displaces a hydraulic piston: F = (P/V)·A²·s (Vargas and León 2024, eq. 3).
+    /// Hydraulic drive: the cam displaces a piston: F = (P/V)·A²·s (Vargas and León 2024, eq. 3).
     Hydraulic,
 }
 
 impl DriveKind {
-    /// Every kind of drive.
+    /// All kinds of drive.
     pub const ALL: &'static [DriveKind] = <DriveKind as strum::VariantArray>::VARIANTS;
 
     /// Name of the drive in a scene file.
@@ -62,11 +62,11 @@ impl DriveKind {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drive {
-    /// Kind of the machine.
+    /// Kind of machine that converts the motion into a force.
     pub kind: DriveKind,
     /// Force at rest on the base circle, N: M·g for the moving axis, otherwise the preload.
     pub rest_force: f64,
-    /// Force per lift, N/m.
+    /// Increase of the force per lift, N/m.
     pub spring_rate: f64,
     /// Force per velocity of the lift, N·s/m.
     pub damping: f64,
@@ -74,8 +74,8 @@ pub struct Drive {
     pub mass: f64,
     /// Cam speed ω, rad/s; positive.
     pub speed: f64,
-    /// Distance from the pivot of an arm at which forces act, m; 1 for a translating follower. For an arm, every force of the drive is a moment about
-    /// the pivot, N·m: force times lever.
+    /// Lever: distance from the pivot of an arm at which forces act, m; 1 for a translating follower. For an arm, every force of the drive
+    /// is stored as a moment about the pivot, N·m, which is force times lever.
     pub lever: f64,
 }
 
@@ -180,7 +180,8 @@ impl Drive {
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
     }
 
-    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, both as (cosine, sine); `None` at resonance.
+    /// Harmonic n of the lift, m, that produces a harmonic of the force, N, where harmonics are given as (cosine, sine); `None` at
+    /// resonance.
     pub(crate) fn lift_of(&self, harmonic: usize, (a, b): (f64, f64)) -> Option<(f64, f64)> {
         let (re, im) = self.gain(harmonic);
         let square = re * re + im * im;

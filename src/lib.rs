@@ -2,8 +2,8 @@
 //!
 //! # The problem
 //!
-//! A machine has to reproduce the force of a walker on the ground. A cam of angle θ = ωt lifts a follower by s(θ);
-//! with v = ds/dθ, a = d²s/dθ² the force is linear in the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
+//! A machine has to reproduce the force of a walker on the ground. A cam at the angle θ = ωt lifts a follower by s(θ). With v = ds/dθ and a
+//! = d²s/dθ², the force is a linear function of the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
 //!
 //! ```text
 //! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a
@@ -19,8 +19,8 @@
 //!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
 //! ```
 //!
-//! The problem is convex except for the last line. The limits hold at every angle, not only at samples. Laws are piecewise polynomials in Bernstein
-//! form (or sinusoids), so every extreme is computed from roots.
+//! The problem is convex except for the last constraint. The limits hold at every angle, not only at samples. Laws are piecewise
+//! polynomials in Bernstein form (or sinusoids), so every extreme is computed from roots.
 //!
 //! # From end to end
 //!
@@ -48,16 +48,16 @@
 //!
 //! # The modules
 //!
-//! [`force`] reads the given force. [`drive`] and [`law`] describe the law of motion that produces it; [`synth`] computes this law. [`cam`] describes
-//! the cam that produces the law, and checks it. [`dynamics`] simulates the cam. The crate `gaitcam-output` writes the files. Modules import only
-//! modules of lower layers.
+//! [`force`] reads the given force. [`drive`] describes the relation between motion and force, and [`law`] the law of motion. [`synth`]
+//! computes the law that produces the given force. [`cam`] describes the cam that produces the law, and checks it. [`dynamics`] simulates
+//! the cam. The crate `gaitcam-output` writes the files. Each module imports only modules of lower layers.
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-/// The unit tests share cams with `gaitcam-test-support`, which depends on this crate.
+/// Name of this crate for the files that the unit tests share with `gaitcam-test-support`, which depends on this crate.
 #[cfg(test)]
 extern crate self as gaitcam;
 

@@ -1,8 +1,9 @@
 //! Barrel cams: a groove around a cylinder, with both walls computed in space at any depth.
 //!
-//! The z axis is the barrel's axis. A roller with a radial axis is at z = s(θ). The barrel turns counter-clockwise; in its frame the roller moves
-//! around it by −θ. At the radius R on its axis, the roller slides along the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq.
-//! 30). There it touches the walls at ±R_f along the normal of the groove.
+//! The z axis is the barrel's axis. A roller with a radial axis is at z = s(θ). The barrel turns counter-clockwise. In the barrel's frame,
+//! the roller moves around the z axis by −θ. The groove is unrolled at a distance R from the z axis, where its slope is tan φ = v/R
+//! (Bautista Morelos 2018, eq. 30). The contact points with the walls are at ±R_f (roller radius) from the roller's centre, along the
+//! normal of the unrolled groove.
 
 use super::Follower;
 use super::geometry::{Geometry, finished_radius};
@@ -12,7 +13,7 @@ use crate::poly::Extreme;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// The rollers in the groove.
+/// Rollers on the stud that runs in the groove of a barrel cam.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers};
@@ -28,7 +29,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rollers {
-    /// One roller. It touches one wall at a time, and its sense of rotation changes with the wall.
+    /// One roller. It touches one wall at a time, and its sense of rotation is reversed when the wall changes.
     One {
         /// Radius of the roller, m.
         radius: f64,
@@ -59,7 +60,7 @@ impl Rollers {
     }
 }
 
-/// One side of the groove.
+/// Wall of the groove, on the side of +z or of −z.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers, Wall};
@@ -89,7 +90,7 @@ impl Wall {
     }
 }
 
-/// A groove: law, depth and rollers.
+/// Groove of a barrel cam: law of motion, inner and outer radius, and rollers.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers};
@@ -116,7 +117,7 @@ impl BarrelGroove {
     ///
     /// # Errors
     ///
-    /// The rollers do not fit the groove, or the law is not possible for a barrel.
+    /// The rollers do not fit the groove, or a barrel cam cannot execute the law.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {
@@ -148,7 +149,7 @@ impl BarrelGroove {
         })
     }
 
-    /// Law of motion along z.
+    /// Law of motion of the roller along z, m.
     pub fn law(&self) -> &Law {
         &self.law
     }
@@ -173,7 +174,8 @@ impl BarrelGroove {
         libm::atan(self.law.svaj(theta).v / radius)
     }
 
-    /// Minimum and maximum pressure angle at `radius` on the axis of the roller, rad. The angles are steepest at the floor of the groove.
+    /// Minimum and maximum pressure angle at `radius` on the axis of the roller, rad. The absolute angles are largest at the floor of the
+    /// groove.
     pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
         let (low, high) = self.law.extremes(1);
         let angle = |e: Extreme| e.map(|v| libm::atan(v / radius));
@@ -199,7 +201,8 @@ impl BarrelGroove {
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
-    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut; infinite for a wall without a convex part.
+    /// Minimum convex radius of a wall at `radius`, m. A negative value means undercut. The value is infinite for a wall without a convex
+    /// part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
         let side = -wall.sign();
         let bulge = |at| side * self.pitch_curvature(at, radius);
@@ -222,7 +225,7 @@ impl BarrelGroove {
         ]
     }
 
-    /// Curvature of the unrolled middle line of the groove, positive if the line bends towards −z.
+    /// Curvature of the middle line of the groove, unrolled at `radius`, 1/m; positive if the line bends towards −z.
     fn pitch_curvature(&self, at: Svaj, radius: f64) -> f64 {
         let roller_radius = self.roller_radius();
         let unrolled = Follower::Barrel {
@@ -232,7 +235,8 @@ impl BarrelGroove {
         Geometry::new(&unrolled).pitch_curvature(at)
     }
 
-    /// Vector from the axis of the roller to the contact: component along the groove (increasing θ) and component along z.
+    /// Vector from the axis of the roller to the contact point on the groove unrolled at `radius`, m: component along the circumference
+    /// (towards increasing θ) and component along z.
     fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
         let slope = at.v / radius;
         let unit = wall.sign() * self.roller_radius() / (1.0 + slope * slope).sqrt();

@@ -1,4 +1,4 @@
-//! Checks of a cam, and its verdict.
+//! Checks of a cam against its limits, and the verdict on the cam.
 
 use serde::Serialize;
 
@@ -28,7 +28,7 @@ pub struct Curvature {
     pub undercut: bool,
 }
 
-/// One limit compared with the value of the cam.
+/// Comparison of a value of the cam with its limit.
 ///
 /// ```
 /// use gaitcam::cam::Check;
@@ -41,9 +41,9 @@ pub struct Curvature {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
-    /// Criterion of the check.
+    /// Criterion that is checked.
     pub name: Criterion,
-    /// Worst value on the continuous law, in SI units.
+    /// Worst value over the whole law, in SI units.
     pub worst: f64,
     /// Bound of the limit, in SI units.
     pub limit: f64,
@@ -68,13 +68,13 @@ impl Check {
         }
     }
 
-    /// Distance of the value beyond its limit; negative if it satisfies the limit.
+    /// Amount by which the worst value violates the limit, in SI units; negative if the limit is satisfied.
     pub fn excess(&self) -> f64 {
         self.name.direction().excess(self.worst, self.limit)
     }
 }
 
-/// The verdict on a cam, in the terms of CAM-DAS (Serrano Muñoz 2010).
+/// Verdict on a cam, with the classes of CAM-DAS (Serrano Muñoz 2010).
 ///
 /// ```
 /// use gaitcam::cam::Verdict;
@@ -88,7 +88,7 @@ impl Check {
 pub enum Verdict {
     /// Every check passes and the acceleration is continuous.
     Acceptable,
-    /// Every check passes, but the acceleration has a jump: only for slow machines.
+    /// Every check passes, but the acceleration has a jump. The cam is only suitable for slow machines.
     NotForHighSpeed,
     /// A check fails, or lift or velocity jumps.
     Unacceptable,

@@ -62,7 +62,8 @@ impl Conjugate {
     ///
     /// # Errors
     ///
-    /// No such cam exists. The error contains the minimum dimension for which one exists.
+    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or
+    /// an angle, the error contains the minimum feasible one, if there is one.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }

@@ -8,13 +8,13 @@ use crate::poly::Extreme;
 
 /// Fraction of the peak-to-peak value of a derivative below which its jumps are rounding errors.
 const JUMP: f64 = 1e-7;
-/// Variation of a derivative, m/radᵏ, below which the law is constant.
+/// Minimum reference size of a derivative, m/radᵏ, for its threshold [`JUMP`]. A derivative that varies less counts as constant.
 const STILL: f64 = 1e-9;
 /// Absolute size, m/radᵏ, below which a jump is a rounding error on any cam.
 const ROUNDING: f64 = 1e-13;
-/// Fraction of the cam's size below which a jump is a rounding error.
+/// Fraction of the prime radius that is the minimum reference size of a derivative for its threshold [`JUMP`].
 const HARDLY_MOVES: f64 = 1e-6;
-/// Variation of the breadth, relative to the stroke, below which the breadth is constant.
+/// Variation of the cam's breadth over a turn, relative to the stroke, below which the breadth counts as constant.
 const BREADTH: f64 = 1e-9;
 
 /// Continuity of lift, velocity, acceleration and jerk.
@@ -33,13 +33,13 @@ const BREADTH: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Continuity {
-    /// Continuity of the lift.
+    /// Whether the lift is continuous.
     pub s: bool,
-    /// Continuity of the velocity.
+    /// Whether the velocity is continuous.
     pub v: bool,
-    /// Continuity of the acceleration.
+    /// Whether the acceleration is continuous.
     pub a: bool,
-    /// Continuity of the jerk.
+    /// Whether the jerk is continuous.
     pub j: bool,
 }
 
@@ -57,8 +57,8 @@ impl Cam {
         self.jumps(order).first().map(|jump| jump.at)
     }
 
-    /// Minimum and maximum of a derivative of the lift with respect to the cam angle. If the derivative of the next lower order jumps, this
-    /// derivative is infinite with one sign. If an even lower one jumps, it is infinite with both signs.
+    /// Minimum and maximum of the derivative of order `order` of the lift with respect to the cam angle. A positive jump of the next lower
+    /// derivative makes the maximum infinite, and a negative jump the minimum. A jump of a still lower derivative makes both infinite.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
         let joints = self.law.joints();
@@ -97,8 +97,8 @@ impl Cam {
         jumps
     }
 
-    /// CAM-DAS class of a law (Serrano Muñoz 2010, §7.3.5). It requires one more continuous derivative than our verdict. A jump of the jerk excludes
-    /// high speed; a jump of the acceleration is unacceptable unless the breadth is constant.
+    /// CAM-DAS class of a law (Serrano Muñoz 2010, §7.3.5). CAM-DAS requires one more continuous derivative than the verdict of this
+    /// program. A jump of the jerk excludes high speed. A jump of the acceleration is unacceptable unless the breadth is constant.
     pub fn cam_das_class(&self) -> Verdict {
         let Continuity { s, v, a, j } = Continuity::of(self);
         if !(s && v && (a || self.has_constant_breadth())) {
@@ -110,7 +110,7 @@ impl Cam {
         }
     }
 
-    /// Whether s(θ) + s(θ + π) is constant.
+    /// Whether the cam has constant breadth, that is, whether s(θ) + s(θ + π) is the same at all cam angles.
     fn has_constant_breadth(&self) -> bool {
         let (start, length) = self.law.extent();
         let half = 0.5 * length;

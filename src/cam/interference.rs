@@ -1,9 +1,10 @@
-//! Interference of roller, face or arm with the cam away from the contact. Undercut is local; this check covers the whole profile, which CAM-DAS
-//! leaves to visual inspection. The profile is sampled at n points, so depths below its sagitta (about step²/8ρ) are not detected.
+//! Interference of roller, face or arm with the cam away from the contact. Undercut is a local interference at the contact. This check
+//! covers the whole profile. In CAM-DAS, the user has to check it visually. The profile is sampled at n points, so depths below its sagitta
+//! (about step²/8ρ) are not detected.
 
 use super::{Cam, Follower, Geometry, ProfilePoint};
 
-/// The body that interferes with the cam.
+/// Part of the follower that can interfere with the cam.
 ///
 /// ```
 /// use gaitcam::cam::{Body, Cam, Follower};
@@ -26,7 +27,7 @@ pub enum Body {
     Arm,
 }
 
-/// Maximum interference of one body with the cam.
+/// Maximum interference of one part of the follower with the cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -46,14 +47,14 @@ pub struct Interference {
     pub at: f64,
     /// Cam angle of the interfering profile point, rad.
     pub point: f64,
-    /// Depth of this profile point inside the body, m.
+    /// Depth of this profile point inside the part, m.
     pub depth: f64,
 }
 
 impl Cam {
-    /// Maximum interference of every body with a cam that is sampled at `n` points (720 is sufficient). The arm or stem is a bar of the given width,
-    /// m, in the plane of the cam; width 0: it is in another plane and is not checked. Depths below `tolerance`, m, are not reported. Empty without
-    /// interference.
+    /// Maximum interference of every part of the follower with a cam that is sampled at `n` points (720 is sufficient). The arm or stem is
+    /// a bar of the given width, m, in the plane of the cam. A width of 0 means that it is in another plane and is not checked. Depths
+    /// below `tolerance`, m, are not reported. The result is empty without interference.
     ///
     /// An arm that carries a small roller must be narrower than the roller, or it is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {

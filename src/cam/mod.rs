@@ -1,4 +1,4 @@
-//! A cam: a law of motion with a follower, its profile, its checks and its minimum size.
+//! Cams: law of motion and follower, profile, checks and minimum size.
 //!
 //! Signs (theory §6): the cam turns counter-clockwise by θ, and the follower moves along +y. In the cam's frame, a fixed point is rotated by R(−θ) =
 //! [[cos θ, sin θ], [−sin θ, cos θ]]. The profile is therefore traversed clockwise. Curvature is positive where the cam is convex.
@@ -52,9 +52,9 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
-    /// The law of motion; the lift is measured from the base circle (prime circle).
+    /// The law of motion. Its lift is measured from the base circle (prime circle).
     pub law: Law,
-    /// Follower of the cam.
+    /// Follower of the cam with its dimensions.
     pub follower: Follower,
 }
 

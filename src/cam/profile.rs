@@ -38,7 +38,7 @@ pub struct ProfilePoint {
     pub pitch_y: f64,
     /// Signed radius of curvature of the finished cam: positive where convex, negative where concave.
     pub rho: f64,
-    /// Signed pressure angle, rad.
+    /// Pressure angle, rad; positive if the force is rotated counter-clockwise from the motion, as during a rise.
     pub pressure_angle: f64,
 }
 
@@ -49,8 +49,8 @@ impl Cam {
         geometry.profile_point(theta, self.law.svaj(theta))
     }
 
-    /// Profile points at the discontinuities of the law, by angle: one on each side of a jump. Derivatives up to `order` are considered (2:
-    /// acceleration, 3: jerk). An exported profile contains these points and is smooth between them.
+    /// Profile points at the discontinuities of the law, sorted by angle, with one point on each side of a jump. Derivatives up to `order`
+    /// are considered (2: acceleration, 3: jerk). An exported profile contains these points and is smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
         let none = [0, 1, 2, 3].map(|k| NO_JUMP * self.law.bound(k));
         let jumps = |joint: &Joint| {

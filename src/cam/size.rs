@@ -4,7 +4,7 @@ use super::{Cam, Follower};
 use crate::error::{CamError, CamInputError, Result};
 use crate::law::Law;
 
-/// A prime circle and the offset of the follower's line of motion, m.
+/// Radius of the prime circle and offset of the follower's line of motion, m.
 ///
 /// ```
 /// use gaitcam::cam::smallest_prime_circle;
@@ -32,9 +32,9 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 
 /// Minimum prime circle with |pressure angle| at most `rise` where the follower rises and at most `fall` where it falls, rad, both in (0, π/2).
 ///
-/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, |e| ≤ tan φ·(s +
-/// D) with the smaller tangent. All limits are half planes in (D, e). The result is their point nearest to the origin: the foot of a perpendicular,
-/// or a corner. With a given `offset` only D is free.
+/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, |e| ≤
+/// tan φ·(s + D) with the smaller tangent. All limits are half planes in (D, e). The result is their point nearest to the origin: the foot
+/// of a perpendicular, or a corner. If `offset` is given, only D is unknown.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
@@ -94,11 +94,11 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeLimits {
-    /// Minimum convex radius of the finished cam, m; 0 permits a cusp.
+    /// Minimum convex radius of curvature of the finished cam, m; with 0, a cusp is permitted.
     pub rho_min: f64,
-    /// Maximum |pressure angle| where the follower rises, rad; π/2: no limit.
+    /// Maximum |pressure angle| where the follower rises, rad; π/2 for no limit.
     pub pressure_rise: f64,
-    /// Maximum |pressure angle| where the follower falls, rad; π/2: no limit.
+    /// Maximum |pressure angle| where the follower falls, rad; π/2 for no limit.
     pub pressure_fall: f64,
     /// Whether the arm is in another plane, so that its pivot may lie within the profile.
     pub pivot_beside: bool,
@@ -140,8 +140,8 @@ const GROWTHS: i32 = 90;
 /// Minimum base radius, m, for which `cam`, with its other dimensions, fits its law and satisfies the limits; for a barrel, minimum radius of the
 /// cylinder. The relative accuracy is 1e-10. The result is 0 if every size is feasible. The base radius of `cam` is ignored.
 ///
-/// For a translating flat face the result is a closed form. Otherwise the cam grows in steps of a quarter until it is feasible, and bisection refines
-/// the size.
+/// For a translating flat face the result is a closed form. Otherwise the size is increased by 25 % per step until the cam is feasible.
+/// Bisection then refines the size.
 ///
 /// # Errors
 ///
@@ -180,7 +180,8 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     Ok(least_between(bad, good, 1e-10, holds))
 }
 
-/// Minimum size that satisfies a limit, by bisection between an infeasible and a feasible size, to a relative accuracy.
+/// Minimum size that satisfies a limit, by bisection between the infeasible size `bad` and the feasible size `good`, to a relative
+/// accuracy.
 pub(crate) fn least_between(
     mut bad: f64,
     mut good: f64,

@@ -57,14 +57,14 @@ impl TorqueLine {
 }
 
 impl Motor {
-    /// Whether the data of the motor are valid.
+    /// Whether all data of the motor are finite and not negative, and gear ratio and efficiency are positive.
     pub(crate) fn is_sound(&self) -> bool {
         let numbers = [self.inertia, self.friction, self.gear, self.efficiency];
         let is_positive = self.gear > 0.0 && self.efficiency > 0.0;
         numbers.iter().all(|x| x.is_finite() && *x >= 0.0) && is_positive
     }
 
-    /// Torque at the camshaft, N·m, at a given speed and no-load speed, rad/s, with its derivatives with respect to both.
+    /// Torque at the camshaft, N·m, at a given speed and no-load speed, rad/s, with its derivatives with respect to the two speeds.
     pub fn torque(&self, speed: f64, no_load: f64) -> [f64; 3] {
         match &self.line {
             TorqueLine::Slope(k) => [k * (no_load - speed), -k, *k],
@@ -113,7 +113,7 @@ impl Motor {
         }
     }
 
-    /// Torque of the motor shaft, N·m, for a torque at the camshaft.
+    /// Torque at the motor shaft, N·m, for a torque at the camshaft.
     pub fn own_torque(&self, at_cam: f64) -> f64 {
         at_cam / (self.gear * self.efficiency)
     }
@@ -128,7 +128,7 @@ fn no_load_speed(rows: &[[f64; 2]]) -> f64 {
     a[0] - a[1] * (b[0] - a[0]) / (b[1] - a[1])
 }
 
-/// Torque and slope of a curve at a speed.
+/// Torque, N·m, and its slope, N·m·s/rad, of a curve at a speed, rad/s.
 fn on(rows: &[[f64; 2]], speed: f64) -> (f64, f64) {
     let i = rows
         .partition_point(|r| r[0] <= speed)

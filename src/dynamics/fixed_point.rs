@@ -2,16 +2,16 @@
 
 use crate::error::Result;
 
-/// Maximum number of designs.
+/// Maximum number of designs in the iteration.
 const ROUNDS: usize = 30;
-/// Number of earlier iterates in the acceleration.
+/// Number of earlier iterates used by the acceleration.
 const MEMORY: usize = 5;
-/// Relative difference below which an iterate is linearly dependent and not used.
+/// Fraction of an iterate that must be linearly independent of the other iterates. An iterate below this fraction is not used.
 const DEPENDENT: f64 = 1e-6;
 
 /// A design with the machine state that it causes.
 pub struct Round<D> {
-    /// Design of the iterate.
+    /// Design that is computed in this iterate.
     pub design: D,
     /// Machine state that the design causes.
     pub made: Vec<f64>,
@@ -19,22 +19,22 @@ pub struct Round<D> {
     pub has_law: bool,
 }
 
-/// Result of the iteration.
+/// Result of the fixed-point iteration.
 pub struct Settled<D> {
     /// Final design of the iteration.
     pub design: D,
-    /// State that the final design causes, if the iteration has not converged.
+    /// State that the final design causes; `None` if the iteration has converged.
     pub made: Option<Vec<f64>>,
-    /// Number of designs computed.
+    /// Number of designs that were computed.
     pub rounds: usize,
     /// Ratio of the last two residuals.
     pub contraction: Option<f64>,
-    /// Residual of the final iterate.
+    /// Residual of the final iterate: maximum difference between the assumed state and the caused state.
     pub difference: f64,
 }
 
-/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`. If an iterate has no law, or without convergence,
-/// the result is the design with the minimum residual.
+/// Iterates until the state caused by a design differs from the assumed state by at most `allowed`. If an iterate has no law, or if the
+/// iteration does not converge, the result is the design with the minimum residual.
 ///
 /// # Errors
 ///
@@ -81,7 +81,7 @@ pub fn settled<D>(
     }
 }
 
-/// Maximum difference of two states.
+/// Maximum absolute difference between the entries of two states.
 pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let pairs = a.iter().zip(b);
     pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
@@ -99,7 +99,7 @@ fn subtract(from: &mut [f64], part: f64, of: &[f64]) {
     from.iter_mut().zip(of).for_each(|(x, y)| *x -= part * y);
 }
 
-/// Next assumed state: the combination of iterates with the minimum residual (Anderson acceleration; Walker and Ni 2011).
+/// Next assumed state: the combination of iterates whose residual is minimum (Anderson acceleration; Walker and Ni 2011).
 fn accelerated(path: &[[Vec<f64>; 2]]) -> Vec<f64> {
     let Some([made, off]) = path.last() else {
         return Vec::new();

@@ -1,7 +1,8 @@
 //! Moving floor: modes of a structure in steady vibration under the periodic force of the feet.
 //!
-//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ + 2ζω q′ + ω²
-//! q) = −φ F. For F = Re Fₙ e^{inΩt} the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory §10).
+//! A mode of mass m, frequency ω, damping ratio ζ and ordinate φ at the feet moves upwards by z = φ q under the downward force F: m (q″ +
+//! 2ζω q′ + ω² q) = −φ F. For F = Re Fₙ e^{inΩt}, the acceleration is z″ₙ = Hₙ Fₙ, Hₙ = Σ φ² (nΩ)² / (m (ω² − (nΩ)² + 2iζω nΩ)) (theory
+//! §10).
 
 use std::f64::consts::TAU;
 
@@ -43,13 +44,13 @@ pub struct FloorMode {
     pub frequency: f64,
     /// Damping ratio of the mode.
     pub damping: f64,
-    /// Ordinate of the mode at the feet.
+    /// Ordinate of the mode shape at the feet.
     pub ordinate: f64,
     /// Key of the damping ratio in a scene, with `N` for the number of the mode.
     pub key: &'static str,
 }
 
-/// A structure with its walkers.
+/// A structure and the walkers on it.
 ///
 /// ```
 /// use gaitcam::dynamics::{Floor, FloorMode};
@@ -158,7 +159,7 @@ impl FloorMotion {
     }
 }
 
-/// Harmonics from the first on, of samples at equal steps of a turn.
+/// Harmonics of order 1 and higher of samples at equal steps of a turn.
 pub(crate) fn harmonics(samples: &[f64]) -> Vec<Term> {
     let all = amplitudes(samples);
     all[1..all.len() - 1].to_vec()
@@ -232,7 +233,7 @@ impl Floor {
         Ok(force.iter().zip(gains).map(|(f, h)| times(*f, h)).collect())
     }
 
-    /// Sum of the forces of the walkers, if each exerts `force` with its own phase and weight. The first `from` walkers are omitted.
+    /// Sum of the forces of the walkers if each of them exerts `force` with its own phase and weight. The first `from` walkers are omitted.
     pub fn of_walkers(&self, from: usize, force: &[Term]) -> Vec<Term> {
         let first = self.walkers.first().map_or(0.0, |w| w.0);
         let sum = |n: usize| {
@@ -245,8 +246,8 @@ impl Floor {
         (1..).zip(force).map(|(n, f)| times(*f, sum(n))).collect()
     }
 
-    /// Harmonics of the force of a shaker with a given mass, kg, on the moving floor, N. The shaker exerts `still` on a rigid floor; the other
-    /// walkers exert `others`: Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ).
+    /// Harmonics of the force of a shaker with a given mass, kg, on the moving floor, N: Fₙ = (Pₙ + M Hₙ Oₙ)/(1 − M Hₙ). The harmonics
+    /// `still` (Pₙ) are the force of the shaker on a rigid floor. The harmonics `others` (Oₙ) are the force of the other walkers.
     ///
     /// # Errors
     ///
@@ -272,8 +273,8 @@ impl Floor {
             .collect())
     }
 
-    /// Gₙ = 1/(1 − M Hₙ) for the harmonics from the first on: ratio of the force of a shaker of mass M, kg, on the moving floor to its force on a
-    /// rigid floor. Zero at the resonance of an undamped mode.
+    /// Ratio Gₙ = 1/(1 − M Hₙ) of the force of a shaker of mass M, kg, on the moving floor to its force on a rigid floor, for the harmonics
+    /// of order 1 and higher. The ratio is zero at the resonance of an undamped mode.
     pub fn felt(&self, mass: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
         let of = |n: usize| self.accelerance(n, n as f64 * speed);
         (1..=count)
@@ -281,7 +282,7 @@ impl Floor {
             .collect()
     }
 
-    /// Limit of Gₙ for high harmonics: 1/(1 + Σ M φ²/m).
+    /// Limit of the ratio Gₙ for high harmonics: 1/(1 + Σ M φ²/m).
     pub fn felt_at_once(&self, mass: f64) -> f64 {
         let part = |mode: &FloorMode| mass * mode.ordinate.powi(2) / mode.mass;
         1.0 / (1.0 + self.modes.iter().map(part).sum::<f64>())

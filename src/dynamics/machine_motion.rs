@@ -17,14 +17,14 @@ use crate::poly::samples;
 /// Number of equal parts of the period for the force on the floor and the motion of the floor.
 const SAMPLES: usize = 720;
 const FINE: usize = 4 * SAMPLES;
-/// Change of M z″, relative to the force at rest, below which the motions of shaft and floor agree.
+/// Change of M z″ in one iteration, relative to the force at rest, below which the motions of shaft and floor count as consistent.
 const SAME: f64 = 1e-9;
 const UNSETTLED: f64 = 1e-6;
 
-/// Machine around a cam: drive, motor and floor.
+/// Drive, motor, floor and follower of a machine, with the force of a walker.
 #[derive(Clone)]
 pub struct Carrier<'a> {
-    /// Drive of the machine.
+    /// Drive of the machine: relation of lift and force.
     pub drive: Drive,
     /// Motor of the shaft; `None` for constant speed.
     pub motor: Option<&'a Motor>,
@@ -34,7 +34,7 @@ pub struct Carrier<'a> {
     pub walker: Vec<Term>,
     /// Follower of the cam.
     pub follower: Follower,
-    /// Coefficient of sliding friction.
+    /// Coefficient of sliding friction of the follower.
     pub friction: f64,
     /// Number of steps of the shaft motion between the breaks of the law.
     pub steps: usize,
@@ -65,7 +65,7 @@ impl MachineMotion {
         }
     }
 
-    /// Acceleration of the floor, m/s², at an angle since the first cam angle, rad.
+    /// Acceleration of the floor, m/s², at a cam angle measured from the first cam angle, rad.
     pub fn floor_at(&self, angle: f64) -> f64 {
         match self.at_parts.is_empty() {
             true => 0.0,
@@ -131,8 +131,8 @@ impl Carrier<'_> {
         [1.0, -1.0].map(|force| force * contact.torque(self.friction, at, force))
     }
 
-    /// Load of the motion `at` every cam angle of a turn from `start`, smooth between `breaks`. The floor has the given acceleration at every angle
-    /// since the start.
+    /// Load of the shaft over a turn from the cam angle `start`, rad. `at` is the motion of the follower at a cam angle; it is smooth
+    /// between `breaks`. `floor` is the acceleration of the floor, m/s², at an angle measured from `start`, rad.
     pub fn load(
         &self,
         start: f64,
@@ -146,7 +146,8 @@ impl Carrier<'_> {
         })
     }
 
-    /// Steady motion with the load of the cam, from the initial motion `near`.
+    /// Steady motion of shaft and floor under the load of the cam. `at` is the motion of the follower at a cam angle. `near` is an optional
+    /// initial guess.
     ///
     /// # Errors
     ///
@@ -198,7 +199,7 @@ impl Carrier<'_> {
         Ok(found.design)
     }
 
-    /// Harmonics of the acceleration of the floor, m/s², for the law `at` and a motion of the shaft.
+    /// Harmonics of the acceleration of the floor, m/s², for a motion of the shaft and the motion `at` of the follower at a cam angle.
     fn on_floor(
         &self,
         floor: &Floor,

@@ -37,7 +37,8 @@ pub use simulate::simulate;
 pub use surface::Surface;
 pub use walking::{Bounds, Followed, Misfit, ProgrammeRun, RepeatedForce, SpeedProgramme};
 
-/// Cams of a thesis for tests. The unit tests of this crate compile them with its own types.
+/// Cams of a thesis, for tests. The file is compiled here again, because the types of `gaitcam-test-support` differ from those of the unit
+/// tests.
 #[cfg(test)]
 #[path = "../../crates/test-support/src/thesis.rs"]
 mod thesis;

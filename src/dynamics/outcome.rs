@@ -1,4 +1,4 @@
-//! Results of a simulation.
+//! Results of the simulation of a cam.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use super::rigid::hertz::LineContact;
 use super::shaft::{InTime, Shaft};
 use crate::error::Error;
 
-/// Models of the simulation.
+/// Models with which a cam can be simulated.
 ///
 /// ```
 /// use gaitcam::dynamics::Model;
@@ -32,18 +32,18 @@ pub enum Model {
 }
 
 impl Model {
-    /// Name of the model in commands and files.
+    /// Name of the model in commands and files, such as `rigid`.
     pub fn name(self) -> &'static str {
         self.into()
     }
 
-    /// The model with this name.
+    /// The model with this name; `None` for an unknown name.
     pub fn parse(word: &str) -> Option<Self> {
         word.parse().ok()
     }
 }
 
-/// Row of `dynamics.csv`.
+/// Row of `dynamics.csv`: motion, forces and torque at one cam angle.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -62,13 +62,13 @@ impl Model {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Row {
-    /// Cam angle, rad; over as many turns as one period of the motion has.
+    /// Cam angle, rad. The rows cover all turns of one period of the motion.
     pub theta: f64,
     /// Time since the first row, s; 0 for a shaft at standstill.
     pub time: f64,
     /// Speed of the shaft, rad/s.
     pub speed: f64,
-    /// Force along the motion of the follower, N; 0 in flight.
+    /// Contact force along the motion of the follower, N; 0 in flight.
     pub contact_force: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m.
     pub torque: f64,
@@ -88,7 +88,7 @@ pub struct Row {
     pub side_thrust: f64,
 }
 
-/// Extremes and error of the force, N.
+/// Extremes of the contact force, and RMS error of the force, N.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -104,15 +104,15 @@ pub struct Row {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
-    /// Minimum force of the run, N.
+    /// Minimum force over one period of the motion, N.
     pub min: f64,
-    /// Maximum force without impacts, N.
+    /// Maximum force over one period of the motion without impacts, N.
     pub max: f64,
     /// RMS difference between force and target, N, if the run has a target.
     pub rms_error: Option<f64>,
 }
 
-/// Torque of the shaft, N·m.
+/// Extremes, mean and root mean square of the shaft torque, N·m.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -128,9 +128,9 @@ pub struct Force {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
-    /// Minimum torque of the run, N·m.
+    /// Minimum torque over one period of the motion, N·m.
     pub min: f64,
-    /// Maximum torque of the run, N·m.
+    /// Maximum torque over one period of the motion, N·m.
     pub max: f64,
     /// Mean torque over one period of the motion, with impacts, N·m.
     pub mean: f64,
@@ -159,7 +159,7 @@ pub struct Torque {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
-    /// The next finer model.
+    /// Model that is compared with the selected one.
     pub model: Model,
     /// Difference of the minimum forces, N.
     pub force_min: f64,
@@ -173,8 +173,8 @@ pub struct Difference {
     pub failed: Option<Error>,
 }
 
-/// Maximum bearing loads without impacts. At constant speed, with a rigid model or permanent contact, they are exact extremes; otherwise extremes
-/// over the rows.
+/// Maximum bearing loads without impacts. At constant speed, they are exact extremes for the rigid model and for permanent contact.
+/// Otherwise they are the extremes over the rows.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -217,11 +217,11 @@ pub struct Loads {
 pub struct Pressure {
     /// Cam angle of the pressure, rad.
     pub theta: f64,
-    /// Line contact at this angle.
+    /// Line contact of cam and follower at this angle.
     pub contact: LineContact,
 }
 
-/// Result of a simulation.
+/// Result of the simulation of a cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -244,11 +244,11 @@ pub struct Outcome {
     pub swings: bool,
     /// Distance from the pivot at which a force produces this moment, m; 1 without an arm.
     pub lever: f64,
-    /// Reason for this model.
+    /// Reason for which this model was used.
     pub why: ModelReason,
     /// Whether the follower loses contact.
     pub contact_lost: bool,
-    /// Fraction of the motion without contact.
+    /// Fraction of the period without contact.
     pub lost_fraction: f64,
     /// Extremes of the contact force.
     pub force: Force,
@@ -270,7 +270,8 @@ pub struct Outcome {
     pub force_time: Option<InTime>,
     /// Landings of the whole run, including the initial turns.
     pub impacts: Vec<Impact>,
-    /// Maximum line pressure without impacts, if the surfaces are known; between the rows as `loads`.
+    /// Maximum line pressure without impacts, if the materials are given. It is an exact extreme or the maximum over the rows, as stated
+    /// for `loads`.
     pub hertz: Option<Pressure>,
     /// Differences from the next finer model, if the model was selected automatically.
     pub next: Option<Difference>,
@@ -278,7 +279,7 @@ pub struct Outcome {
     pub profile_mismatch: f64,
     /// Maximum difference between the lift of the emitted points and the lift of the law, m.
     pub law_mismatch: f64,
-    /// Notes on the run.
+    /// Notes on the run for the user.
     pub notes: Vec<RunNote>,
     /// Rows of one period of the motion, at equal angles.
     pub rows: Vec<Row>,

@@ -48,7 +48,7 @@ pub enum ModelReason {
 }
 
 impl ModelReason {
-    /// Message of the reason.
+    /// Message that states the reason in a language.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "model", self)
     }
@@ -66,7 +66,7 @@ pub enum LiftoffMargin {
     LiftoffAt { speed: Quantity, liftoff: Quantity },
 }
 
-/// Distance of the rigid force from zero.
+/// Distance of the rigid force from zero, and of the speed from the lift-off speed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -93,7 +93,7 @@ pub enum ForceMargin {
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum Vibration {
-    /// Springs in series without mass: no vibration, but a part of the lift deflects the train.
+    /// Springs in series without mass. There is no vibration, but a part of the lift deflects the train.
     NoMass,
     Harmonics {
         frequency: Quantity,
@@ -102,7 +102,7 @@ pub enum Vibration {
     },
 }
 
-/// Note on a run.
+/// Note on a run for the user.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -146,7 +146,7 @@ pub enum RunNote {
 }
 
 impl RunNote {
-    /// Message of the note.
+    /// Message that states the note in a language.
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "run", self)
     }

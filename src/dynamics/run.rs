@@ -38,10 +38,10 @@ pub struct Machine {
     pub motor: Option<Motor>,
     /// Floor below the mass; `None` for a rigid floor.
     pub floor: Option<Floor>,
-    /// Learned force in addition to the force of the drive, N, at the angles of the profile; empty without a correction. The rigid model adds it to
-    /// the contact force.
+    /// Force correction determined from measurements, in addition to the force of the drive, N, at the angles of the profile; empty without
+    /// a correction. The rigid model adds it to the contact force.
     pub learned: Vec<f64>,
-    /// Limits of the initial turns of a contact simulation.
+    /// Limits at which a contact simulation stops if its motion does not become periodic.
     pub limits: Limits,
 }
 
@@ -69,13 +69,13 @@ pub struct Machine {
 pub struct Face {
     /// Length of the contact line, m: the thickness of the cam.
     pub length: f64,
-    /// Material of the cam.
+    /// Elastic constants of the cam's material.
     pub cam: Material,
-    /// Material of the follower.
+    /// Elastic constants of the follower's material.
     pub follower: Material,
 }
 
-/// Input of a simulation.
+/// Input of the simulation of a cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

@@ -1,4 +1,4 @@
-//! Profile of the contact model: its lift, and the ranges of negative contact force.
+//! Profile for the contact model: its lift, and the ranges of negative contact force.
 
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 
 /// Fraction of the maximum force below which a negative force is a rounding error.
 pub(super) const NO_PULL: f64 = 1e-11;
-/// Fraction of the maximum force below which a negative force is a rounding error in a machine without inertia. Rounded coordinates give a zero lift
-/// only to about a nanometre per millimetre.
+/// Fraction of the maximum force below which a negative force is a rounding error in a machine without inertia. If the coordinates are
+/// rounded, the recovered lift deviates from zero by about a nanometre per millimetre.
 const NO_PULL_STATIC: f64 = 1e-6;
 
 /// A closed lift, with the ranges in which contact cannot be maintained.
@@ -65,7 +65,7 @@ impl Surface {
         self.law.svaj(angle)
     }
 
-    /// First range of negative force that ends after `angle`, counted in the turns of `angle`.
+    /// First range of negative force that ends after `angle`. Its limits are angles that increase over several turns, as `angle` does.
     pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
         let turn = ((angle - self.start) / TAU).floor();
         (-1..=1)

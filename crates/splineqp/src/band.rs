@@ -1,14 +1,15 @@
-//! Cholesky factors of symmetric matrices that are banded, except for a border of a few last rows.
+//! Cholesky factors of symmetric matrices that are banded except for the last few rows and columns (the border).
 //!
-//! The Gram matrix of periodic B-splines is banded with two corner blocks. If the last unknowns form a border, the rest is a band and a small dense
-//! block. The cost is linear in the number of spans.
+//! The Gram matrix of periodic B-splines is banded with two corner blocks. If the last unknowns are treated as the border, the leading
+//! block is banded and only the border is dense. The cost is linear in the number of spans.
 
 use super::frame::dot;
 
-/// Number of entries of a column in the band of quintics, the default degree; a constant for faster loops.
+/// Number of entries of a column in the band for quintic splines, which are the default. A constant number makes the loops faster.
 const QUINTIC: usize = 6;
 
-/// Symmetric positive definite matrix with half-bandwidth `band` for the first `n − border` unknowns and full rows for the last `border` ones.
+/// Symmetric positive definite matrix with half-bandwidth `band` for the first `n − border` unknowns. The last `border` rows (and columns)
+/// are dense.
 #[derive(Debug, Clone)]
 pub struct ArrowMatrix {
     n: usize,
@@ -16,16 +17,19 @@ pub struct ArrowMatrix {
     border: usize,
     /// Lower band of the leading block by columns: entry (j + k, j) is `core[j*(band+1) + k]`.
     core: Vec<f64>,
-    /// Border rows, each of length n. The last columns contain the block of the border itself; only its lower part is used.
+    /// Border rows, each of length n. Their last columns contain the diagonal block of the border, of which only the lower triangle is
+    /// used.
     rows: Vec<f64>,
 }
 
-/// Factor L of an [`ArrowMatrix`] in the same layout, with an inverted diagonal, so that substitution multiplies instead of dividing.
+/// Cholesky factor L of an [`ArrowMatrix`] in the same layout. The diagonal entries are stored inverted, so that substitution multiplies
+/// instead of dividing.
 #[derive(Debug, Clone)]
 pub struct ArrowFactor(ArrowMatrix);
 
 impl ArrowMatrix {
-    /// Zero matrix. Of two unknowns that are coupled beyond `band`, at least one must be among the last `border` ones.
+    /// Zero matrix with `n` unknowns. If two unknowns are coupled at a distance above `band`, at least one of them must be among the last
+    /// `border` unknowns.
     pub fn zero(n: usize, band: usize, border: usize) -> Self {
         let border = border.min(n);
         let core = vec![0.0; (n - border) * (band + 1)];
@@ -67,8 +71,8 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds a symmetric block of band + 1 unknowns from `first` on, in the layout of the band: entry (k, l), l ≤ k, is `block[l*(band+1) + k − l]`.
-    /// Returns whether the block lies in the band; otherwise nothing is added.
+    /// Adds a symmetric block for the band + 1 unknowns from `first` on. Entry (k, l), l ≤ k, is `block[l*(band+1) + k − l]`, as in the
+    /// layout of the band. Returns whether the block lies in the band; otherwise nothing is added.
     pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
@@ -80,7 +84,7 @@ impl ArrowMatrix {
         true
     }
 
-    /// Adds the circulant matrix with `row[k]` at the distance k from the diagonal, with indices modulo n.
+    /// Adds the circulant matrix whose entries at distance k from the diagonal are `row[k]`, with indices modulo n.
     pub fn add_circulant(&mut self, row: &[f64]) {
         let (n, m, w) = (self.n, self.n - self.border, self.band + 1);
         for (j, column) in self.core.chunks_exact_mut(w).enumerate() {
@@ -98,8 +102,8 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds the product of two functions whose indices differ by `apart` before they are reduced modulo n. If they are equal after the reduction,
-    /// both symmetric entries are added to the diagonal.
+    /// Adds the product of two functions whose indices differ by `apart` before they are reduced modulo n. If the indices are equal after
+    /// the reduction, both symmetric entries are added to the diagonal.
     pub fn add_pair(&mut self, i: usize, j: usize, apart: usize, value: f64) {
         let twice = if i == j && apart > 0 { 2.0 } else { 1.0 };
         self.add(i, j, twice * value);
@@ -132,7 +136,7 @@ impl ArrowMatrix {
         }
     }
 
-    /// Sum of all entries.
+    /// Sum of all entries of the matrix.
     pub fn sum(&self) -> f64 {
         let lower: f64 = self.core.iter().chain(&self.rows).sum();
         let diagonal: f64 = (0..self.n).map(|i| self.get(i, i)).sum();
@@ -214,12 +218,12 @@ impl ArrowMatrix {
     }
 }
 
-/// Square root of a pivot; `None` if it is not positive.
+/// Square root of a pivot; `None` if the pivot is not positive and finite.
 fn positive_root(pivot: f64) -> Option<f64> {
     (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
 
-/// Subtracts a multiple of another vector, up to the shorter length.
+/// Subtracts `part` times another vector, up to the shorter length.
 #[inline(always)]
 fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     for (x, &l) in from.iter_mut().zip(other) {
@@ -227,7 +231,7 @@ fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     }
 }
 
-/// Replaces x by L⁻¹x for the band alone; x is zero before `start`.
+/// Replaces x by L⁻¹x for the banded block alone; x is zero before `start`.
 fn forward_in_band(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     match w {
         QUINTIC => forward_of_width(core, QUINTIC, x, start),
@@ -249,7 +253,7 @@ fn forward_of_width(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     }
 }
 
-/// Replaces x by L⁻ᵀx for the band alone.
+/// Replaces x by L⁻ᵀx for the banded block alone.
 fn backward_in_band(core: &[f64], w: usize, x: &mut [f64]) {
     match w {
         QUINTIC => backward_of_width(core, QUINTIC, x),
@@ -275,7 +279,7 @@ fn plain_dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (&a, &b)| sum + a * b)
 }
 
-/// Cholesky factor of the band alone.
+/// Replaces the banded block by its Cholesky factor; `None` if a pivot is not positive.
 #[inline(always)]
 fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
     let m = core.len() / w;
@@ -299,13 +303,13 @@ impl ArrowFactor {
         entries.map(|(i, j, l)| (i, j, if i == j { 1.0 / l } else { l }))
     }
 
-    /// Solves the linear system in place.
+    /// Solves the linear system for the right-hand side `x` and writes the solution to `x`.
     pub fn solve(&self, x: &mut [f64]) {
         self.forward(x);
         self.backward(x);
     }
 
-    /// Replaces x by L⁻¹x.
+    /// Replaces the vector x by L⁻¹x.
     pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
@@ -319,7 +323,7 @@ impl ArrowFactor {
         }
     }
 
-    /// Replaces x by L⁻ᵀx.
+    /// Replaces the vector x by L⁻ᵀx.
     pub fn backward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;

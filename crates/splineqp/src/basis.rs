@@ -1,15 +1,15 @@
-//! Basis functions of a law, and rows of their coefficients.
+//! Basis functions of a law, and linear functionals of a law as rows of weights of its coefficients.
 
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
 
-/// Maximum number of Bernstein coefficients of a piece that are stored on the stack; more are allocated.
+/// Maximum number of Bernstein coefficients of a piece that are stored on the stack. More coefficients are stored on the heap.
 pub const WIDEST: usize = 12;
 
-/// Linear functional of the law: Σ value·coefficient.
+/// Linear functional of the law: Σ value·coefficient over the entries (index of the coefficient, value).
 pub type Entries = Vec<(usize, f64)>;
 
-/// Weights with a single derivative.
+/// Weights for the law and its derivatives that are zero except for the derivative `order`.
 pub fn only(order: usize, weight: f64) -> [f64; 5] {
     let mut weights = [0.0; 5];
     weights[order] = weight;
@@ -26,7 +26,7 @@ pub enum Basis {
         /// Whether the law is periodic.
         closed: bool,
     },
-    /// Harmonics over one turn: mean, then cosine and sine of 1 … count.
+    /// Harmonics over one turn. The coefficients are the mean, then cosine and sine of harmonics 1 … count.
     Harmonic {
         /// Number of harmonics in the sum.
         count: usize,
@@ -43,7 +43,7 @@ impl Basis {
         }
     }
 
-    /// Half-bandwidth and border of the Gram matrices.
+    /// Half-bandwidth and number of border rows of the Gram matrices.
     pub fn pattern(&self) -> (usize, usize) {
         match self {
             Basis::Spline {
@@ -58,7 +58,8 @@ impl Basis {
         }
     }
 
-    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids are replaced by Taylor polynomials with remainders below rounding errors, for weights up to w₃.
+    /// The combination Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids are replaced by Taylor polynomials with remainders below rounding
+    /// errors; for them, weights above w₃ are ignored.
     pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
             Basis::Spline { space, .. } => {
@@ -88,7 +89,7 @@ impl Basis {
         }
     }
 
-    /// Minimum of a derivative of the law.
+    /// Minimum of the derivative `order` of the law over its whole range.
     pub(crate) fn least(&self, x: &[f64], order: usize) -> f64 {
         self.combination(x, &only(order, 1.0)).extremes().0.value
     }
@@ -132,7 +133,8 @@ impl Basis {
         x
     }
 
-    /// Row of w₀s + w₁v + w₂a + w₃j (with the fourth derivative if `weights` has five entries) at u ∈ [0, 1] on the piece `i` of [`Basis::breaks`].
+    /// Row of w₀s + w₁v + w₂a + w₃j (and of the fourth derivative if `weights` has five entries) at u ∈ [0, 1] on the piece `i` of
+    /// [`Basis::breaks`].
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
@@ -147,7 +149,7 @@ impl Basis {
         }
     }
 
-    /// Row at an angle. At a break it belongs to the piece to the right.
+    /// Row of Σ wₖ s⁽ᵏ⁾ at an angle, rad. At a break, the piece to the right is used.
     pub fn row(&self, theta: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, closed } => {
@@ -186,7 +188,7 @@ impl Basis {
     }
 }
 
-/// Row of Σ wₖ s⁽ᵏ⁾ at u on a span, for splines of this degree.
+/// Row of Σ wₖ s⁽ᵏ⁾ at u on a span, for splines of degree `degree`.
 #[inline(always)]
 fn row_on_span(
     space: &SplineSpace,
@@ -239,8 +241,8 @@ fn row_on_span(
     on_unknowns(space, span, sums)
 }
 
-/// Differences of adjacent rows, for the first `left` rows: Bernstein coefficients of the derivative of all B-splines on a span. They are computed
-/// before multiplication to avoid cancellation.
+/// Replaces the first `left` rows by their differences from the next row. The result is the Bernstein coefficients of the derivative of all
+/// B-splines on a span, without the factor of the degree. The differences are computed before multiplication to avoid cancellation.
 #[inline(always)]
 fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     for k in 0..left {
@@ -251,8 +253,8 @@ fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     }
 }
 
-/// Converts weights dᵢ of coefficients cᵢ with the sum 0 to weights of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). For a jerk that is
-/// small relative to the stroke, the weights of cᵢ would lose digits.
+/// Converts weights dᵢ of coefficients cᵢ with the sum 0 to weights of the steps cᵢ₊₁ − cᵢ: Σ dᵢ cᵢ = −Σ (d₀ + … + dᵢ)(cᵢ₊₁ − cᵢ). If the
+/// jerk is small relative to the stroke, the sum Σ dᵢ cᵢ would have a large relative rounding error.
 #[inline(always)]
 pub fn by_steps(weights: &mut [f64]) {
     let mut sum = 0.0;
@@ -266,7 +268,7 @@ pub fn by_steps(weights: &mut [f64]) {
     }
 }
 
-/// Converts values of the B-splines on a span to entries of their coefficients.
+/// Converts weights of the B-splines on a span to entries with the indices of their coefficients.
 fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     let (first, all) = (space.index(span, 0), space.dimension());
     // With few spans, one coefficient may occur twice on a span of a periodic spline: its weights are added.
@@ -282,7 +284,7 @@ fn on_unknowns(space: &SplineSpace, span: usize, values: &[f64]) -> Entries {
     places.zip(values.iter().copied()).collect()
 }
 
-/// Bernstein polynomials of one degree at u.
+/// Values of the Bernstein polynomials of degree `out.len()` − 1 at u.
 fn bernstein_basis(u: f64, out: &mut [f64]) {
     let v = 1.0 - u;
     out[0] = 1.0;
@@ -295,7 +297,7 @@ fn bernstein_basis(u: f64, out: &mut [f64]) {
     }
 }
 
-/// Adds one entry to a row.
+/// Adds one entry to a row; values with the same index are added.
 pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
     match to.iter_mut().find(|e| e.0 == index) {
         Some(e) => e.1 += value,
@@ -318,7 +320,8 @@ pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()
 }
 
-/// Magnitude of a row for coefficients of typical size; `length` for a row that contains only further variables.
+/// Maximum magnitude of the terms of a row for coefficients of typical size `length`. For a row with further variables only, it is
+/// `length`.
 pub fn row_unit(entries: &Entries, length: f64) -> f64 {
     let unit = entries
         .iter()

@@ -1,15 +1,15 @@
 //! Certificate of a law: an upper bound of its distance from the optimum.
 //!
-//! With multipliers λ ≥ 0 of the active rows, the Lagrange dual of the program is a lower bound of its objective. For a law x with the residual r =
-//! Hx + g + Eᵀν + Aᵀλ, the difference is
+//! With multipliers λ ≥ 0 of the active rows, the Lagrange dual of the program is a lower bound of its objective. Let r = Hx + g + Eᵀν +
+//! Aᵀλ be the residual of the law x. The difference between the objective and the lower bound is then at most
 //!
 //! ```text
 //! gap = Σ λᵢ (bᵢ − aᵢᵀx) − νᵀ(Ex − d) + xᵀr (+ z·y for the cone's own multiplier z)
 //! ```
 //!
-//! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from its value at x by at most
-//! ½ rᵀH⁻¹r. This term replaces xᵀr if the latter is not small, because xᵀr multiplies the rounding error of r by the whole lift. The rows are limits
-//! at exact angles, so the bound is valid for the whole turn.
+//! (Boyd and Vandenberghe, Convex Optimization, §5.5). If H has a Cholesky factor, the quadratic Lagrangian decreases from its value at x
+//! by at most ½ rᵀH⁻¹r. This term replaces xᵀr if xᵀr is not small, because in xᵀr the rounding error of r is multiplied by the whole lift.
+//! The rows are limits at exact angles, so the bound is valid for the whole turn.
 
 use super::basis::{Basis, apply, dense};
 use super::equality;
@@ -19,7 +19,7 @@ use super::settings::TOLERANCE;
 use crate::Names;
 use serde::Serialize;
 
-/// Proved distance of a law from the optimum.
+/// Proved upper bounds of the distance of a law from the optimum.
 ///
 /// ```
 /// use splineqp::{Basis, Derivative, Limit, Program, Quadratic, certificate};
@@ -47,18 +47,19 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// Duality gap relative to the size of the objective.
     pub relative_gap: f64,
-    /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if a sequence of convex
-    /// programs proves only a local optimum. `None` without such a bound.
+    /// Objective minus a lower bound over all laws, relative to the size of the objective. It exceeds the relative gap if the law results
+    /// from a sequence of convex programs, which prove only a local optimum. `None` if no such bound is known.
     pub global_gap: Option<f64>,
-    /// Size of the objective: its value, or a millionth of the sum of its terms, which is the rounding error, whichever is larger.
+    /// Size of the objective: the larger of its value and a millionth of the sum of its terms. The latter is an estimate of the rounding
+    /// error.
     pub size: f64,
-    /// Maximum entry of the gradient of the Lagrangian, relative to its largest term.
+    /// Maximum entry of the gradient of the Lagrangian, relative to the largest term of this gradient.
     pub stationarity: f64,
     /// Maximum violation of a limit over all angles, relative to the scale of the limit.
     pub violation: f64,
 }
 
-/// Maximum relative gap and maximum relative gradient for which an optimum counts as proved.
+/// Maximum relative gap and maximum stationarity for which an optimum counts as proved.
 pub const PROVED: f64 = 1e-6;
 
 impl Certificate {
@@ -67,25 +68,25 @@ impl Certificate {
         self.violation <= TOLERANCE * 1.000_001
     }
 
-    /// Whether gap and stationarity prove the optimum: both are at most [`PROVED`].
+    /// Whether the optimum is proved: gap and stationarity are at most [`PROVED`].
     pub fn proves_optimum(&self) -> bool {
         self.relative_gap <= PROVED && self.stationarity <= PROVED
     }
 
-    /// Increases the gap by a further contribution.
+    /// Raises the duality gap to `gap` if `gap` is larger. The relative gap then also counts as the global gap.
     pub fn widen(&mut self, gap: f64) {
         self.duality_gap = self.duality_gap.max(gap);
         self.relative_gap = self.duality_gap / self.size;
         self.global_gap = Some(self.relative_gap);
     }
 
-    /// Adds the distance to a lower bound over all laws, if known, to the certificate of a local optimum.
+    /// Sets the global gap of a local optimum from `gap`, its distance to a lower bound over all laws; `None` if no such bound is known.
     pub fn bounded_by(&mut self, gap: Option<f64>) {
         self.global_gap = gap.map(|gap| self.relative_gap.max(gap / self.size));
     }
 }
 
-/// Certificate of a solution. The value of a peak is computed from the law, regardless of the value in the solution.
+/// Certificate of a solution. The value of the peak is computed from the law. The value of the peak in the solution is not used.
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;
@@ -124,10 +125,10 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
 struct Lagrangian {
     /// Gradient with respect to the coefficients.
     residual: Vec<f64>,
-    /// Largest term of the gradient with respect to the coefficients.
+    /// Largest absolute term of the gradient with respect to the coefficients.
     largest_term: f64,
-    /// Component of the gradient along the constant function. For a free level, the contribution of H is only a rounding error, which no factor
-    /// shows.
+    /// Component of the gradient along the constant function, without the term Hx. It is used if the level is free. The contribution of Hx
+    /// is then only a rounding error.
     level: f64,
     /// Gradient with respect to the further variables.
     of_extra: Values,
@@ -177,8 +178,8 @@ impl Lagrangian {
     }
 }
 
-/// Duality gap and stationarity including the further variables. A component of the gradient counts as zero if it is small relative to its largest
-/// term, or if changing the variable by its size leaves the objective unchanged.
+/// Duality gap and stationarity including the further variables. A component of the gradient counts as zero if it is small relative to its
+/// largest term. It also counts as zero if a change of the variable by its own size leaves the objective practically unchanged.
 fn with_further_variables<N: Names>(
     program: &Program<N>,
     lagrangian: &Lagrangian,
@@ -245,7 +246,7 @@ fn objective_size<N: Names>(program: &Program<N>, x: &[f64], extra: &Values) -> 
     if value > 0.0 { value } else { 1.0 }
 }
 
-/// Projects a residual onto the orthogonal complement of the rows of the equalities. Returns |νᵀ(Ex − d)| for the removed part −Eᵀν.
+/// Projects a residual onto the orthogonal complement of the rows of the equalities. The removed part is −Eᵀν. Returns |νᵀ(Ex − d)|.
 fn project_off_equalities<N: Names>(
     program: &Program<N>,
     residual: &mut Vec<f64>,

@@ -1,33 +1,35 @@
-//! Optimum with only equality constraints: one factorisation of H, and a dense system with the size of the number of equalities.
+//! Optimum with only equality constraints. It needs one factorisation of H and the solution of a dense system whose size is the number of
+//! equalities.
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply, dense};
 use super::program::{Equality, Failure, Program, Stop};
 use crate::Names;
 
-/// Optimum subject to the equalities only, and the factorised Hessian.
+/// Optimum subject to the equalities only, with the factorised Hessian.
 pub struct Unlimited {
     /// H, made positive definite by multiples of the outer products of the equalities.
     pub hessian: ArrowMatrix,
     /// Cholesky factor of the Hessian.
     pub factor: ArrowFactor,
-    /// Vector −g of the objective that belongs to `hessian`.
+    /// Negative gradient −g of the linear part that belongs to `hessian`.
     pub pull: Vec<f64>,
-    /// Coefficients of the optimum with only the equalities.
+    /// Coefficients of the optimum subject to the equalities only.
     pub x: Vec<f64>,
-    /// Coefficient with an added quadratic term, and its weight, if neither objective nor equalities fix the level.
+    /// Coefficient with an additional quadratic term, and the weight of this term. `None` if the objective or the equalities fix the level.
     pub pin: Option<(usize, f64)>,
 }
 
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
-/// H may be singular in directions that the equalities fix. Multiples of their outer products make it positive definite without changing the
-/// constrained optimum. On a moving axis, for example, the force does not depend on the level of the lift. If a constant is undetermined in this way,
-/// a quadratic term is added for one coefficient. Its weight is small if limits determine the level.
+/// H may be singular in directions that the equalities fix. Multiples of the outer products of the equalities make H positive definite
+/// without changing the constrained optimum. The level of the law may be undetermined. On a moving axis, for example, the force does not
+/// depend on the level of the lift. In this case, a quadratic term is added for one coefficient. Its weight is small if limits determine
+/// the level.
 ///
 /// # Errors
 ///
-/// The equalities contradict each other; the objective cannot be factorised.
+/// The equalities contradict each other, or the matrix of the objective cannot be factorised.
 pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;
@@ -46,13 +48,14 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     })
 }
 
-/// Weight of the outer products of the equalities, in units of H.
+/// Weight ρ of the outer products of the equalities, in units of H.
 fn penalty<N: Names>(program: &Program<N>) -> f64 {
     let h = program.hessian.largest_diagonal();
     if h > 0.0 { h } else { 1.0 }
 }
 
-/// Equalities at a single angle, whose outer products fit into the band. Equalities on an integral over the law are only part of the dense system.
+/// Equalities at a single angle, whose outer products fit into the band. Equalities on an integral over the law are not included; they are
+/// only part of the dense system.
 fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
@@ -94,7 +97,7 @@ fn regular<N: Names>(program: &Program<N>) -> (ArrowMatrix, Option<(usize, f64)>
     (h, pin)
 }
 
-/// ½rᵀH⁻¹r: maximum decrease of an objective with the gradient r, with the equalities and a fixed level. `None` if H is singular in further
+/// Maximum decrease ½rᵀH⁻¹r of an objective with the gradient r, for the augmented H with fixed level. `None` if H is singular in further
 /// directions.
 pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Option<f64> {
     let factor = regular(program).0.factor()?;
@@ -103,7 +106,7 @@ pub fn largest_decrease<N: Names>(program: &Program<N>, gradient: &[f64]) -> Opt
     Some(0.5 * whitened.iter().map(|w| w * w).sum::<f64>())
 }
 
-/// g − ρ Σ value·row: linear part that belongs to the augmented H.
+/// Linear part g − ρ Σ value·row of the objective that belongs to the augmented H.
 fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     let mut g = program.gradient.clone();
     let rho = penalty(program);
@@ -118,8 +121,8 @@ fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     g
 }
 
-/// Projects `x` onto the equalities along H⁻¹Eᵀ. Dependent equalities are omitted, in the order of their pivots; they must be satisfied by the
-/// result.
+/// Projects `x` onto the equalities along H⁻¹Eᵀ. Dependent equalities are omitted, in the order of their pivots. It is an error if the
+/// result does not satisfy them.
 fn correct<N: Names>(
     program: &Program<N>,
     factor: &ArrowFactor,
@@ -180,7 +183,8 @@ fn correct<N: Names>(
     }
 }
 
-/// Rows of a symmetric matrix in the order of the pivots of its Cholesky factor, and rows whose pivots would be below `dependent`.
+/// Indices of the rows of a symmetric matrix in the order of the pivots of its Cholesky factor. The second list contains the rows whose
+/// pivots would be below `dependent`.
 fn by_pivots(mut s: Vec<Vec<f64>>, dependent: f64) -> (Vec<usize>, Vec<usize>) {
     let mut order: Vec<usize> = (0..s.len()).collect();
     for p in 0..s.len() {

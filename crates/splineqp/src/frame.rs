@@ -1,15 +1,16 @@
-//! Normals of active planes as an orthonormal basis Q and a triangle R, Z = QR. A plane is added or removed in O(n·planes) operations.
+//! Factorisation Z = QR of the normals Z of active planes, with an orthonormal basis Q and a triangle R. A plane is added or removed in
+//! O(n·planes) operations.
 
-/// Planes of an active set, represented by their normals.
+/// Planes of an active set, represented by the factors Q and R of their normals.
 #[derive(Default)]
 pub struct Frame {
-    /// Vectors of the basis in sequence.
+    /// Vectors of the basis Q, one after the other.
     q: Vec<f64>,
-    /// Columns of the upper triangle.
+    /// Columns of the upper triangle R.
     r: Vec<Vec<f64>>,
 }
 
-/// A normal, split into a part in the span of Q and an orthogonal part.
+/// A normal, split into a part in the span of Q and a part orthogonal to Q.
 pub struct Apart {
     /// Coordinates of the part in the span of Q.
     pub along: Vec<f64>,
@@ -20,7 +21,7 @@ pub struct Apart {
 }
 
 impl Frame {
-    /// Splits a normal into both parts.
+    /// Splits a normal into the part in the span of Q and the part orthogonal to Q.
     pub fn split(&self, z: &[f64]) -> Apart {
         let mut rest = z.to_vec();
         let mut along = Vec::with_capacity(self.r.len() + 1);
@@ -44,7 +45,7 @@ impl Frame {
         Apart { along, rest, left }
     }
 
-    /// Adds a plane by its split normal.
+    /// Adds a plane, given by its split normal.
     pub fn push(&mut self, apart: Apart) {
         let Apart {
             mut along,
@@ -64,7 +65,8 @@ impl Frame {
         self.forget_last();
     }
 
-    /// Removes plane `j`, and moves the component of a normal along the removed direction to its orthogonal part. This avoids a second split.
+    /// Removes plane `j`. The component of the split normal `apart` along the removed direction is moved to its orthogonal part. This
+    /// avoids a second split.
     pub fn remove_beside(&mut self, j: usize, apart: &mut Apart) {
         self.rotate_out(j, &mut apart.along);
         let n = apart.rest.len();
@@ -83,7 +85,7 @@ impl Frame {
         self.q.truncate(self.q.len() / (planes + 1) * planes);
     }
 
-    /// Removes column `j` from R and rotates Q, and the coordinates in Q, until the last vector is the removed direction.
+    /// Removes column `j` from R. Q and the coordinates `along` in Q are rotated until the last vector of Q is the removed direction.
     fn rotate_out(&mut self, j: usize, along: &mut [f64]) {
         let n = self.q.len() / self.r.len();
         self.r.remove(j);
@@ -110,7 +112,7 @@ impl Frame {
         }
     }
 
-    /// Solves R⁻¹d by back substitution.
+    /// Product R⁻¹d, computed by back substitution.
     pub fn back_substituted(&self, d: &[f64]) -> Vec<f64> {
         let mut out = d.to_vec();
         for i in (0..out.len()).rev() {
@@ -123,7 +125,8 @@ impl Frame {
         out
     }
 
-    /// Point nearest to `free` on all planes, and the displacement in coordinates of Q. R⁻¹ times the displacement gives the multipliers.
+    /// Point nearest to `free` on all planes, and the displacement from this point to `free` in coordinates of Q. R⁻¹ times the
+    /// displacement gives the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = free.len();
         let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();

@@ -8,13 +8,14 @@
 //!            √(2 q(x)) ≤ most                        for each limit on a root mean square
 //! ```
 //!
-//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics. y are a few further variables with names (a minimised peak, sizes in a cone, ends of ranges).
-//! A limit is equivalent to infinitely many rows. The exact worst points of s, from the roots of its derivatives in Bernstein form, are added as rows
-//! until no limit is exceeded between them. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//! The law s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics with the coefficients x. The further variables y have names. They are, for
+//! example, a minimised peak, sizes in a cone, or ends of ranges. A limit is equivalent to infinitely many rows, one linear inequality for
+//! each θ. The points at which s exceeds a limit most are computed exactly, from the roots of derivatives in Bernstein form. They are added
+//! as rows until no limit is exceeded at any θ. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
-//! The types of the names of limits and equalities are chosen by the caller ([`Names`]); with `()` the names are texts.
+//! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are texts.
 //!
-//! | file | |
+//! | file | content |
 //! |---|---|
 //! | `program` | program, limits, rows and solution |
 //! | `variable` | further variables and their cones |
@@ -84,11 +85,11 @@ pub use squares::{LeastWorst, Square, least_worst};
 /// }
 /// ```
 pub trait Names: std::fmt::Debug + Copy + PartialEq {
-    /// Name of a limit.
+    /// Type of the names of limits.
     type Limit: std::fmt::Debug + Copy + PartialEq;
-    /// Name of an equality.
+    /// Type of the names of equalities.
     type Equality: std::fmt::Debug + Copy + PartialEq;
-    /// Meaning of a bound for the caller, such as the quantity from which it is computed.
+    /// Type of the meaning of a bound for the caller, such as the quantity from which the bound is computed.
     type Meaning: std::fmt::Debug + Copy + PartialEq + Default;
 }
 

@@ -5,14 +5,14 @@ use super::basis::{Basis, Entries, apply, only};
 use super::frame::dot;
 use crate::poly::{SplineSpace, gauss_legendre};
 
-/// Quadratic function ½xᵀHx + gᵀx + constant.
+/// Quadratic function ½xᵀHx + gᵀx + constant of the coefficients x of a law.
 #[derive(Debug, Clone)]
 pub struct Quadratic {
-    /// Symmetric matrix H.
+    /// Symmetric matrix H of the quadratic part.
     pub hessian: ArrowMatrix,
     /// Vector g of the linear part.
     pub gradient: Vec<f64>,
-    /// Constant term, so that the value is meaningful.
+    /// Constant term of the function. With it, the value is the complete mean square or energy.
     pub constant: f64,
 }
 
@@ -28,9 +28,9 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·mean over the law of weight(θ)·(w·svaj − target(θ))², with at least `nodes` quadrature nodes on every piece of the basis. `weights`
-    /// contains w₀ … w₄ for s … the fourth derivative. `target` computes the values at the nodes of a piece, given by its start and width
-    /// (`pointwise` converts a function of θ to this form).
+    /// Adds ½·mean over the law of weight(θ)·(w·svaj − target(θ))², with at least `nodes` quadrature nodes on every piece of the basis. The
+    /// entries w₀ … w₄ of `weights` belong to s, v, a, j and the fourth derivative. `target` computes the target at the nodes of a piece
+    /// that is given by its start and width. [`pointwise`] converts a function of θ to this form.
     pub fn add_distance(
         &mut self,
         basis: &Basis,
@@ -79,7 +79,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds pᵀx for the local functions of one span.
+    /// Adds the linear term pᵀx for the local functions of one span, with p = `pull`.
     fn add_pull(&mut self, space: &SplineSpace, span: usize, pull: &[f64]) {
         let first = space.index(span, 0);
         match self.gradient.get_mut(first..first + pull.len()) {
@@ -92,7 +92,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½xᵀGx for the local functions of one span.
+    /// Adds the quadratic term ½xᵀGx for the local functions of one span, with G = `gram`.
     fn add_gram(&mut self, space: &SplineSpace, span: usize, gram: &[f64]) {
         if self.hessian.add_block(space.index(span, 0), gram) {
             return;
@@ -107,7 +107,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½xᵀGx for all spans of a uniform space.
+    /// Adds the quadratic term ½xᵀGx of every span of a uniform space, with the same G = `gram`.
     fn add_equal_spans(&mut self, space: &SplineSpace, gram: &[f64]) {
         let n = space.degree() + 1;
         let product = |apart: usize| (0..n - apart).map(|l| gram[l * n + apart]).sum();
@@ -115,7 +115,7 @@ impl Quadratic {
         self.hessian.add_circulant(&row);
     }
 
-    /// Adds ½·factor·(row·x − b)².
+    /// Adds the square ½·factor·(row·x − b)².
     pub fn add_row(&mut self, row: &Entries, factor: f64, b: f64) {
         self.constant += 0.5 * factor * b * b;
         for (p, &(i, a)) in row.iter().enumerate() {
@@ -126,7 +126,7 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·factor·mean of the squared derivative of the given order (2 = acceleration … 4).
+    /// Adds ½·factor times the mean square of the derivative of the given order (2 = acceleration … 4).
     pub fn add_energy(&mut self, basis: &Basis, order: usize, factor: f64) {
         let weights = only(order, factor.sqrt());
         let nodes = match basis {
@@ -155,31 +155,31 @@ impl Quadratic {
         out
     }
 
-    /// Value of the function at `x`.
+    /// Value of the function for the coefficients `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         quadratic(&self.hessian, &self.gradient, x) + self.constant
     }
 
-    /// Square root of twice the value at `x`. It is the RMS if the value is half a mean square.
+    /// Square root of twice the value for the coefficients `x`. It is the RMS if the function is half a mean square.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 }
 
-/// Half a mean square, ½ Σ factor (row·x − value)² + rest. A sum of squares keeps the digits that ½xᵀHx + gᵀx + c loses for many spans, where the
-/// terms are 10¹⁰ times their sum.
+/// Half a mean square as a sum of squares: ½ Σ factor (row·x − value)² + rest. For many spans, the terms of ½xᵀHx + gᵀx + c are 10¹⁰ times
+/// their sum, so this form loses digits. The sum of squares does not.
 #[derive(Debug, Clone)]
 pub struct MeanSquare {
-    /// The half mean square in the form ½xᵀHx + gᵀx + c.
+    /// The same function in the form ½xᵀHx + gᵀx + c.
     pub whole: Quadratic,
-    /// Rows at the quadrature nodes, with their factors and values.
+    /// Rows at the quadrature nodes, with their factors and target values.
     nodes: Vec<(Entries, f64, f64)>,
     /// Constant part that is independent of the law.
     rest: f64,
 }
 
 impl MeanSquare {
-    /// ½·mean over the law of (w·svaj − target(θ))², as in [`Quadratic::add_distance`].
+    /// Creates ½·mean over the law of (w·svaj − target(θ))², as in [`Quadratic::add_distance`].
     pub fn distance(
         basis: &Basis,
         weights: &[f64],
@@ -210,7 +210,8 @@ impl MeanSquare {
         }
     }
 
-    /// The distance with the exact mean square of the target; the values at the nodes belong to its least-squares polynomials.
+    /// The distance with the exact mean square `square` of the target. It is used if the values at the nodes are those of least-squares
+    /// polynomials of the target.
     #[must_use]
     pub fn with_mean_square(mut self, square: f64) -> Self {
         self.rest = 0.5 * square - self.whole.constant;
@@ -218,7 +219,7 @@ impl MeanSquare {
         self
     }
 
-    /// Half the mean square at `x`.
+    /// Half the mean square for the coefficients `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         let square = |(row, factor, value): &(Entries, f64, f64)| {
             0.5 * factor * (apply(row, x) - value).powi(2)
@@ -226,12 +227,12 @@ impl MeanSquare {
         self.nodes.iter().map(square).sum::<f64>() + self.rest
     }
 
-    /// Square root of twice the value at `x`.
+    /// Root mean square for the coefficients `x`.
     pub fn root(&self, x: &[f64]) -> f64 {
         (2.0 * self.value(x)).max(0.0).sqrt()
     }
 
-    /// Gradient of the objective with respect to all coefficients at `x`.
+    /// Gradient with respect to all coefficients at `x`.
     pub(crate) fn gradient(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
         for (row, factor, value) in &self.nodes {
@@ -254,7 +255,7 @@ impl MeanSquare {
     }
 }
 
-/// Evaluates ½xᵀHx + gᵀx.
+/// Value of ½xᵀHx + gᵀx.
 pub fn quadratic(hessian: &ArrowMatrix, gradient: &[f64], x: &[f64]) -> f64 {
     let hx = hessian.times(x);
     hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
@@ -270,7 +271,7 @@ pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mu
     }
 }
 
-/// Local functions of one span at the quadrature nodes; equal spans share them.
+/// Local functions of one span at the quadrature nodes. Equal spans have the same table.
 #[derive(Default)]
 struct Table {
     matrix: Option<usize>,
@@ -281,14 +282,15 @@ struct Table {
     weighed: Vec<f64>,
     /// Quadrature weights of the nodes.
     factors: Vec<f64>,
-    /// Products of the functions k and l ≤ k at the position l·n + k − l, in the layout of [`ArrowMatrix::add_block`].
+    /// Weighted sums over the nodes of the products of functions k and l ≤ k, at the position l·n + k − l, in the layout of
+    /// [`ArrowMatrix::add_block`].
     gram: Vec<f64>,
-    /// Negative products of the functions with the target: their contribution to g.
+    /// Negative weighted sums of the products of each function with the target, which are the contribution to g.
     pull: Vec<f64>,
 }
 
 impl Table {
-    /// Moves to a span; `false` if it equals the previous span.
+    /// Computes the table for a span. Returns true if the table of the previous span is still valid.
     fn fit(
         &mut self,
         space: &SplineSpace,
@@ -313,7 +315,7 @@ impl Table {
         false
     }
 
-    /// Multiplies the weights of the nodes by `factor`(u).
+    /// Multiplies the weights of the nodes by `factor`(u), and computes the weighted values and products.
     fn weigh(&mut self, rule: &[(f64, f64)], factor: impl Fn(f64) -> f64) {
         let (n, nodes) = (self.pull.len(), rule.len());
         self.factors.clear();
@@ -333,7 +335,7 @@ impl Table {
         }
     }
 
-    /// Sets the products with the target at the nodes. Returns half its weighted square.
+    /// Computes the products of the functions with the target at the nodes. Returns half the weighted square of the target.
     fn pull(&mut self, target: &[f64]) -> f64 {
         // Loops of constant length take half the time; quintics with one node per function are the default.
         match target.len() {

@@ -1,9 +1,10 @@
-//! Tuning constants of the solvers, with reasons. They are not keys of a scene.
+//! Tuning constants of the solvers, with the reasons for their values. They are not keys of a scene.
 
-/// Relative tolerance of a finished law. A stroke, whose maximum and minimum may both use it, is accurate to 1e-9.
+/// Relative tolerance of the limits of a finished law. Both the maximum and the minimum of a lift may deviate by it, so a stroke is
+/// accurate to 1e-9.
 pub const TOLERANCE: f64 = 4e-10;
 
-/// Groups of settings with default values, one line per setting.
+/// Defines groups of settings with default values, one line per setting.
 macro_rules! settings {
     ($($(#[$about:meta])* $group:ident { $($(#[$doc:meta])* $name:ident: $kind:ty = $value:expr,)* })*) => {
         $(
@@ -45,13 +46,13 @@ settings! {
 
     /// Settings of the least squares under equalities.
     EqualitySettings {
-        /// Relative pivot below which an equality depends on the others, or contradicts them.
+        /// Relative pivot below which an equality counts as dependent on the others.
         dependent: f64 = 1e-11,
-        /// Relative residual of a dependent equality above which it contradicts the others.
+        /// Relative residual of a dependent equality above which the equality contradicts the others.
         consistent: f64 = 1e-8,
-        /// Weight, relative to H, of the term that fixes a level which limits may move.
+        /// Weight, relative to H, of the quadratic term that fixes the level of the law if limits may change this level.
         light_pin: f64 = 1e-6,
-        /// Curvature along the constant function, relative to the maximum, below which the level is free.
+        /// Curvature of the objective along the constant function, relative to the maximum, below which the level of the law is free.
         level_is_free: f64 = 1e-10,
         /// Sum of the entries of an equality, relative to the sum of their magnitudes, above which the equality fixes the level.
         fixes_level: f64 = 1e-6,
@@ -63,73 +64,76 @@ settings! {
         rounds: usize = 60,
         /// Maximum number of steps over all iterations, per unknown.
         steps_per_unknown: usize = 60,
-        /// Number of initial rows above which a dense basis is not used.
+        /// Number of initial rows above which this method is not used, because its basis is dense.
         rows: usize = 1000,
         /// Maximum number of active rows; with more, the interior-point method is used.
         active: usize = 400,
-        /// Excess, relative to the scale of the limit, above which a row is violated; far below the tolerance of the iterations.
+        /// Excess, relative to the scale of the limit, above which a row counts as violated. It is far below the tolerance of the
+        /// iterations.
         resolved: f64 = 1e-12,
         /// Violation below which a law without further progress is accepted as exact up to rounding errors.
         resolved_at_last: f64 = 1e-7,
-        /// Fraction of the minimum violation so far. An iteration with a violation above this fraction made no progress.
+        /// Ratio of the violation to the minimum violation so far above which an iteration made no progress.
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Squared fraction of a row outside the span of the active rows below which the row is dependent.
+        /// Squared length of the part of a row outside the span of the active rows, relative to the row, below which the row counts as
+        /// dependent.
         dependent: f64 = 1e-13,
         /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-5,
-        /// Maximum number of iterations that refine contacts.
+        /// Maximum number of refinements by Newton's method in the iterations.
         refinements: usize = 8,
-        /// Maximum number of times that the fixed level of a free law is moved.
+        /// Maximum number of changes of the fixed level for a law whose level is free.
         pin_moves: usize = 12,
-        /// Move of the level, relative to the typical lift, below which it is final.
+        /// Change of the level, relative to the typical lift, below which the level is final.
         pin_settled: f64 = 1e-9,
     }
 
     /// Settings of the proximal method for minimax objectives.
     ProximalSettings {
-        /// ε: initial weight of the change of the law in a proximal step, in units of the peak.
+        /// Initial weight ε of the change of the law in a proximal step, relative to the weight of the change of the peak.
         nearness: f64 = 1e-2,
         /// Minimum of the weight ε.
         least_nearness: f64 = 1e-9,
-        /// Factor of the weight ε from one centre to the next.
+        /// Factor by which the weight ε decreases from one centre to the next.
         fall: f64 = 0.2,
-        /// Factor of the weight ε after a step that ends in rounding errors.
+        /// Factor by which the weight ε increases after a step that fails because of rounding errors.
         heavier: f64 = 100.0,
-        /// Decrease of the peak, as a fraction of the predicted decrease, above which a law becomes the centre.
+        /// Ratio of the actual to the predicted decrease of the peak above which a law becomes the next centre.
         kept: f64 = 0.3,
-        /// Fraction of the gap below which a step is accepted if its rows are those of its law.
+        /// Gap to the peak of the rows, as a fraction of the permitted gap, below which only further rows are necessary. The weight ε is
+        /// then not reduced.
         proved: f64 = 0.3,
-        /// Maximum relative violation of the other limits for which a law may be accepted by its peak alone.
+        /// Maximum relative violation of the other limits for which laws are compared by their peaks alone.
         compared: f64 = 1e-4,
-        /// Maximum number of iterations of rows and centres; 20 are usual.
+        /// Maximum number of proximal steps; 20 are usual.
         rounds: usize = 150,
-        /// Factor between the final certificate and the refinement threshold within which the search stops.
+        /// Maximum ratio of the final certificate to the refinement thresholds for which the law is accepted.
         accepted: f64 = 1e3,
         /// Number of iterations without a better certificate after which the search ends.
         patience: usize = 25,
     }
 
-    /// Settings of the search for the weight of a root-mean-square limit.
+    /// Settings of the search for the weight μ or the peak p of a root-mean-square limit.
     RmsSettings {
         /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
         /// First step of ln p; each further step is twice as large.
         peak_step: f64 = 0.2,
-        /// First step of ln μ, relative to the logarithm of the excess.
+        /// First step of ln μ, relative to the logarithm of the ratio of the root mean square to its limit.
         step: f64 = 4.0,
         /// Minimum first step of ln μ; each further step is four times larger.
         least_step: f64 = 1e-6,
         /// Maximum number of steps of ln μ or ln p.
         steps: usize = 24,
-        /// Relative distance between the smallest trial peak and the minimum.
+        /// Relative distance between the smallest trial peak and the minimum peak under the other limits.
         pinch: f64 = 2e-7,
-        /// Number of trial weights between two others.
+        /// Maximum number of trial weights or peaks after both sides of the limit are known.
         weights: usize = 40,
-        /// Difference of logarithms below which two weights are equal.
+        /// Difference between the logarithms of two weights below which the weights count as equal.
         same_weight: f64 = 1e-11,
-        /// Relative gap of a law between two optima below which it is accepted.
+        /// Relative duality gap below which the law interpolated between two optima is accepted.
         gap: f64 = 1e-10,
     }
 
@@ -137,8 +141,8 @@ settings! {
     RefinementSettings {
         /// Relative gap below which no refinement is necessary.
         gap: f64 = 1e-7,
-        /// Stationarity below which no refinement is necessary. The solver often stops at 1e-7 with a closed gap. A law with stationarity and gap
-        /// below 1e-6 is certified.
+        /// Stationarity below which no refinement is necessary. The solver often stops at a stationarity of 1e-7 when the gap is already
+        /// negligible. A law with stationarity and gap below 1e-6 is certified.
         stationarity: f64 = 3e-7,
         /// Tolerance above which a program is a step of a sequence and is not refined.
         finest_tolerance: f64 = TOLERANCE,
@@ -146,37 +150,37 @@ settings! {
         band_steps: usize = 5,
         /// Maximum number of dense steps; about five are usual.
         steps: usize = 12,
-        /// Maximum total number of dense systems, because rows are removed one by one.
+        /// Maximum total number of dense systems. About one system is solved for each removed row.
         solves: usize = 40,
         /// Number of steps without a better certificate after which the refinement ends.
         patience: usize = 4,
-        /// Gap and stationarity at which the refinement ends.
+        /// Gap and stationarity below which the refinement ends.
         clean: f64 = 1e-8,
-        /// Gap and stationarity that are accepted if rounding prevents smaller ones.
+        /// Gap and stationarity below which the result is accepted if rounding errors prevent smaller values.
         proved: f64 = 1e-6,
-        /// Relative violation below which contacts are refined together.
+        /// Relative violation below which the refinement by Newton's method starts.
         from: f64 = 1e-3,
-        /// Ratio of the violation to the initial violation above which a step has lost its contacts.
+        /// Ratio of the violation to the initial violation above which the refinement has failed.
         divergence: f64 = 30.0,
-        /// Relative distance from the bound within which maxima are candidates for contacts.
+        /// Distance from the bound, relative to the scale of the limit, within which local maxima are candidates for active points.
         below: f64 = 0.05,
-        /// Relative decrease over the width of a piece below which a limit has no contact point.
+        /// Decrease of the left side over the width of a piece, relative to its scale, below which a limit has no isolated active point.
         flat: f64 = 1e-6,
-        /// Distance, as a fraction of a piece, below which two contacts coincide.
+        /// Distance, as a fraction of a piece, below which two active points count as one.
         same: f64 = 1e-7,
-        /// Multiplier, relative to the maximum, below which a row is not a contact.
+        /// Multiplier, relative to the maximum, below which a row does not count as active.
         weakest: f64 = 1e-6,
-        /// Negative multiplier, relative to the maximum, beyond which a row is not active.
+        /// Magnitude of a negative multiplier, relative to the maximum multiplier, above which its row is removed as inactive.
         negative_multiplier: f64 = 1e-9,
-        /// Maximum number of rows per unknown that determine a vertex.
+        /// Maximum number of rows per coefficient in the quadratic program of a step.
         rows_per_unknown: usize = 24,
         /// Maximum number of iterations that add violated points to a step.
         joins: usize = 8,
-        /// Minimum relative violation of an added point.
+        /// Minimum relative violation of a point that is added to a step.
         resolved: f64 = 1e-10,
         /// Minimum distance of an added point from the rows of the same limit, as a fraction of a piece.
         apart: f64 = 0.25,
-        /// Maximum size of a dense system.
+        /// Maximum size of the dense system of a step.
         largest: usize = 500,
         /// Proximal weight of the step, in units of the solver.
         held: f64 = 1e-9,
@@ -190,9 +194,9 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// The same fraction as `ActiveSetSettings::dependent`, for the planes of the quadratic program.
+        /// Same fraction as `ActiveSetSettings::dependent`, for the planes of the quadratic program.
         dependent: f64 = 1e-25,
-        /// Violation of a dependent plane below which it is a rounding error.
+        /// Violation of a dependent plane below which the violation is a rounding error.
         rounding: f64 = 1e-9,
     }
 
@@ -200,30 +204,32 @@ settings! {
     ExchangeSettings {
         /// Maximum number of iterations; about five are usual.
         rounds: usize = 60,
-        /// Fraction of the minimum violation so far above which an iteration has stalled.
+        /// Ratio of the violation to the minimum violation so far above which an iteration has stalled.
         stalled: f64 = 0.5,
-        /// After a stall, increase of the margin of every limit, as a multiple of the violation.
+        /// Factor between the violation and the new margin of every limit after a stall.
         margin_growth: f64 = 2.0,
         /// Maximum margin, as a fraction of the scale of the limit.
         largest_margin: f64 = 1e-6,
-        /// Residual of the solver for a second-order cone, which is not refined.
+        /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. It
+        /// covers the residual of the solver, since these programs are not refined.
         cone_margin: f64 = 1e-7,
         /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-4,
-        /// Gap and feasibility tolerance of the interior-point method. Smaller ones end in "insufficient progress" for some fits; the refinement
-        /// restores the digits.
+        /// Gap and feasibility tolerance of the interior-point method. With smaller tolerances, some fits end with the status "insufficient
+        /// progress". The refinement increases the accuracy afterwards.
         solver_tolerance: f64 = 1e-9,
         /// Maximum number of iterations of the interior-point method; 20 are usual.
         solver_iterations: u32 = 200,
     }
 
-    /// Settings of the certificate.
+    /// Settings of the duality gap in the certificate.
     CertificateSettings {
-        /// Objective, relative to its terms, below which it is a rounding error. It corresponds to a force error of a thousandth of the force.
+        /// Objective, relative to the sum of its terms, below which it counts as a rounding error. It corresponds to a force error of a
+        /// thousandth of the force.
         least_objective: f64 = 1e-6,
-        /// Fraction of the objective below which xᵀr is small.
+        /// Magnitude of xᵀr, relative to the objective, up to which it is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
         small: f64 = 1e-9,
-        /// The same fraction as `ActiveSetSettings::dependent`, for equalities.
+        /// Same fraction as `ActiveSetSettings::dependent`, for equalities.
         dependent: f64 = 1e-20,
     }
 }

@@ -43,28 +43,29 @@ impl Square {
     }
 }
 
-/// Number of rows that are added together, and initially.
+/// Number of squares whose rows are used at the start, and whose rows are added in each iteration.
 const ENTERING: usize = 24;
-/// Relative excess over the maximum square that is permitted for a square without a row.
+/// Maximum excess of a square without a row over the maximum of the squares with rows, relative to this maximum.
 const EXCEEDS: f64 = 1e-10;
-/// Singular value below which it counts as zero.
+/// Singular value below which the value counts as zero.
 const DEPENDENT: f64 = 1e-9;
 /// Maximum number of programs that are solved.
 const ROUNDS: usize = 40;
 
-/// Optimal point of a hull, with its multipliers as proof.
+/// Point of a convex hull that minimises the maximum square, with the weights of the squares as proof.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeastWorst {
-    /// Weights of the squares. The point of the hull minimises their weighted sum. The sum of the weights is 1, and each is at most its cap.
+    /// Weights of the squares. The point minimises the sum of the squares with these weights. The sum of the weights is 1, and each weight
+    /// is at most its cap.
     pub weights: Vec<f64>,
-    /// Weights of the points of the hull; their sum is 1.
+    /// Weights of the points whose convex combination is the result; their sum is 1.
     pub parts: Vec<f64>,
     at: Vec<f64>,
     level: f64,
 }
 
-/// Point of a hull that minimises the maximum square or, with caps, the mean of the largest squares. The squares should be of order 1. `None` if the
-/// solver fails.
+/// Point of the convex hull of `points` that minimises the maximum square or, with caps, the mean of the largest squares. The squares
+/// should be of order 1. `None` if the solver fails.
 ///
 /// ```
 /// use splineqp::{Square, least_worst};
@@ -104,8 +105,8 @@ fn worst_first(squares: &[Square], at: &[f64], of: &mut [usize], most: usize) ->
     of.iter().copied().take(most).collect()
 }
 
-/// Weights nearest to the given ones for which the point is stationary on its face of the hull. An interior-point method gives the point to ten
-/// digits, but the weights only to five.
+/// Replaces the weights by the nearest weights for which the point is stationary on its face of the hull. With an interior-point method,
+/// the point is accurate to ten digits, but the weights only to five.
 fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[f64]], at: &[f64]) {
     if free.is_empty() {
         return;
@@ -143,7 +144,7 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// Minimum with the rows of some squares. The level is the maximum of these squares (with infinite caps).
+/// Solution of the program with the rows of some squares. Its level is the maximum of these squares without caps, and infinite with caps.
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],

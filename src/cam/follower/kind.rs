@@ -20,22 +20,22 @@ use super::{Follower, Measures};
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
-    /// A translating flat face.
+    /// A flat face that translates along a line.
     #[default]
     FlatTranslating,
     /// A roller that translates along a line.
     RollerTranslating,
-    /// A translating knife edge.
+    /// A knife edge that translates along a line.
     KnifeTranslating,
     /// A translating mushroom: a face rounded to an arc, convex towards the cam.
     MushroomTranslating,
-    /// A roller on an arm.
+    /// A roller on an oscillating arm.
     RollerOscillating,
-    /// A knife edge on an arm.
+    /// A knife edge on an oscillating arm.
     KnifeOscillating,
-    /// A face rounded to an arc, on an arm.
+    /// A face rounded to an arc, on an oscillating arm.
     MushroomOscillating,
-    /// A flat face on an arm.
+    /// A flat face on an oscillating arm.
     FlatOscillating,
     /// A roller on a translating cam.
     TranslatingCam,
@@ -52,7 +52,7 @@ impl FollowerKind {
         self.into()
     }
 
-    /// The kind with this name, if it exists.
+    /// The kind with this name in a scene file; `None` for an unknown name.
     pub fn named(name: &str) -> Option<FollowerKind> {
         name.parse().ok()
     }
@@ -87,7 +87,7 @@ impl FollowerKind {
         )
     }
 
-    /// Whether the follower touches the cam with a roller. The followers of translating cams and barrel cams always do.
+    /// Whether the follower touches the cam with a roller. This is always the case for translating cams and barrel cams.
     pub fn has_roller(self) -> bool {
         matches!(
             self,
@@ -106,8 +106,8 @@ impl FollowerKind {
         )
     }
 
-    /// Whether one program determines law and size together. A translating cam has no size. For a barrel and an oscillating mushroom, the size is
-    /// determined after the law.
+    /// Whether law and size are determined together in one optimisation. This is false for a translating cam, which has no size. It is also
+    /// false for a barrel and an oscillating mushroom, for which the size is determined after the law.
     pub fn has_size_beside_law(self) -> bool {
         !matches!(
             self,
@@ -115,7 +115,7 @@ impl FollowerKind {
         )
     }
 
-    /// Units of the follower's law.
+    /// Kind of motion of follower and cam, which determines the units of the law.
     pub fn measures(self) -> Measures {
         match self {
             FollowerKind::TranslatingCam => Measures::Straight,
@@ -143,7 +143,7 @@ impl Follower {
         }
     }
 
-    /// Units of the follower's law.
+    /// Kind of motion of follower and cam, which determines the units of the law.
     pub fn measures(&self) -> Measures {
         self.kind().measures()
     }

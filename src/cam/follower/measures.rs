@@ -4,7 +4,7 @@
 use crate::units::Dimension;
 use crate::wording::{Language, degrees, fixed, number, people};
 
-/// An output unit.
+/// Unit in which a quantity is displayed.
 ///
 /// ```
 /// use gaitcam::cam::Unit;
@@ -57,7 +57,7 @@ impl Unit {
         self.after(&number(language, self.factor * value))
     }
 
-    /// Appends this unit to a number; without a space before the degree sign.
+    /// Appends this unit to the text of a number, after a space unless the unit is the degree sign.
     pub fn after(self, number: &str) -> String {
         match self.name {
             "" => number.to_string(),
@@ -95,7 +95,7 @@ impl Measures {
         self == Measures::Straight
     }
 
-    /// Unit of the lift or of its derivative with respect to the cam angle (or travel), up to order 4.
+    /// Unit of the lift (order 0) or of its derivative of order 1 to 4 with respect to the cam angle (or travel).
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
         match self {

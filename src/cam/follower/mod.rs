@@ -1,4 +1,4 @@
-//! Followers with their dimensions.
+//! Followers of a cam with their dimensions.
 
 mod kind;
 mod measures;
@@ -10,8 +10,8 @@ use crate::law::Law;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam. Its
-/// contact is that of a roller with the radius of the arc, but only a part of the circle exists.
+/// A follower with its dimensions, m. A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam.
+/// It touches the cam like a roller with the radius of the arc, but only a part of the circle exists.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -47,7 +47,7 @@ pub enum Follower {
         prime_radius: f64,
         /// Offset e of the line of motion of the arc's centre, positive towards +x.
         offset: f64,
-        /// Radius of the arc.
+        /// Radius of the arc of the face.
         arc_radius: f64,
     },
     /// A roller on an arm, with its centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s. The law is in rad.
@@ -69,7 +69,7 @@ pub enum Follower {
         arm: f64,
         /// Distance of the arc's centre from the cam centre at s = 0.
         prime_radius: f64,
-        /// Radius of the arc.
+        /// Radius of the arc of the face.
         arc_radius: f64,
     },
     /// A flat face on an arm. Its distance from the cam centre is f + c sin ξ, ξ = ξ₀ + s. The law is in rad.
@@ -98,7 +98,7 @@ pub enum Follower {
     },
 }
 
-/// The arm of a follower with a circular contact, m.
+/// Arm of an oscillating follower with a circular contact (roller, knife edge or mushroom); lengths in m.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -116,7 +116,7 @@ pub struct Arm {
 }
 
 impl Follower {
-    /// The arm of an oscillating roller or mushroom.
+    /// Arm of an oscillating roller or mushroom; `None` for other followers.
     pub fn arm(&self) -> Option<Arm> {
         match *self {
             Follower::RollerOscillating {
@@ -133,8 +133,8 @@ impl Follower {
         }
     }
 
-    /// Radius of the base circle: the largest circle about the cam centre that lies inside a dwell at s = 0. For a translating cam it is the base
-    /// height, for a barrel the radius of the cylinder.
+    /// Radius of the base circle, m: radius of the profile where the follower dwells at s = 0. For a translating cam it is the base height,
+    /// for a barrel the radius of the cylinder.
     pub fn base_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -145,7 +145,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the prime circle; for a flat face the radius of the base circle.
+    /// Radius of the prime circle, m; for a flat face the radius of the base circle.
     pub fn prime_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { base_radius }
@@ -196,7 +196,7 @@ impl Follower {
         }
     }
 
-    /// Radius of the roller or of the mushroom's arc; 0 for other followers.
+    /// Radius of the roller or of the mushroom's arc, m; 0 for other followers.
     pub fn roller_radius(&self) -> f64 {
         match *self {
             Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. } => 0.0,
@@ -209,7 +209,8 @@ impl Follower {
         }
     }
 
-    /// Whether the profile extends along a line: a translating cam, or an unrolled barrel. Such a profile has ends even if the law is closed.
+    /// Whether the profile extends along a line: a translating cam, or an unrolled barrel. Such a profile has two ends even if the law is
+    /// closed.
     pub fn is_unrolled(&self) -> bool {
         matches!(
             self,
@@ -270,7 +271,7 @@ impl Follower {
         }
     }
 
-    /// Minimum and maximum lift of a law.
+    /// Minimum and maximum lift of a law, m (or rad for an arm).
     pub(super) fn lift_range(law: &Law) -> (f64, f64) {
         let (low, high) = law.extremes(0);
         (low.value, high.value)

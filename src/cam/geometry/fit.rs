@@ -1,4 +1,4 @@
-//! Checks that a follower can execute its law on any profile.
+//! Checks that a follower with given dimensions can execute its law.
 
 #[cfg(test)]
 mod tests;

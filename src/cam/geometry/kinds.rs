@@ -27,7 +27,7 @@ fn swinging([x, y]: [f64; 2], pivot: f64, side: f64) -> [f64; 2] {
 /// Velocity of a point of a translating cam, per metre of travel.
 const SLIDING: [f64; 2] = [0.0, 1.0];
 
-/// A translating flat face.
+/// Contact of a translating flat face with a rotating cam.
 #[derive(Debug, Clone, Copy)]
 pub struct Flat {
     pub base: f64,
@@ -53,10 +53,11 @@ impl Kind for Flat {
     }
 }
 
-/// Circle on a translating follower: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
+/// Contact of a circle on a translating follower. The centre is C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s) in the
+/// notation of [`super`].
 #[derive(Debug, Clone, Copy)]
 pub struct Circle {
-    /// Height D of the centre at s = 0.
+    /// Height D of the centre at s = 0, m.
     pub rise: f64,
     /// Offset e of the line of motion, m.
     pub offset: f64,
@@ -86,7 +87,8 @@ impl Kind for Circle {
     }
 }
 
-/// Translating cam (scale 1) and unrolled barrel (scale = its radius): pitch curve (scale·θ, base + s).
+/// Contact of a roller with a translating cam (scale 1) or an unrolled barrel (scale = its radius, m). The pitch curve is (scale·θ, base +
+/// s).
 #[derive(Debug, Clone, Copy)]
 pub struct Unrolled {
     pub scale: f64,
@@ -127,16 +129,16 @@ impl Unrolled {
     }
 }
 
-/// Flat face on an arm: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
+/// Contact of a flat face on an arm: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ in the notation of [`super`].
 #[derive(Debug, Clone, Copy)]
 pub struct FlatOnArm {
-    /// Distance |c| of the pivot from the cam centre.
+    /// Distance |c| of the pivot from the cam centre, m.
     pub pivot: f64,
-    /// σ: +1 for a pivot on +x, −1 on −x.
+    /// Sign σ of the x coordinate of the pivot, 1 or −1.
     pub side: f64,
-    /// Offset f of the face from the pivot.
+    /// Offset f of the face from its parallel through the pivot, m.
     pub offset: f64,
-    /// Arm angle ξ at s = 0.
+    /// Arm angle ξ at s = 0, rad.
     pub start: f64,
 }
 
@@ -175,16 +177,16 @@ impl FlatOnArm {
     }
 }
 
-/// Circle on an arm: C = (σ(c − A cos ξ), A sin ξ).
+/// Contact of a circle on an arm. The centre is C = (σ(c − A cos ξ), A sin ξ).
 #[derive(Debug, Clone, Copy)]
 pub struct CircleOnArm {
-    /// Distance |c| of the pivot from the cam centre.
+    /// Distance |c| of the pivot from the cam centre, m.
     pub pivot: f64,
-    /// σ: +1 for a pivot on +x, −1 on −x.
+    /// Sign σ of the x coordinate of the pivot, 1 or −1.
     pub side: f64,
-    /// Length A of the arm.
+    /// Length A of the arm, m.
     pub arm: f64,
-    /// Arm angle ξ at s = 0.
+    /// Arm angle ξ at s = 0, rad.
     pub start: f64,
     pub radius: f64,
 }

@@ -6,8 +6,8 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Minimum and maximum pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as on a rise. Zero for a
-    /// translating flat face. For a flat face on an arm sin φ = f/L, with the distance L from pivot to contact.
+    /// Minimum and maximum pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as during a
+    /// rise. Zero for a translating flat face. For a flat face on an arm sin φ = f/L, with the distance L from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -103,8 +103,9 @@ impl Cam {
 
     /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
     ///
-    /// Where the distance of the profile from the centre is extreme, its normal is radial and the follower is at rest. The radius there equals the
-    /// radius of the base circle on which the follower would have this position at s = 0. Exact for a profile without undercut.
+    /// Where the distance of the profile from the centre is extreme, its normal is radial and the follower is at rest. The radius there
+    /// equals the radius of the base circle on which the follower would have this position at s = 0. The result is exact for a profile
+    /// without undercut.
     pub fn radii(&self) -> Option<[Extreme; 2]> {
         let follower = &self.follower;
         let start = follower.start_place();

@@ -4,7 +4,8 @@ use super::Geometry;
 use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::law::Svaj;
 
-/// Number of profile points from one computed sine and cosine to the next; the values between follow from the addition theorems.
+/// Number of consecutive profile points with one common evaluation of sine and cosine. The addition theorems give the values of the other
+/// points.
 const TURNS: usize = 32;
 
 /// Position of the cam's frame in the fixed frame at one instant.
@@ -60,12 +61,12 @@ impl Geometry {
         }
     }
 
-    /// Profile point at an angle.
+    /// Profile point at the cam angle (or travel) `theta` for the motion `at` of the follower.
     pub fn profile_point(&self, theta: f64, at: Svaj) -> ProfilePoint {
         self.seen_from(self.frame(theta), theta, at)
     }
 
-    /// Profile points at angles in steps of `step`.
+    /// Profile points at the cam angles (or travels) `angles`, which increase in steps of `step`.
     pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
         let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
         let mut out = Vec::with_capacity(angles.len());

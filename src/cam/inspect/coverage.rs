@@ -1,12 +1,12 @@
-//! Measured part of a profile.
+//! Detection of the part of a profile that was not measured.
 
 use std::f64::consts::TAU;
 
 /// Thresholds of a gap between neighbouring points that counts as unmeasured: fraction of the outline, and multiple of the mean distance.
 const GAP: (f64, f64) = (0.05, 4.0);
 
-/// First and last cam angle of the longest unmeasured part of the outline; `None` if the measured points cover the outline. The outline has points at
-/// equal cam angles. `angles` are the measured cam angles, rad, in ascending order.
+/// First and last cam angle, rad, of the longest unmeasured part of the outline; `None` if the measured points cover the outline. `outline`
+/// contains points at equal steps of the cam angle. `angles` are the measured cam angles, rad, in ascending order.
 pub fn unmeasured(outline: &[[f64; 2]], angles: &[f64]) -> Option<[f64; 2]> {
     let n = outline.len();
     let length = |i: usize| {

@@ -5,13 +5,13 @@ use nalgebra::{Matrix3, Vector3};
 use super::pose::{Pose, middle, wrapped};
 use crate::cam::{Cam, ProfilePoint};
 
-/// Difference of rotation, rad, below which two fits are the same.
+/// Difference of rotation, rad, below which two fits count as the same fit.
 pub const SAME: f64 = 0.02;
-/// Factor of the minimum residual, and length in m, within which fits are equally good.
+/// Factor of the minimum residual, and length in m added to it, up to which another fit counts as equally good.
 pub const ALIKE: (f64, f64) = (1.02, 1e-9);
 /// Number of initial angles of the search.
 const STARTS: usize = 72;
-/// Number of points and of profile samples in the search.
+/// Number of points, number of profile samples and maximum number of iterations in the search.
 const COARSE_POINTS: usize = 90;
 const COARSE_PROFILE: usize = 360;
 const COARSE_ROUNDS: usize = 12;
@@ -21,7 +21,7 @@ const ROUNDS: usize = 40;
 const CONVERGED: f64 = 1e-14;
 /// Number of minima of the search that are refined.
 const REFINED: usize = 12;
-/// Ratio of the minimum and maximum eigenvalues of the normal equations below which the cam is a circle.
+/// Ratio of the minimum and maximum eigenvalues of the normal equations below which the cam counts as circular.
 const ROUNDING: f64 = 1e-13;
 /// Standard error of the rotation, rad, above which the points do not determine it.
 const UNSURE: f64 = 0.1;
@@ -93,7 +93,7 @@ pub fn radii(samples: &[Sample]) -> (f64, f64) {
     radii.fold((f64::INFINITY, 0.0), |(l, h), r| (l.min(r), h.max(r)))
 }
 
-/// A profile for exact distances. The samples give the initial values of the foot points.
+/// Profile for the fit with exact distances. Its samples give the initial values of the foot points.
 pub struct Exact<'a> {
     pub cam: &'a Cam,
     pub ball: f64,
@@ -101,7 +101,7 @@ pub struct Exact<'a> {
     pub longest: f64,
 }
 
-/// A pose with the foot points of all points, and the root mean square of the distances of the kept points, m.
+/// A pose with the foot points of all measured points, and the root mean square of the distances of the kept points, m.
 pub struct Fit {
     pub rms: f64,
     pub pose: Pose,
@@ -109,8 +109,8 @@ pub struct Fit {
 }
 
 impl Exact<'_> {
-    /// Local minima of the distances of the kept points, best first. Among equal fits, the one whose centre is nearest to the frame's origin is
-    /// first, since most cams are measured about their shaft.
+    /// Fits with a locally minimum sum of squared distances of the kept points, in ascending order of the residual. Among equal fits, the
+    /// first is the one whose centre is nearest to the frame's origin, since most cams are measured about their shaft.
     pub fn fits(&self, points: &[[f64; 2]], kept: &[bool]) -> Vec<Fit> {
         let (_, high) = radii(&self.samples);
         let used = chosen(points, kept);
@@ -130,7 +130,7 @@ impl Exact<'_> {
         fits
     }
 
-    /// Foot point of a point: where the tangent of the profile is perpendicular to the line to the point.
+    /// Foot point of `q`: the profile point whose normal passes through `q`.
     pub fn foot(&self, q: [f64; 2]) -> Foot {
         let n = self.samples.len();
         let near = nearest(&self.samples, self.longest, q);
@@ -158,8 +158,8 @@ impl Exact<'_> {
     }
 }
 
-/// Root of a function that falls from a positive value at `low` to a negative one at `high`. Method: false position with halved value of the older
-/// end (Illinois). `None` for other signs.
+/// Root of a function that falls from a positive value at `low` to a negative one at `high`. Method: false position with halved value of
+/// the older end (Illinois). `None` if the function does not have these signs.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     let (mut above, mut below) = (f(low), f(high));
     if above < 0.0 || below > 0.0 {
@@ -194,8 +194,8 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     Some(x)
 }
 
-/// Profile sample nearest to a point. The distance changes by at most `longest` from one sample to the next, so samples far from the point are
-/// skipped. This makes inspections three times as fast.
+/// Profile sample nearest to a point. The distance changes by at most `longest` from one sample to the next, so samples far from the point
+/// are skipped. Skipping them makes inspections three times as fast.
 fn nearest(samples: &[Sample], longest: f64, q: [f64; 2]) -> usize {
     let distance = |i: usize| {
         let [x, y] = [q[0] - samples[i].p[0], q[1] - samples[i].p[1]];
@@ -248,8 +248,8 @@ fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vec
     (matrix, right)
 }
 
-/// Fit that starts at a pose, with the foot points computed by `foot`. It ends after a number of iterations, or when a step is smaller than a
-/// fraction of `size`.
+/// Fit that starts at a pose, with the foot points computed by `foot`. The iteration ends after a maximum number of steps, or when a step
+/// is smaller than a fraction of `size`.
 fn fitted(
     mut pose: Pose,
     points: &[[f64; 2]],
@@ -282,7 +282,8 @@ fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Whether the points determine the rotation of the cam: whether the standard error of the rotation, from the scatter about the profile, is small.
+/// Whether the points determine the rotation of the cam. They do if the standard error of the rotation, computed from the scatter about the
+/// profile, is small.
 pub fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
     let (matrix, _) = normal_equations(feet, pose, size);
     let shares = matrix.symmetric_eigenvalues();

@@ -26,12 +26,12 @@ use pose::{Pose, middle, wrapped};
 pub const FEWEST: usize = 12;
 /// Number of profile samples among which the foot point of a point is searched.
 const PROFILE: usize = 2880;
-/// Maximum deviation, relative to the difference of radii, of points that belong to this cam.
+/// Maximum residual of the fit if the points belong to this cam, relative to the difference of the profile's maximum and minimum radius.
 const OTHER: f64 = 0.1;
 /// Maximum number of iterations that detect and exclude outliers.
 const OUTLIER_ROUNDS: usize = 3;
-/// Thresholds above which the points belong to the mirror image. The first is the ratio of the residuals of cam and mirror image. The second is the
-/// deviation from the cam relative to its maximum radius.
+/// Thresholds above which the points count as points of the mirror image. The first is the ratio of the residuals for the cam and for its
+/// mirror image. The second is the residual for the cam, relative to its maximum radius.
 const MIRRORED: (f64, f64) = (10.0, 1e-5);
 
 /// Deviation of a measured point from the profile.
@@ -106,7 +106,7 @@ impl Inspection {
         (sum / f64::max(count, 1.0)).sqrt()
     }
 
-    /// Deviations of the points farthest inside and outside the profile, without outliers.
+    /// Deviations of the two points farthest inside and farthest outside the profile, without outliers; `None` without points.
     pub fn extremes(&self) -> Option<[Deviation; 2]> {
         let order = |a: &&Deviation, b: &&Deviation| a.normal.total_cmp(&b.normal);
         let least = self.kept().min_by(order)?;

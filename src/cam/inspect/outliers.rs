@@ -7,7 +7,7 @@ use super::fit::Foot;
 const OUTLIER: (f64, f64) = (10.0, 1e-6);
 /// Ratio of standard deviation and median absolute deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;
-/// Maximum fraction of outliers. A larger fraction belongs to the shape of the cam.
+/// Maximum fraction of outliers. If more points deviate, the deviations are attributed to the shape of the cam.
 const FEW: f64 = 0.05;
 
 /// Marks the points that are not outliers; `None` if too many points are far from the others.

@@ -21,7 +21,7 @@ impl Pose {
         ]
     }
 
-    /// The pose after a further rotation about its place and a shift.
+    /// The pose after a further rotation, rad, about `place` and a shift, m.
     pub fn moved(&self, [turn, x, y]: [f64; 3]) -> Pose {
         Pose {
             angle: self.angle + turn,
@@ -30,7 +30,7 @@ impl Pose {
         }
     }
 
-    /// Position of the cam's centre in the measuring frame.
+    /// Position of the cam's centre in the measuring frame, m.
     pub fn centre(&self) -> [f64; 2] {
         let (sin, cos) = libm::sincos(self.angle);
         let [x, y] = self.place;
@@ -41,7 +41,7 @@ impl Pose {
     }
 }
 
-/// Centre of the least-squares circle through points, m; (x² + y²) = 2ax + 2by + c is linear in the unknowns.
+/// Centre of the least-squares circle through points, m. The equation x² + y² = 2ax + 2by + c is linear in the unknowns a, b and c.
 pub fn middle(points: &[[f64; 2]]) -> [f64; 2] {
     let n = points.len() as f64;
     let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);

@@ -26,11 +26,11 @@ const DIN_6885: [[f64; 3]; 17] = [
 const THINNEST: f64 = 6e-3;
 /// Wall of a hub as a fraction of its bore diameter: the outer diameter of a hub is 1.5 to 2 times the shaft diameter.
 const HUB: f64 = 0.25;
-/// Minimum thickness of the wall around a bore, and around a keyway, m.
+/// Minimum thickness of the wall around a bore without a keyway, and outside a keyway, m.
 const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
-/// Keyway in the hub.
+/// Keyway in the bore of the cam, for a parallel key.
 ///
 /// ```
 /// use gaitcam::cam::Keyway;
@@ -102,7 +102,7 @@ pub struct Bore {
 }
 
 impl Bore {
-    /// A bore without a keyway; `diameter` in m.
+    /// Creates a bore without a keyway; `diameter` in m.
     pub fn plain(diameter: f64) -> Bore {
         Bore {
             diameter,
@@ -123,14 +123,15 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius with a sufficient wall around the hole, m. The wall is 1 mm around a bore; outside a keyway it is 3 mm, and at least half
-    /// the depth of the keyway.
+    /// Minimum base radius with a sufficient wall around the hole, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway,
+    /// the wall is 3 mm, or half the depth of the keyway if this is more.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
     }
 
-    /// Base radius with the usual wall of a hub, m: a quarter of the bore diameter, and at least the minimum.
+    /// Base radius with the usual wall of a hub, m. The usual wall is a quarter of the bore diameter. The result is at least the minimum
+    /// base radius.
     pub fn hub_radius(&self) -> f64 {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }

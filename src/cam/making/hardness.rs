@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-/// Rockwell C, Vickers and Brinell (tungsten carbide ball) of hardened steel, ASTM E140 table 1.
+/// Conversion table of Rockwell C, Vickers and Brinell hardness (tungsten carbide ball) of hardened steel, ASTM E140 table 1.
 const CONVERSION: [[f64; 3]; 12] = [
     [20.0, 238.0, 226.0],
     [25.0, 266.0, 253.0],
@@ -19,7 +19,7 @@ const CONVERSION: [[f64; 3]; 12] = [
     [62.0, 746.0, 688.0],
     [64.0, 800.0, 722.0],
 ];
-/// Minimum hardness for which the rule of the allowable pressure is valid, HB.
+/// Minimum hardness, HB, for which the formula of the allowable pressure is valid.
 const SOFTEST: f64 = 100.0;
 
 /// Scales of hardness that a scene accepts.
@@ -54,7 +54,7 @@ impl HardnessScale {
     }
 }
 
-/// A hardness with its scale.
+/// Hardness of a surface: value and scale.
 ///
 /// ```
 /// use gaitcam::cam::Hardness;
@@ -66,9 +66,9 @@ impl HardnessScale {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Hardness {
-    /// Value on the scale.
+    /// Numeric value of the hardness on its scale.
     pub value: f64,
-    /// Scale of the value.
+    /// Hardness scale of the value.
     pub scale: HardnessScale,
 }
 

@@ -63,14 +63,14 @@ pub enum Stock {
     Pom,
     /// Polyamide 66, conditioned at 50 % humidity.
     Pa66,
-    /// Polylactide, printed solid.
+    /// Polylactide (PLA), 3D-printed without voids.
     Pla,
-    /// PETG, printed solid.
+    /// Glycol-modified polyethylene terephthalate (PETG), 3D-printed without voids.
     Petg,
 }
 
 impl Stock {
-    /// All materials.
+    /// All materials with known constants.
     pub const ALL: &'static [Stock] = <Stock as strum::VariantArray>::VARIANTS;
 
     /// Name in a scene file.

@@ -19,11 +19,11 @@ pub use material::{Material, STEEL, StatedMaterial, Stock};
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Making {
-    /// The material by its designation; `None` = steel.
+    /// Designation of the material; `None` for steel.
     pub material: Option<String>,
     /// Constants of the material; missing ones are those of steel.
     pub stated: StatedMaterial,
-    /// Hardness of the surface.
+    /// Hardness of the cam's surface.
     pub hardness: Option<Hardness>,
     /// Arithmetical mean roughness Ra of the profile.
     pub roughness: Option<f64>,

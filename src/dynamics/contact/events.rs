@@ -1,4 +1,4 @@
-//! Event-driven simulation of the contact.
+//! Event-driven simulation of the contact between a mass and the profiles of a shaft.
 
 use super::flight::Flight;
 use super::impact::Pulse;
@@ -7,18 +7,18 @@ use crate::drive::Drive;
 use crate::dynamics::surface::Surface;
 use std::f64::consts::TAU;
 
-/// Fraction of the machine's speeds below which a rebound ends in rest.
+/// Separation speed, relative to the velocities of the motion, below which the mass stays in contact after an impact.
 const REST: f64 = 1e-9;
-/// κ above which inertia is neglected, because the free motion is much faster than the rotation.
+/// Stiffness ratio κ = k/(mω²) above which inertia is neglected, because the free motion is much faster than the rotation.
 const QUASI_STATIC: f64 = 1e10;
 /// Fraction of the lift below which a gap is a rounding error.
 const TOUCHING: f64 = 1e-15;
 /// Maximum number of steps in the search for one landing.
 const MOST_STEPS: usize = 200_000;
-/// Relative difference of the states after a turn below which the motion is periodic.
+/// Difference between the states at two full turns, relative to the maximum lift, below which the motion counts as periodic.
 const SAME: f64 = 1e-9;
 
-/// State of the mass at the first angle of a turn.
+/// State of the mass at the start of a turn: the profile in contact, or height and slope of the flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mark {
     On(usize),
@@ -41,8 +41,8 @@ struct Engine<'a> {
     marks: Vec<Mark>,
 }
 
-/// Simulates one mass on one or more profiles of a shaft, from contact at the first angle, until the motion is periodic. The speed of the drive must
-/// be positive or zero.
+/// Simulates one mass on one or more profiles of a shaft until the motion is periodic. The mass starts in contact at the first angle. The
+/// speed of the drive must be positive or zero.
 ///
 /// Source of the events: theory §10. Gravity and preload are part of the rest force of the drive.
 pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limits) -> ContactRun {
@@ -140,7 +140,7 @@ impl Engine<'_> {
         self.run
     }
 
-    /// Processes a landing on a profile: rest, or the flight after the rebound.
+    /// Processes a landing on a profile. The result is the flight after the rebound, or `None` if the mass stays in contact.
     fn strike(
         &mut self,
         now: f64,
@@ -180,13 +180,14 @@ impl Engine<'_> {
         }
     }
 
-    /// Angle until which the gap certainly opens after lift-off: the force stays negative, and the spring cannot reverse the motion.
+    /// Angle up to which the gap certainly opens after lift-off. Until then, the force stays negative and the spring cannot reverse the
+    /// motion.
     fn blind(&self, from: f64, to: f64) -> f64 {
         let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
         to.min(from + 0.5 / rate.max(1e-3))
     }
 
-    /// Approach speed of a body with slope `rate` and the profile `surface`, m/s, not below zero.
+    /// Approach speed, m/s, of a mass with the slope `rate` (dy/dθ) and the profile with index `surface`. It is 0 if they do not approach.
     fn closing_speed(&self, rate: f64, surface: usize, at: f64) -> f64 {
         ((self.surfaces[surface].at(at).v - rate) * self.drive.speed).max(0.0)
     }
@@ -203,8 +204,9 @@ impl Engine<'_> {
         flight.at(at).0 - lifts.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// First angle at which the flight meets a profile, and the index of this profile. Since g″ ≥ −B, the gap has no zero before a zero of g + g′d −
-    /// Bd²/2; each step goes exactly to this zero.
+    /// First angle at which the flight meets a profile, and the index of this profile. The second derivative of the gap g has a lower bound
+    /// −B. Within a distance d, the gap is therefore positive up to the first zero of g + g′d − Bd²/2. Each step of the search has the
+    /// length of this zero.
     fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
         let fall = flight.steepest_fall();
         let mut now = flight.start;
@@ -245,7 +247,7 @@ impl Engine<'_> {
         Some((now, left))
     }
 
-    /// Maximum gap of a flight that ends at `to`, from the bracketed zero of the gap's derivative.
+    /// Maximum gap of a flight that ends at `to`, by golden-section search near the largest of 15 samples.
     fn height(&self, flight: &Flight, to: f64) -> f64 {
         const PARTS: usize = 16;
         let gap = |t: f64| self.gap(flight, t);
@@ -263,7 +265,7 @@ impl Engine<'_> {
         gap(0.5 * (a + b)).max(0.0)
     }
 
-    /// Angle until which the mass stays on `surface`, and the reason for which it leaves.
+    /// Angle up to which the mass stays on `surface`, and the reason why it leaves.
     fn leave(&self, surface: usize, now: f64, end: f64) -> (f64, Leave) {
         let own = &self.surfaces[surface];
         let (mut until, mut event) = (end, Leave::End);
@@ -281,7 +283,7 @@ impl Engine<'_> {
         (until, event)
     }
 
-    /// Records a phase and the states at its full turns; true if the motion is periodic.
+    /// Records a phase and the states at the full turns within it. Returns true if the motion is periodic.
     fn stretch(&mut self, phase: Phase, from: f64, to: f64) -> bool {
         if to > from {
             self.run.stretches.push(Stretch { phase, from, to });

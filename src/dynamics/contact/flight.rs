@@ -1,9 +1,9 @@
 //! Free flight of the moved mass: m ÿ + c ẏ + k y + F₀ = 0 in closed form over the cam angle.
 //!
-//! Division by mω² gives y″ + γ y′ + κ y + f = 0. With the response S to a unit velocity and I = ∫S, y = y₀ + y₀′(S + γI) + y₀″ I. This form has no
-//! difference of large numbers for small springs or dampers, and becomes a parabola without them.
+//! Division by mω² gives y″ + γ y′ + κ y + f = 0. S is the response to a unit initial velocity, and I = ∫S. The solution y = y₀ + y₀′(S +
+//! γI) + y₀″ I has no cancellation for small springs or dampers. Without them, it is a parabola.
 
-/// Phase below which S and I are computed by series.
+/// Value of (γ + √κ)·(angle since the start) below which S and I are computed by series.
 const SERIES_PHASE: f64 = 0.5;
 /// Number of terms of the series: 0.5²⁴/24! is far below rounding errors.
 const SERIES_TERMS: usize = 24;
@@ -48,7 +48,7 @@ impl Flight {
         libm::hypot(self.curvature, third / self.kappa.sqrt())
     }
 
-    /// The functions S, S′ and ∫S at `t`.
+    /// The functions S, S′ and ∫S at the angle `t` since the start, rad.
     fn fundamental(&self, t: f64) -> (f64, f64, f64) {
         if self.gamma == 0.0 && self.kappa == 0.0 {
             return (t, 1.0, 0.5 * t * t);

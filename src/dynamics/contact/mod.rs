@@ -1,8 +1,8 @@
 //! Contact with lift-off: flight, impact and rest, computed event by event.
 //!
-//! In contact, the motion of the mass is the lift of the profile. Contact ends where the force becomes negative. The flight has a closed form and
-//! ends at the first zero of the gap. Curvature bounds prove that the search steps are free of contact. Nothing is sampled, so no grazing contact is
-//! missed. A decaying sequence of bounces ends in contact.
+//! In contact, the motion of the mass is the lift of the profile. Contact ends where the force becomes negative. The flight has a closed
+//! form and ends at the first zero of the gap. Bounds of the curvature ensure that no contact occurs within a step of the search. Even a
+//! grazing contact is therefore not missed. A decaying sequence of bounces ends in contact.
 
 mod events;
 pub(crate) mod flight;
@@ -34,12 +34,12 @@ use std::f64::consts::TAU;
 pub enum Phase {
     /// The mass is in contact with a profile.
     Contact {
-        /// Index of the profile.
+        /// Index of the profile in contact.
         surface: usize,
     },
     /// The follower is in free flight.
     Flight(Flight),
-    /// Without contact, in a machine without inertia, where the force would be negative.
+    /// Loss of contact in a machine without inertia. The contact force would be negative here.
     Parted {
         /// Index of the profile that the mass left.
         surface: usize,
@@ -62,7 +62,7 @@ pub enum Phase {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// Kind of the phase.
+    /// Contact, flight or loss of contact.
     pub phase: Phase,
     /// First angle of the phase.
     pub from: f64,
@@ -102,7 +102,7 @@ pub struct Impact {
     pub pulse: Pulse,
 }
 
-/// Result of a simulation that starts at rest on the profile.
+/// Result of a simulation that starts in contact with the profile.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -125,7 +125,7 @@ pub struct ContactRun {
     pub impacts: Vec<Impact>,
     /// First angle of the run, rad.
     pub start: f64,
-    /// Number of turns before the motion becomes periodic; `None` if it does not within the permitted turns.
+    /// Number of turns before the motion becomes periodic; `None` if it does not become periodic within the permitted number of turns.
     pub settle: Option<usize>,
     /// Number of turns in one period of the motion; 1 (the last turn) if the motion is not periodic.
     pub period: usize,
@@ -135,7 +135,7 @@ pub struct ContactRun {
     pub escaped: bool,
 }
 
-/// Limits of a simulation.
+/// Limits at which a contact simulation stops.
 ///
 /// ```
 /// use gaitcam::dynamics::Machine;
@@ -147,9 +147,9 @@ pub struct ContactRun {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Maximum number of turns.
+    /// Maximum number of turns of the simulation.
     pub turns: usize,
-    /// Maximum number of impacts.
+    /// Maximum number of impacts in the simulation.
     pub impacts: usize,
 }
 
@@ -182,7 +182,7 @@ impl ContactRun {
         (0.0 + lost) / (to - from)
     }
 
-    /// Impacts within one period.
+    /// Impacts within one period of the motion.
     pub fn steady_impacts(&self) -> impl Iterator<Item = &Impact> {
         let (from, to) = self.window();
         self.impacts

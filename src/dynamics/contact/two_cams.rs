@@ -1,10 +1,10 @@
-//! Two cams on one shaft: the maximum of both lifts.
+//! Maximum of the lifts of two cams on one shaft.
 
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, bernstein};
 
-/// Maximum of two polynomial laws at every angle. It has the breaks of both laws, and further ones at their crossings. Its slope jumps up at the
-/// crossings, which are impacts.
+/// Maximum of two polynomial laws at every angle. It has the breaks of both laws and further breaks where the laws cross. At the crossings
+/// its slope increases abruptly, which causes impacts.
 pub fn envelope(one: &Law, other: &Law) -> Law {
     let mut breaks: Vec<f64> = one.breaks().iter().chain(other.breaks()).copied().collect();
     breaks.sort_by(f64::total_cmp);
@@ -33,7 +33,7 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     Law::from_poly(PiecewisePoly::new(finer, degree, coef), one.is_closed())
 }
 
-/// The law on finer breaks, as polynomials of the given degree.
+/// The polynomial on the finer breaks `breaks`, with its degree raised to `degree`.
 fn cut(p: &PiecewisePoly, breaks: &[f64], degree: usize) -> PiecewisePoly {
     let on = |pair: &[f64]| {
         let (i, _) = p.locate(0.5 * (pair[0] + pair[1]));

@@ -1,20 +1,21 @@
 //! Exact response of a small linear system to a piecewise polynomial input.
 //!
-//! z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a fixed vector per Bernstein coefficient
-//! of f, computed once per width. On a short part, Gauss quadrature integrates polynomial times exponential up to rounding errors; doubling extends
-//! the result to the full width. There is no cancellation at any frequency, and no time stepping.
+//! The system is z′ = A z + b f(θ). On a span of width w, z(w) = e^{Aw} z(0) + ∫₀ʷ e^{A(w−x)} b f(x) dx. The integral is a linear
+//! combination of the Bernstein coefficients of f. The vectors of this combination are computed once per width. On a short part of the
+//! span, Gauss quadrature integrates the product of polynomial and exponential up to rounding errors. Repeated doubling extends the result
+//! to the full width. The method has no cancellation at any frequency and needs no time steps.
 
 use crate::poly::{PiecewisePoly, bernstein, gauss_legendre};
 pub use nalgebra::{Matrix2, Vector2};
 
-/// Norm of A times the width up to which one Gauss rule is sufficient.
+/// Maximum norm of A times the width for which one Gauss rule is sufficient.
 const REACH: f64 = 1.0;
 /// Number of terms of the series of the exponential at this norm: 1/24! ≈ 2e-24.
 const SERIES: usize = 24;
 /// Maximum norm of A times the length of a span. Above this value the response is computed as quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
-/// A linear system of two states with one input. An unused state decays and is not coupled.
+/// A linear system of two states with one input. If only one state is used, the other state decays and is not coupled to it.
 ///
 /// ```
 /// use gaitcam::dynamics::flexible::Linear;
@@ -42,12 +43,13 @@ pub struct Linear {
 struct Step {
     width: f64,
     carry: Matrix2<f64>,
-    /// Vectors of the response, one per Bernstein coefficient of the input.
+    /// Change of the state per unit of each Bernstein coefficient of the input.
     push: Vec<Vector2<f64>>,
 }
 
 impl Linear {
-    /// States at the breaks of the input (one more than spans), from `start`; `kick(i)` is added at the start of span i > 0.
+    /// States at the breaks of the input, from the initial state `start`. The number of states is the number of spans plus one. `kick(i)`
+    /// is added to the state at the start of span i > 0.
     pub fn through(
         &self,
         forcing: &PiecewisePoly,
@@ -58,8 +60,8 @@ impl Linear {
         run(&steps, forcing, start, &kick)
     }
 
-    /// States at the breaks in the periodic steady state; `None` if an undamped natural frequency equals a harmonic. `kick(i)` is added at the start
-    /// of every span i.
+    /// States at the breaks in the periodic steady state; `None` if an undamped natural frequency equals a harmonic. `kick(i)` is added to
+    /// the state at the start of every span i.
     pub fn periodic(
         &self,
         forcing: &PiecewisePoly,
@@ -120,7 +122,8 @@ impl Linear {
     }
 }
 
-/// Ratio of the singular values of (1 − propagation over a turn) below which there is an undamped resonance.
+/// Ratio of the minimum and maximum singular values of (1 − propagation over a turn) below which the system counts as an undamped
+/// resonance.
 const NEAR_RESONANCE: f64 = 1e-11;
 
 fn run(
@@ -147,7 +150,7 @@ fn run(
     out
 }
 
-/// ∫ e^{Z(1−u)} b Bₖ(u) du·width for every Bernstein polynomial of the degree, ‖Z‖ ≤ about 1.
+/// Response integrals ∫ e^{Z(1−u)} b Bₖ(u) du·width for all Bernstein polynomials Bₖ of degree `degree`. ‖Z‖ must not exceed about 1.
 fn push_once(
     z: &Matrix2<f64>,
     input: &Vector2<f64>,
@@ -164,8 +167,8 @@ fn push_once(
     sum
 }
 
-/// The integrals for twice the width. The halves of the input have averaged coefficients (de Casteljau at ½), and the response to the first half is
-/// propagated through the second.
+/// The response integrals for twice the width. On each half, the Bernstein coefficients of the input are averages (de Casteljau at ½). The
+/// response to the first half is propagated through the second half.
 fn doubled(carry: &Matrix2<f64>, push: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
     let n = push.len() - 1;
     let mut out = vec![Vector2::zeros(); n + 1];
@@ -195,7 +198,7 @@ fn bernstein_basis(degree: usize, u: f64) -> Vec<f64> {
     row
 }
 
-/// e^{Z t} b by its series, for ‖Z‖ ≤ about 1 and t ∈ [0, 1].
+/// The vector e^{Z t} b, computed by the power series, for ‖Z‖ ≤ about 1 and t ∈ [0, 1].
 fn exponential_on(z: &Matrix2<f64>, b: &Vector2<f64>, t: f64) -> Vector2<f64> {
     let mut term = *b;
     let mut sum = term;

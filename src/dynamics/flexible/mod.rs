@@ -1,9 +1,9 @@
 //! A compliant follower: the cam moves the mass through a spring and a damper, or through a column of fluid.
 //!
-//! The motion is described relative to the rigid motion: the mass is at s + x, and the input of x is minus the rigid force. For a mass m on a train
-//! of stiffness k₁ and damping c₁, in a machine with k and c, m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the contact force is N = −(k₁ x + c₁ ẋ). The
-//! input is the piecewise polynomial of the law, so each span has a closed form ([`Linear`]). Steps of velocity or lift in the law cause steps of the
-//! state.
+//! The deflection x is the motion of the mass relative to the rigid lift s. The mass m is on a train of stiffness k₁ and damping c₁, in a
+//! machine of stiffness k and damping c. With the rigid force F(θ), the deflection obeys m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ). The contact
+//! force is N = −(k₁ x + c₁ ẋ). The input is the piecewise polynomial of the law, so each span has a closed form ([`Linear`]). Steps of
+//! velocity or lift in the law cause steps of the state.
 
 mod linear;
 pub(crate) mod polydyne;
@@ -54,7 +54,7 @@ struct Model {
     linear: Linear,
     /// The rigid force polynomial, N.
     force: PiecewisePoly,
-    /// Contact force = Σ wᵢ zᵢ; the states are x and x′/scale.
+    /// Weights w of the contact force Σ wᵢ zᵢ, N. The states z are x and x′/scale.
     contact: Vector2<f64>,
     scale: f64,
 }
@@ -139,11 +139,11 @@ fn periodic(
     Ok(Some((model, states)))
 }
 
-/// Fraction of the lift below which a step of lift or velocity is a rounding error.
+/// Fraction of the maximum lift below which a step of lift or velocity is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// Steps of the relative state at the jumps of the law, by the span of the input. The mass does not follow a step of the lift, so x and x′ change by
-/// minus the step.
+/// Steps of the relative state (x, x′/scale) at the jumps of lift and velocity of the law. Each step is given with the index of the input
+/// span that begins there. The mass does not follow a step of the lift, so x and x′ change by minus the step.
 fn kicks(law: &Law, model: &Model) -> Vec<(usize, Vector2<f64>)> {
     let breaks = model.force.breaks();
     let size = ROUNDING * law.bound(0);
@@ -177,7 +177,7 @@ fn resonance(drive: &Drive, train: &Train) -> Error {
     .into()
 }
 
-/// Quasi-static solution: springs in series transmit the rigid force.
+/// Quasi-static solution: the train and the spring of the machine share the rigid force in proportion to their stiffness.
 fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     let force = drive.force_curve(law);
     let give = 1.0 / (train.stiffness + drive.spring_rate);
@@ -194,7 +194,7 @@ fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     }
 }
 
-/// Values at the breaks from the right, at the end from the left.
+/// Values of a piecewise polynomial at its breaks: from the right, at the last break from the left.
 fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
     let last = p.pieces() - 1;
     (0..=last)
@@ -242,7 +242,7 @@ fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &[Vector
 }
 
 impl Steady {
-    /// Minimum and maximum contact force, N: extremes of the cubics through the exact values and slopes.
+    /// Minimum and maximum contact force, N: extremes of the cubic polynomials through the exact values and slopes.
     pub fn contact_extremes(&self) -> (Extreme, Extreme) {
         let mut coef = Vec::with_capacity(4 * self.theta.len());
         for i in 0..self.theta.len() - 1 {

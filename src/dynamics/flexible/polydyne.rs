@@ -6,10 +6,11 @@
 //! F(y) = F₀ + k y + c ẏ + m ÿ = k₁ (s − y) + c₁ (ṡ − ẏ)
 //! ```
 //!
-//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping it is algebraic: s = y + F(y)/k₁, and
-//! each sinusoid of frequency r is multiplied by 1/(1 + i r τ). Otherwise x and its first three derivatives obey the same equation with the
-//! derivatives of F. They are computed at the breaks of F in the periodic steady state and joined by polynomials of degree 7. Source: Dudley's
-//! polydyne relation, with the symbols of [`super`].
+//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping, this equation is algebraic: s
+//! = y + F(y)/k₁. If the target is a sum of sinusoids, each sinusoid of F(y)/k₁ with frequency r is multiplied by 1/(1 + i r τ). In all
+//! other cases, x and its first three derivatives are computed at the breaks of F in the periodic steady state. The derivatives of x obey
+//! the same equation with the derivatives of F. Polynomials of degree 7 interpolate between the breaks. Source: Dudley's polydyne relation,
+//! with the symbols of [`super`].
 
 use super::Train;
 use super::linear::{Linear, Matrix2, Vector2};
@@ -22,7 +23,8 @@ use crate::units::Quantity;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Maximum number of parts into which a span is divided for its transients; each part is as long as the lag of the damping.
+/// Maximum number of parts into which a span is divided to represent its transients. The length of each part is at most the lag of the
+/// damping, unless this number is reached.
 const MOST_PARTS: f64 = 16.0;
 /// Maximum length of a part of a span, rad. On this length a polynomial of degree 7 approximates a sinusoid of rate 20 to 1e-10.
 const LONGEST_PART: f64 = TAU / 180.0;
@@ -30,12 +32,12 @@ const LONGEST_PART: f64 = TAU / 180.0;
 const INSTANT: f64 = 1e-8;
 /// Fraction of the size of a derivative below which its jumps are rounding errors.
 const ROUNDING: f64 = 1e-6;
-/// Number of angles of one cycle at which the motion of the finished cam is compared with the target.
+/// Number of angles per cycle at which the motion of the follower end is compared with the target.
 const COMPARED: usize = 720;
 
 /// Law of the cam for which the end of a compliant follower moves by `target` at the speed of the drive.
 ///
-/// The constant F₀/k₁, the static deflection by the rest force, is part of the lift.
+/// The lift includes the constant F₀/k₁, which is the static deflection by the rest force.
 ///
 /// # Errors
 ///
@@ -81,7 +83,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     Ok(Law::with_waves(sum, waves.collect(), true))
 }
 
-/// Target plus the deflection of a damped train, of degree 7 between the breaks of the force.
+/// Sum of the target and the deflection of a damped train. The deflection has degree 7 between the breaks of the force.
 fn lagging(target: &Law, drive: &Drive, train: &Train, lag: f64) -> Result<Law> {
     let mut cuts = Vec::new();
     for ends in target.breaks().windows(2) {
@@ -125,7 +127,8 @@ fn hermite(width: f64, start: [f64; 4], end: [f64; 4]) -> [f64; 8] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// Ratio of s and y for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), real and imaginary part.
+/// Complex ratio of the cam's lift s to the motion y of the follower end for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), as real
+/// and imaginary part.
 fn gain(rate: f64, drive: &Drive, stiffness: f64, damping: f64) -> (f64, f64) {
     let [k, c, m, _] = drive.weights();
     let (re, im) = (k - m * rate * rate, c * rate);
@@ -179,7 +182,7 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
     (most, breaks[0])
 }
 
-/// Deviation of the end of a compliant follower from its target.
+/// Deviation of the end of a compliant follower from its target law.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -194,15 +197,15 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Miss {
-    /// Transmitted force minus the force of the target law: root mean square, N.
+    /// Root mean square difference between the transmitted force and the force of the target law, N.
     pub force_rms: f64,
-    /// Transmitted force minus the force of the target law: maximum, N.
+    /// Maximum absolute difference between the transmitted force and the force of the target law, N.
     pub force_max: f64,
-    /// Maximum deviation of the end from the target, without the constant part, m, and its angle.
+    /// Maximum absolute deviation of the end from the target after subtraction of the mean deviation, m, and its angle.
     pub lift: Extreme,
 }
 
-/// Compares the exact steady motion for `cam` with the target of the end, at equal steps of the angle.
+/// Compares the exact steady motion of the follower end on the cam `cam` with its target, at equal steps of the angle.
 ///
 /// # Errors
 ///
@@ -240,14 +243,15 @@ pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Resul
     })
 }
 
-/// The law with breaks at the compared angles.
+/// The law with additional breaks at the angles of the comparison.
 fn finely(law: &Law) -> Law {
     let (start, length) = law.extent();
     let compared = (1..COMPARED).map(|i| start + length * i as f64 / COMPARED as f64);
     cut_at(law, &compared.collect::<Vec<_>>())
 }
 
-/// The law with further breaks, if they differ from its own by more than rounding errors. Narrower spans have no accurate derivatives.
+/// The law with those of the further breaks that differ from its own breaks by more than rounding errors. The derivatives on narrower spans
+/// would be inaccurate.
 fn cut_at(law: &Law, further: &[f64]) -> Law {
     let (_, length) = law.extent();
     let new = |x: &f64| law.breaks().iter().all(|b| (b - x).abs() > 1e-9 * length);

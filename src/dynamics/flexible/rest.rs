@@ -1,19 +1,20 @@
 //! Residual vibration of the follower in a dwell.
 //!
-//! In a dwell the rigid force is a constant F. The follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and train.
-//! The amplitude is √(2 E/K) with the energy E of this vibration at the start of the dwell. It bounds the motion in the dwell, and without damping it
-//! is reached in every cycle (theory §10).
+//! In a dwell the rigid force is a constant F. The follower vibrates about its static deflection −F/K, with K = k + k₁ of return spring and
+//! train. The amplitude is √(2 E/K) with the energy E of this vibration at the start of the dwell. This amplitude is an upper bound of the
+//! motion in the dwell. Without damping, the amplitude is reached in every cycle (theory §10).
 
 use super::{SAME, Train, periodic};
 use crate::drive::Drive;
 use crate::error::Result;
 use crate::law::Law;
 
-/// Damping ratio that is used if an undamped natural frequency equals a harmonic. A law that excites this frequency vibrates without bound; one that
-/// does not is at rest in its dwells.
+/// Damping ratio that is used if an undamped natural frequency equals a harmonic. If the law excites this frequency, the vibration grows
+/// without bound. Otherwise the follower is at rest in the dwells.
 const HARDLY_DAMPED: f64 = 1e-6;
 
-/// Amplitude, m, in the periodic steady state at each of the angles `starts`, the starts of dwells.
+/// Amplitude of the residual vibration in each dwell, m, in the periodic steady state. `starts` contains the cam angles, rad, at which the
+/// dwells start.
 ///
 /// # Errors
 ///

@@ -8,8 +8,8 @@ use crate::poly::PiecewisePoly;
 /// Distance from a breakpoint, as a fraction of a step, within which rows are ignored. Division by a shorter distance would amplify the noise of the
 /// coordinates.
 const TOO_NEAR: f64 = 0.25;
-/// Distance from a breakpoint, as a fraction of a step, within which a row is not a break of the law. The derivatives on shorter spans have large
-/// rounding errors.
+/// Distance from a breakpoint, as a fraction of a step, within which a row is not a break of the law. The derivatives on shorter spans
+/// would have large rounding errors.
 const NO_PIECE: f64 = 0.02;
 
 /// Height and slope of the lift at one angle.
@@ -20,8 +20,8 @@ pub struct Station {
     pub slope: f64,
 }
 
-/// Lift through `rows` (equal steps) with both sides of every breakpoint, in the order of the angles. `known` states whether the slopes are known;
-/// otherwise they follow from the heights.
+/// Recovers the lift from `rows` (equal steps) and from both sides of every breakpoint in `breaks`, in the order of the angles. If `known`,
+/// the slopes of rows and breakpoints are used. Otherwise they are computed from the heights.
 pub fn between_breaks(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -72,7 +72,8 @@ pub fn between_breaks(
     }
 }
 
-/// Stations of every interval between two breakpoints, including both breakpoints. The angles of a closed cycle continue beyond its end.
+/// Stations of every interval between two breakpoints, including both breakpoints. For a closed cycle, the angles of the last interval
+/// continue beyond the end of the cycle.
 fn stretches(
     rows: &[Station],
     breaks: &[[Station; 2]],
@@ -114,7 +115,7 @@ fn stretches(
         .collect()
 }
 
-/// Slopes of the splines through the heights. At the ends of an interval the slope is the mean of both sides.
+/// Sets the slopes to those of the splines through the heights. Where two intervals meet, the slope is the mean of both sides.
 fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
     for stretch in stretches.iter_mut() {
         let slopes = slopes_of(stretch, |s| s.height);
@@ -139,7 +140,7 @@ fn slopes_of(stretch: &[Station], value: fn(&Station) -> f64) -> Vec<f64> {
     slopes_at(&x, &y)
 }
 
-/// Mean slope of the recovered lift. A closed lift has the mean slope zero, so this value is subtracted.
+/// Mean slope of the recovered lift. The mean slope of a closed lift must be zero, so this value is subtracted from its slopes.
 fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     let mut sum = 0.0;
     for stretch in stretches {
@@ -153,7 +154,8 @@ fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     sum / cycle.length
 }
 
-/// The lift from the angle of the first row. Every row is a break of the lift, except rows that nearly coincide with a breakpoint.
+/// The lift with the rows as additional breaks, except rows that nearly coincide with a breakpoint. A closed lift starts at the angle of
+/// the first row.
 fn with_rows_as_breaks(
     poly: PiecewisePoly,
     rows: &[Station],
@@ -185,7 +187,7 @@ fn with_rows_as_breaks(
     beginning_at(&poly, start, cycle.length, step)
 }
 
-/// A closed lift that starts at `start`, which is one of its breaks or a whole cycle before one.
+/// The closed lift `poly` with `start` as its first angle. `start` must be a break of `poly`, or lie a whole cycle before a break.
 fn beginning_at(poly: &PiecewisePoly, start: f64, length: f64, step: f64) -> PiecewisePoly {
     let n = poly.pieces();
     let end = start + length;

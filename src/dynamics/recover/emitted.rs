@@ -30,7 +30,7 @@ pub struct Emitted {
     pub mismatch: f64,
 }
 
-/// Extent of a profile.
+/// Length of a profile, and whether it is closed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
     /// Length, rad (m of travel for a translating cam).
@@ -60,7 +60,8 @@ impl Cycle {
     }
 }
 
-/// Span of the lift: integral of the cubic velocity with the given values and slopes at both ends.
+/// Bernstein coefficients of one span of the lift. The span begins at `lift` and is the integral of a cubic velocity with the given values
+/// and slopes at both ends.
 pub(super) fn lift_piece(lift: f64, width: f64, [[v, a], [w, b]]: [[f64; 2]; 2]) -> Vec<f64> {
     let velocity = [v, v + a * width / 3.0, w - b * width / 3.0, w];
     let rise = bernstein::antiderivative(&velocity);

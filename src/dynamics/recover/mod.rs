@@ -1,9 +1,10 @@
-//! The emitted profile as a smooth closed curve: lift of the follower from the profile points. Row i of a profile is the contact at θᵢ. Its
-//! coordinates in the fixed frame give the height of the follower; the position of the contact gives the slope of the lift. For a flat face these are
-//! the support function of the profile and its derivative, (v, Rb + s). For a roller the contact normal is (centre − contact)/Rf, and the slope
-//! follows from it. A C² cubic spline through the slopes is integrated to the lift (C³). In the acceleration, noise of the points is thus divided by
-//! the angle step only once (theory §10). `stance` computes the position of each follower on a contact point; `breaks` joins intervals at the jumps
-//! of acceleration or jerk.
+//! Recovery of the smooth lift of the follower from the points of an emitted profile. Row i of a profile is the contact at θᵢ. The height
+//! of the follower follows from the coordinates of the contact in the fixed frame. The slope of the lift follows from the position of the
+//! contact on the follower. For a flat face, the contact point is (v, Rb + s): derivative and value of the support function of the profile.
+//! For a roller the contact normal is (centre − contact)/Rf, and the slope follows from it. A C² cubic spline through the slopes is
+//! integrated to the lift (C³). The noise of the points is therefore divided by the angle step only once in the acceleration (theory §10).
+//! `stance` computes lift and slope of each kind of follower from a contact point. `breaks` joins intervals at the jumps of acceleration or
+//! jerk.
 
 mod breaks;
 mod emitted;
@@ -41,8 +42,8 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
 
 /// Recovers the lift of an emitted cam from its points and the breakpoints of its law.
 ///
-/// Breakpoints that are less than [`ROWS_BETWEEN_BREAKS`] rows apart, such as the knots of a fine spline, are omitted. Those at which only the jerk
-/// jumps are omitted first, then all.
+/// The mean distance of the breakpoints must be at least [`ROWS_BETWEEN_BREAKS`] rows. If it is less, as for the knots of a fine spline,
+/// the breakpoints at which only the jerk jumps are omitted. If the remaining ones are still too close, all breakpoints are omitted.
 ///
 /// # Errors
 ///
@@ -59,8 +60,8 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
 
 /// Recovers the lift of `follower` on `points` (equal steps of θ over one cycle).
 ///
-/// `breaks` are the contacts on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between them the lift is smooth. A
-/// spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
+/// `breaks` are the contact points on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between them the lift is
+/// smooth. A spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
 ///
 /// # Errors
 ///
@@ -154,7 +155,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
     }
 }
 
-/// Quartic C³ lift through the slopes, shifted to the mean of the heights.
+/// Quartic C³ lift with the given slopes at the nodes. Its mean over the nodes equals the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
     // The mean slope of a closed lift is zero: the mean caused by noise is subtracted.

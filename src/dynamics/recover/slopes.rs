@@ -42,7 +42,7 @@ pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
     x.iter().zip(&z).map(|(a, b)| a - factor * b).collect()
 }
 
-/// Number of values that determine the slope at an end.
+/// Number of neighbouring values that determine the slope at an end.
 const END_POINTS: usize = 5;
 
 /// Slopes at increasing `x` of the C² cubic spline through `y`. Each end slope is the slope of the polynomial through the nearest five values. With

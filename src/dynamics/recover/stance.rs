@@ -34,8 +34,8 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
     (height.is_finite() && slope.is_finite()).then_some((height, slope))
 }
 
-/// Height and slope of a circle whose centre is above `p` on the line x = offset. The tangent of the pitch curve is perpendicular to (side, up):
-/// Y·side + (Y′ − e)·up = 0.
+/// Height and slope of a circle whose centre is above `p` on the line x = offset. The vector (side, up) from `p` to the centre is
+/// perpendicular to the tangent of the pitch curve: Y·side + (Y′ − e)·up = 0, where Y is the height of the centre.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -55,8 +55,8 @@ fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     (p[1] + up - rest, scale * p[0] / up)
 }
 
-/// Angle and slope of a circle at the end of an arm. The centre lies on the circle about the pivot, at the distance of the radius from `p`, on the
-/// side of increasing ξ. With the contact normal n, the slope is (J·C)·n/(C′·n).
+/// Angle and slope of a circle at the end of an arm. The centre is at the arm's length from the pivot and at the radius of the circle from
+/// `p`, on the side of increasing ξ. With the contact normal n, the slope is (J·C)·n/(C′·n).
 fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let Arm { pivot, length: arm } = follower.arm()?;
     let side = pivot.signum();

@@ -1,6 +1,6 @@
 //! Hertz contact of cam and follower: pressure, half-width, and depth of the maximum shear stress.
 //!
-//! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
+//! Curvatures are 1/radius, positive for convex bodies. The contact modulus is E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
 
 pub use crate::cam::{Material, STEEL};
 use crate::drive::Drive;
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
 
-/// A line contact under load.
+/// Stresses and dimensions of a line contact under load.
 ///
 /// ```
 /// use gaitcam::dynamics::hertz::{STEEL, line, modulus};
@@ -22,13 +22,13 @@ const LINE_SHEAR: f64 = 0.300;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct LineContact {
-    /// Maximum pressure p₀, Pa.
+    /// Maximum contact pressure p₀, Pa.
     pub pressure: f64,
     /// Half-width of the contact, m.
     pub half_width: f64,
     /// Depth of the maximum shear stress, m, where pitting starts.
     pub shear_depth: f64,
-    /// Maximum shear stress, Pa.
+    /// Maximum shear stress below the surface, Pa.
     pub shear: f64,
 }
 
@@ -39,7 +39,8 @@ pub fn modulus(a: Material, b: Material) -> f64 {
 
 /// Line contact with p₀ = √(F E*/(π L R)), where 1/R is the sum of the curvatures of both bodies, `curvature` in 1/m.
 ///
-/// `force` is in N, `length` in m. The pressure is 0 if force or curvature is 0 or negative: a face in a concave flank is not a Hertz contact.
+/// `force` is in N, `length` in m. The pressure is 0 if force or curvature is 0 or negative. A flat face on a concave flank, for example,
+/// is not a Hertz contact.
 pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContact {
     if force <= 0.0 || curvature <= 0.0 {
         return LineContact::default();
@@ -54,10 +55,10 @@ pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContac
     }
 }
 
-/// Limit of the line pressure below a translating flat face to `pressure` Pa. The limit is exact and linear in the law: w·(s, v, a, j) ≤ bound,
-/// returned as (w, bound).
+/// Limits the line pressure below a translating flat face to `pressure`, Pa. The limit w·(s, v, a, j) ≤ bound is returned as (w, bound). It
+/// is exact and linear in the law.
 ///
-/// F ≤ π L p²/E*·(Rb + s + a), because the radius of curvature is linear in the law (theory §6).
+/// The limit is F ≤ π L p²/E*·(Rb + s + a). It is linear because force and radius of curvature are linear in the law (theory §6).
 pub fn flat_face_limit(
     drive: &Drive,
     base_radius: f64,

@@ -1,7 +1,7 @@
 //! Rigid bodies in contact: force, torque, power, lift-off speed.
 //!
-//! F = F₀ + k s + c ω v + m ω² a along the line of motion (theory §1). The shaft torque is T = F·v. Under a flat face, friction adds μ|F|·d against
-//! the rotation (Campillo de Blas 2017, eq. 27).
+//! The force along the line of motion is F = F₀ + k s + c ω v + m ω² a (theory §1). The shaft torque is T = F·v. Under a flat face,
+//! friction at the distance d from the cam centre increases the torque by μ|F|·d against the rotation (Campillo de Blas 2017, eq. 27).
 
 pub mod hertz;
 pub(crate) mod touch;
@@ -14,8 +14,8 @@ use crate::poly::{Extreme, PiecewisePoly};
 
 /// Maximum number of iterations; fewer than ten are needed.
 const ROUNDS: usize = 60;
-/// Force at rest, relative to the maximum force, below which a negative force counts as zero. A lift of zero has the tolerance of the spline or of
-/// the solver.
+/// Force at rest, relative to the maximum force, below which a negative force counts as zero. Where the lift should be zero, it deviates by
+/// the tolerance of the spline or of the solver.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
 /// Height above the cam centre at which friction acts at s = 0: the base radius for a flat face. Bearing friction of a roller is neglected.
@@ -39,8 +39,9 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
     Some(force.times(&arm))
 }
 
-/// Minimum speed of lift-off, rad/s. 0 if the force is negative at rest, `None` if the follower never lifts off. At a given speed, the worst angle
-/// gives a lower speed by its quadratic in ω. The iteration converges from above, and the extremes are exact.
+/// Minimum speed of lift-off, rad/s. The result is 0 if the force is negative at rest, and `None` if the follower never lifts off. Each
+/// iteration computes the angle with the minimum force at the present speed. The force at this angle is a quadratic function of ω, and its
+/// root is the next, lower speed. The iteration converges from above, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     let extremes = |[s, v, a]: [f64; 3], constant| law.extremes_of([s, v, a, 0.0], constant);
     let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);
@@ -94,8 +95,9 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     Some(speed)
 }
 
-/// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. There s = α φⁿ. Before this point, k s + c ω s′ + m ω² s″
-/// is negative somewhere at all speeds if c² is above 4 k m (n − 1)/n, and at no speed if c² is below. The order n is 2, or 3 at the end of a dwell.
+/// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. Near this point s = α φⁿ, with the angle φ
+/// measured from this point. Consider the force k s + c ω s′ + m ω² s″ at angles before this point. If c² is above 4 k m (n − 1)/n, it is
+/// negative somewhere at all speeds. If c² is below, it is negative at no speed. The order n is 2, or 3 at the end of a dwell.
 fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
     let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
     let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {
@@ -107,7 +109,7 @@ fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool
     touches && law.stroke() > 0.0 && drive.damping.powi(2) > critical
 }
 
-/// Motion at an extreme. At a break, the side is used on which the quantity has the value of the extreme.
+/// Motion at an extreme. At a break, it is taken from the side on which the quantity is closer to the extreme value.
 fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Svaj {
     let right = law.svaj(extreme.at);
     let n = law.breaks().len() - 1;
@@ -123,7 +125,7 @@ fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Sva
     }
 }
 
-/// Smallest positive root of p x² + q x + r with r ≥ 0, written without cancellation.
+/// Smallest positive root of p x² + q x + r with r ≥ 0, computed without cancellation; `None` without such a root.
 fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
     let discriminant = q * q - 4.0 * p * r;
     if discriminant < 0.0 {
@@ -137,7 +139,7 @@ fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// Preload, N, for which a spring of rate k keeps a contact force of at least `margin` N over the whole turn.
+/// Minimum preload, N, for which a spring of rate k keeps a contact force of at least `margin` N over the whole turn.
 pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
     let free = Drive {
         rest_force: 0.0,

@@ -1,14 +1,15 @@
 //! Contact forces and sliding for every follower, by virtual work.
 //!
-//! The follower has the coordinate s, the cam the coordinate θ. n is the unit normal of the contact, towards the follower. G = ∂P/∂s is the velocity
-//! of the follower's contact point; U is the velocity of the cam's contact point per unit of θ. A normal force N n and a friction force μ|N| t along
-//! the sliding direction t give the force Q = N n·G + μ|N| t·G on the follower, and the shaft torque T = (N n + μ|N| t)·U. Without friction T = Q·v.
-//! For an arm, Q is the moment about its pivot, N·m, and v is in rad/rad. For a translating cam, T is the force along its travel, N.
+//! The follower has the coordinate s, the cam the coordinate θ. The unit normal n of the contact points towards the follower. G = ∂P/∂s is
+//! the velocity of the follower's contact point per unit of s. U is the velocity of the cam's contact point per unit of θ. A normal force N
+//! n and a friction force μ|N| t along the sliding direction t give the force Q = N n·G + μ|N| t·G on the follower, and the shaft torque T
+//! = (N n + μ|N| t)·U. Without friction T = Q·v. For an arm, Q is the moment about its pivot, N·m, and v is in rad/rad. For a translating
+//! cam, T is the force along its travel, N.
 
 use crate::cam::{Cam, Contact, Follower, Geometry, Kind};
 use crate::law::Svaj;
 
-/// Contact forces at one cam angle.
+/// Forces, velocities and curvature of the contact at one cam angle.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -30,7 +31,7 @@ pub struct Touch {
     pub entraining: f64,
     /// Lateral force on the guides, or force along an arm towards its pivot, N.
     pub side_thrust: f64,
-    /// Tilting moment of a flat face about the point where the guide's line passes the cam centre, N·m.
+    /// Tilting moment on a flat face about the point at which the guide's line passes the cam centre, N·m.
     pub tipping: f64,
     /// Torque of the shaft in the direction of increasing θ, N·m; for a translating cam the force along its travel, N.
     pub torque: f64,
@@ -38,7 +39,7 @@ pub struct Touch {
     pub curvature: f64,
 }
 
-/// Follower with precomputed constants of its motion.
+/// Contact formulas of a follower, with constants that are computed once.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -65,12 +66,12 @@ pub struct FollowerContact {
     rubs: bool,
 }
 
-/// Forces at one contact.
+/// Forces at one contact point.
 struct Forces {
     normal: f64,
     /// Tangential velocity of the cam's contact point relative to the follower's contact point, per unit of θ.
     rubbing: f64,
-    /// Force on the follower along its motion, N.
+    /// Total force of the cam on the follower (normal force and friction), fixed frame, N.
     total: [f64; 2],
     torque: f64,
 }
@@ -81,7 +82,7 @@ trait Pressed: Kind {
     /// follower.
     fn forces(&self, friction: f64, at: Svaj, force: f64) -> (Contact, Forces);
 
-    /// Torques at many points of the motion with their forces, in a loop that the compiler vectorises.
+    /// Torques at many points of the motion for given forces, in a loop that the compiler vectorises.
     fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64], torques: &mut [f64]);
 }
 
@@ -158,7 +159,7 @@ impl FollowerContact {
         torque[0]
     }
 
-    /// Computes [`FollowerContact::torque`] at many points of the motion with their forces.
+    /// Computes [`FollowerContact::torque`] at many points of the motion, each with its force.
     pub fn torques(&self, friction: f64, motion: &[Svaj], forces: &[f64]) -> Vec<f64> {
         let mut torques = vec![0.0; motion.len().min(forces.len())];
         self.fill(friction, motion, forces, &mut torques);
@@ -174,7 +175,7 @@ impl FollowerContact {
         }
     }
 
-    /// Contact at one point of the motion, at the cam speed `speed`, rad/s.
+    /// Contact at one point of the motion, for `force` on the follower and the cam speed `speed`, rad/s.
     pub fn at(&self, speed: f64, friction: f64, at: Svaj, force: f64) -> Touch {
         // The friction of a roller acts in its bearing and is neglected.
         let friction = if self.rubs { friction } else { 0.0 };
@@ -200,7 +201,7 @@ impl FollowerContact {
         }
     }
 
-    /// Signed speed of the contact along the profile per unit of θ, and sum of the curvatures of cam and follower, 1/m.
+    /// Signed speed of the contact along the profile per unit of θ, m/rad, and sum of the curvatures of cam and follower, 1/m.
     fn walk(&self, contact: &Contact, at: Svaj) -> (f64, f64) {
         if self.is_flat {
             // The face rotates with the arm, opposite to the cam.

@@ -30,17 +30,17 @@ pub struct InTime {
     pub rms_error_percent_of_mean: f64,
 }
 
-/// Maximum number of iterations of the phase.
+/// Maximum number of Gauss–Newton iterations for the phase.
 const ROUNDS: usize = 20;
 const SAME: f64 = 1e-4;
-/// Number of equal phases among which the minima are searched.
+/// Number of equally spaced phases at which the error is evaluated in the search for its minima.
 const PHASES: usize = 48;
 const STEP: usize = 6;
-/// Minimum relative decrease of the error for another minimum to be selected.
+/// Minimum relative decrease of the mean square error for which another minimum is selected.
 const LOWER: f64 = 1e-6;
 
-/// Difference between forces at equal angles and a target at equal times of one period, minimised over the phase of the target. The forces are given
-/// with speed, rad/s, and time, s. Forces and target begin at the same angle.
+/// Difference between forces at equal angles and a target at equal times of one period, minimised over the phase of the target. Each force
+/// is given with the shaft speed, rad/s, and the time, s, at its angle. Forces and target begin at the same angle.
 pub fn error_in_time(
     forces: &[f64],
     speed: &[f64],
@@ -78,7 +78,7 @@ pub fn error_in_time(
     }
 }
 
-/// A force with its time and duration, as fractions of the period.
+/// A force with the time at which it acts and its duration, both as fractions of the period.
 #[derive(Clone, Copy)]
 struct Weighed {
     force: f64,
@@ -90,7 +90,7 @@ struct Weighed {
 pub struct Cubic<'a>(pub &'a [f64]);
 
 impl Cubic<'_> {
-    /// Minimum mean square difference near a phase, by the Gauss–Newton method.
+    /// Minimum mean square difference near a phase of the target, by the Gauss–Newton method.
     fn least_from(&self, phase: f64, rows: &[Weighed]) -> f64 {
         let mut shift = phase;
         let mut least = f64::INFINITY;
@@ -109,7 +109,8 @@ impl Cubic<'_> {
         least
     }
 
-    /// Mean square difference of the forces at a phase, with its slope and its Gauss–Newton curvature.
+    /// Mean square difference between the forces and the target at a phase, with half its slope (sign reversed) and its Gauss–Newton
+    /// curvature.
     fn distance(&self, shift: f64, rows: &[Weighed]) -> [f64; 3] {
         let mut out = [0.0; 3];
         for row in rows {
@@ -122,7 +123,7 @@ impl Cubic<'_> {
         out
     }
 
-    /// Value and slope at a fraction of the period, by Catmull–Rom interpolation.
+    /// Value and slope at a fraction of the period, by Catmull–Rom interpolation. The slope is per period.
     pub fn at(&self, part: f64) -> (f64, f64) {
         let n = self.0.len();
         let x = (part - part.floor()) * n as f64;

@@ -1,7 +1,7 @@
 //! Motor-driven shaft: speed over the turn, and the no-load speed that gives the mean speed.
 //!
-//! In E = ω²/2 the motion is a first-order equation over the cam angle ([`turn`]). Its periodic solution is computed together with the no-load speed
-//! ([`steady`], theory §10).
+//! The unknown is E = ω²/2 as a function of the cam angle, which obeys a first-order differential equation ([`turn`]). The periodic
+//! solution is computed together with the no-load speed ([`steady`], theory §10).
 
 mod in_time;
 mod steady;
@@ -21,9 +21,9 @@ use crate::units::{Dimension, Quantity};
 pub use steady::forecast;
 use steady::{Stall, Steady};
 
-/// Factor between a suggested no-load speed or inertia and the required one.
+/// Ratio of a suggested no-load speed or inertia to the minimum one.
 const MARGIN: f64 = 1.02;
-/// Work relative to J Ω² below which it is a rounding error.
+/// Work, relative to J Ω² (inertia and mean speed), below which it is a rounding error.
 const ROUNDING: f64 = 1e-9;
 
 /// Steady motion of the shaft.
@@ -71,18 +71,19 @@ pub struct Shaft {
     pub stops_at_rad: Option<f64>,
     /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,
-    /// Work of the motor minus the work of friction and load, relative to the alternating work of a turn. It measures the numerical error.
+    /// Work of the motor over a turn minus the work of friction and load, relative to the alternating work of the load or the work of the
+    /// motor, whichever is larger. The value is a measure of the numerical error.
     pub energy_balance: f64,
 }
 
 /// Motion of the shaft over one turn.
 #[derive(Debug, Clone)]
 pub struct Motion {
-    /// Speed ω at equal angles, rad/s; empty before a call of [`Motion::at_rows`].
+    /// Speed ω of the shaft at equal angles, rad/s; empty before a call of [`Motion::at_rows`].
     pub speed: Vec<f64>,
-    /// Angular acceleration d(ω²/2)/dθ at equal angles, rad/s².
+    /// Angular acceleration d(ω²/2)/dθ at the same angles, rad/s².
     pub acceleration: Vec<f64>,
-    /// Time since the first angle, s.
+    /// Time since the first angle at the same angles, s.
     pub time: Vec<f64>,
     mean: f64,
     /// Load of the motor and its periodic solution; `None` for constant speed.
@@ -90,14 +91,16 @@ pub struct Motion {
     pieces: Vec<Piece>,
 }
 
-/// Fraction of the period, rad, as a polynomial between two angles since the first, rad.
+/// One span of the elapsed fraction of the period, rad (2π for one period), as a polynomial of the cam angle. Angles are measured from the
+/// first angle, rad.
 #[derive(Debug, Clone)]
 struct Piece {
     from: f64,
     factors: [f64; 6],
 }
 
-/// Fraction of the period, rad, at an angle since the first, rad, with its derivatives with respect to the angle. The second derivative may jump.
+/// Elapsed fraction of the period, rad (2π for one period), at an angle measured from the first angle, rad, with its derivatives with
+/// respect to the angle. The second derivative may jump.
 struct Mark {
     angle: f64,
     phase: f64,
@@ -150,7 +153,7 @@ impl Motion {
         }
     }
 
-    /// The motion with its values at `count` equal angles.
+    /// The motion with speed, acceleration and time at `count` equal angles.
     #[must_use]
     pub fn at_rows(mut self, count: usize) -> Motion {
         for i in 0..count {
@@ -163,7 +166,7 @@ impl Motion {
         self
     }
 
-    /// Angles since the first between which the motion is smooth, from 0 to one turn.
+    /// Angles between which the motion is smooth, rad, measured from the first angle, from 0 to one turn.
     pub fn breaks(&self) -> impl Iterator<Item = f64> {
         self.pieces.iter().map(|p| p.from).chain([TAU])
     }
@@ -176,7 +179,8 @@ impl Motion {
         })
     }
 
-    /// Fraction of the period, rad, at an angle since the first, rad, with its first three derivatives.
+    /// Elapsed fraction of the period, rad (2π for one period), at an angle measured from the first angle, rad, with its first three
+    /// derivatives.
     pub fn phase(&self, angle: f64) -> [f64; 4] {
         let turns = (angle / TAU).floor();
         let angle = angle - TAU * turns;
@@ -191,7 +195,7 @@ impl Motion {
         ]
     }
 
-    /// Cam angle since the first, rad, at a fraction of the period, rad.
+    /// Cam angle, rad, measured from the first angle, at an elapsed fraction of the period, rad (2π for one period).
     pub fn angle(&self, phase: f64) -> f64 {
         let (turns, phase) = (phase.div_euclid(TAU), phase.rem_euclid(TAU));
         let i = self.pieces.partition_point(|p| p.factors[0] <= phase);
@@ -210,7 +214,8 @@ impl Motion {
         TAU * turns + angle
     }
 
-    /// Speed, rad/s, its time derivative, rad/s², and the derivative of the latter with respect to the angle, rad/s², at an angle since the first.
+    /// Speed, rad/s, and its time derivative, rad/s², at an angle measured from the first angle, rad. The third value is the derivative of
+    /// the second with respect to the angle.
     pub fn speed_at(&self, angle: f64) -> [f64; 3] {
         self.speed_of(self.phase(angle))
     }
@@ -260,7 +265,7 @@ impl Motion {
         Err(fault.into())
     }
 
-    /// Report of the motion; `None` for constant speed. `lowest` is the angle of the minimum lift, rad.
+    /// Characteristic values of the motion; `None` for constant speed. `lowest` is the cam angle of the minimum lift, rad.
     pub fn report(&self, motor: &Motor, lowest: f64) -> Option<Shaft> {
         let (load, turn) = self.turn.as_ref()?;
         let [min, max] = turn.range.map(|e| (2.0 * e).sqrt());
@@ -293,7 +298,7 @@ impl Motion {
     }
 }
 
-/// Contact force at a speed, rad/s, and its time derivative, rad/s².
+/// Contact force, N, at a speed of the shaft, rad/s, and its angular acceleration, rad/s².
 pub fn force(drive: &Drive, at: Svaj, speed: f64, acceleration: f64) -> f64 {
     let still = drive.rest_force + drive.spring_rate * at.s + drive.damping * speed * at.v;
     still + drive.mass * (speed * speed * at.a + acceleration * at.v)
@@ -336,7 +341,7 @@ pub fn periodic(load: Load, motor: &Motor, mean: f64, near: Option<&Motion>) -> 
     Ok(Motion::new(mean, Some((load, steady)), pieces))
 }
 
-/// Error for a shaft that stops, with a sufficient inertia.
+/// Error for a shaft that stops. It contains a sufficient inertia, if one exists.
 fn stalls(motor: &Motor, stall: Stall) -> DynamicsError {
     let inertia = |j: f64| Quantity::new(j, Dimension::Inertia);
     match stall {

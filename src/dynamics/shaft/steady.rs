@@ -1,30 +1,31 @@
-//! Periodic motion over one turn, by Newton's method for the energies at all stages and the no-load speed. After linearisation about the previous
-//! energies, the end of every step is α + β E₀ + γ δω₀. Two conditions close the turn: periodicity, and the period of the mean speed. An iteration
-//! evaluates the loads at the stages once (theory §10).
+//! Periodic motion of a motor-driven shaft over one turn. The unknowns are the energies at all stages and the no-load speed; Newton's
+//! method computes them. After linearisation about the previous energies, the energy at the end of each step is α + β E₀ + γ δω₀. Here E₀
+//! is the energy at the start of the turn and δω₀ the change of the no-load speed. Two conditions determine E₀ and δω₀: the motion is
+//! periodic, and the turn takes the period of the mean speed. Each iteration evaluates the load once per stage (theory §10).
 
 use std::f64::consts::TAU;
 
 use super::turn::{INNER, Inverse, Load, PLACES, STAGES, WEIGHTS};
 use crate::drive::Motor;
 
-/// Maximum number of iterations. Five are usual, two from a similar motion.
+/// Maximum number of iterations. Five are usual, or two if the initial guess is a similar motion.
 const SWEEPS: usize = 30;
 /// Relative change of the energies below which the iteration stops. Convergence is quadratic.
 const SAME: f64 = 1e-6;
-/// Maximum relative decrease of an energy in one iteration.
+/// Minimum ratio of an energy to its previous value in one iteration.
 const LEAST_PART: f64 = 0.3;
-/// Number of steps of a turn if only the existence of a solution is required.
+/// Number of steps of a turn for initial guesses and for minimum inertias.
 const COARSE: usize = 48;
-/// Maximum factor between two inertias of the continuation.
+/// First factor between consecutive inertias of the continuation.
 const FACTOR: f64 = 100.0;
 const LEAST_FACTOR: f64 = 1.01;
 const RANGE: f64 = 1e4;
-/// Decay exponent of a disturbance over a step above which the step does not resolve it.
+/// Exponent of the decay of a disturbance over a step above which the step does not resolve this decay.
 const UNRESOLVED: f64 = 5.0;
-/// Minimum energy relative to the energy of the mean speed. Below it, at a hundredth of the mean speed, motor and load are in an unstable
-/// equilibrium.
+/// Minimum energy, relative to the energy at the mean speed. It corresponds to a hundredth of the mean speed. At lower energies, motor and
+/// load are in an unstable equilibrium.
 const LEAST_ENERGY: f64 = 1e-4;
-/// Speed ripple below which the speed with a flywheel is nearly constant.
+/// Speed ripple for which the first inertia of the continuation is chosen. The speed is then nearly constant.
 const EVEN: f64 = 0.1;
 
 /// Periodic motion of a motor-driven shaft over one turn.
@@ -38,11 +39,11 @@ pub struct Steady {
     pub energy: Vec<f64>,
     /// Time at the start of every step, and at the end of the turn, s.
     pub time: Vec<f64>,
-    /// Work ∮ of the motor torque at the camshaft, J.
+    /// Work of the motor torque at the camshaft over a turn, J.
     pub motor_work: f64,
     /// Integral of the squared motor torque over time, (N·m)²·s.
     pub motor_square: f64,
-    /// Work ∮ of the load torque, J.
+    /// Work of the load torque over a turn, J.
     pub load_work: f64,
     /// Minimum and maximum energy ω²/2, rad²/s².
     pub range: [f64; 2],
@@ -51,14 +52,14 @@ pub struct Steady {
 /// Reasons why a shaft stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stall {
-    /// The inertia is below this value, kg·m².
+    /// The inertia is below the minimum one, which is this value, kg·m².
     Below(f64),
     /// The shaft stops for any inertia.
     Anyway,
 }
 
 impl Steady {
-    /// Finds the periodic motion of a motor and its load at a given mean speed, rad/s. `near` is an optional initial guess.
+    /// Computes the periodic motion of a motor and its load at a given mean speed, rad/s. `near` is an optional initial guess.
     pub fn find(
         load: &Load,
         motor: &Motor,
@@ -109,8 +110,8 @@ impl Steady {
         if least > goal { least } else { 0.0 }
     }
 
-    /// E′ at the start (0) or the end (1) of a step, from inside the step. If the time constant of the motor is a fraction of the step, the energy at
-    /// the ends oscillates. In this case E′ of the stages is used.
+    /// Derivative E′ of the energy at the start (0) or the end (1) of a step, evaluated inside the step. If the time constant of the motor
+    /// is a small fraction of the step, the energy at the ends oscillates. In this case, E′ is extrapolated from the stages.
     pub fn rate_at_end(&self, load: &Load, motor: &Motor, step: usize, end: usize) -> f64 {
         let (own, energy) = (&load.steps[step], self.energy[step + end]);
         let [rate, by_energy, _] = own.ends[end].rate(motor, self.no_load, energy);
@@ -129,7 +130,7 @@ impl Steady {
         (0..STAGES).map(|k| factor(k) * rates[k]).sum()
     }
 
-    /// Energies at the stages of a load with different steps.
+    /// Energies at the stages of `load`, as an initial guess. The steps of `load` may differ from the steps of this motion.
     fn at_stages_of(&self, load: &Load) -> Vec<[f64; STAGES]> {
         let (own, other) = (self.stages.len(), load.steps.len());
         if own == other {
@@ -153,7 +154,7 @@ pub fn with_inertia(motor: &Motor, inertia: f64) -> Motor {
     }
 }
 
-/// Energies of a shaft with nearly constant speed, and the no-load speed.
+/// Initial guess with constant speed: energies at the stages, rad²/s², and no-load speed, rad/s.
 fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     let mean = load.at_constant_speed(speed).0;
     let no_load = motor.no_load_for(speed, mean + motor.friction);
@@ -163,8 +164,9 @@ fn even(load: &Load, motor: &Motor, speed: f64) -> (Vec<[f64; STAGES]>, f64) {
     )
 }
 
-/// Range of the speed and RMS change of the force over time, each relative to its mean and linearised in the change of speed. This is the first
-/// Newton step from a constant speed, rad/s. The phase minimises the change.
+/// Forecast of the speed range, relative to the mean speed, and of the RMS change of the force over time, relative to the mean force. Both
+/// are linearised in the change of speed, as after the first Newton step from the constant speed `speed`, rad/s. The RMS change is
+/// minimised over the phase.
 pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     let (stages, no_load) = even(load, motor, speed);
     let mut lines = vec![[[0.0; STAGES]; 3]; stages.len()];
@@ -206,7 +208,7 @@ pub fn forecast(load: &Load, motor: &Motor, speed: f64) -> (f64, f64) {
     (0.5 * (high - low) / level, rms)
 }
 
-/// Energies at the extremes within a step, from the derivatives at its stages.
+/// Extremes of the energy within a step, computed from the derivatives at its stages.
 fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item = f64> {
     // E′ = a + b x + c x² with x measured from the middle of the step, as a fraction of the step.
     let side = PLACES[2] - PLACES[1];
@@ -223,7 +225,8 @@ fn extremes(start: f64, width: f64, rates: [f64; STAGES]) -> impl Iterator<Item 
     })
 }
 
-/// Motion with the minimum inertia found, down to `goal`, by continuation from a large inertia.
+/// Decreases the inertia from a feasible value towards `goal`. Each motion is the initial guess for the next, smaller inertia. Returns the
+/// smallest inertia for which a motion was computed, and this motion.
 fn smaller(
     load: &Load,
     motor: &Motor,
@@ -243,7 +246,7 @@ fn smaller(
     (inertia, turn)
 }
 
-/// Newton's method from given energies at the stages and a given no-load speed.
+/// Newton's method from given energies at the stages and a given no-load speed; `None` if it does not converge.
 fn newton(
     load: &Load,
     motor: &Motor,
@@ -284,8 +287,8 @@ fn newton(
     None
 }
 
-/// Solves the linearised problem for the first energy and the change of the no-load speed. `lines` receives the energies at the stages as affine
-/// functions of both.
+/// Solves the linearised problem for the energy at the start of the turn and the change of the no-load speed. `lines` receives the energies
+/// at the stages as affine functions of these two unknowns.
 fn sweep(
     load: &Load,
     motor: &Motor,
@@ -331,7 +334,7 @@ fn sweep(
     (found.0.is_finite() && found.1.is_finite()).then_some(found)
 }
 
-/// Motion with the given energies at its stages.
+/// Computes all values of the motion that has the given energies at its stages.
 fn evaluated(
     load: &Load,
     motor: &Motor,

@@ -1,7 +1,7 @@
 //! Load over one turn of a shaft with varying speed, for Newton's method ([`super::steady`]) and for a start from rest.
 //!
-//! (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E), with ω = √(2E) and the shaft torque τ per unit of contact force (v
-//! without friction). The method is collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
+//! The energy E = ω²/2 obeys (J + τ m v) E′ = T_motor(ω) − T_friction − τ (F₀ + k s + c ω v + 2 m a E). Here τ is the shaft torque per unit
+//! of contact force (v without friction). The numerical method is collocation of sixth order in E = ω²/2 over the cam angle (theory §10).
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ const SMALL_STEPS: usize = 2048;
 /// Maximum number of Newton iterations per step of a start from rest; three are usual.
 const ROUNDS: usize = 60;
 const SAME: f64 = 1e-9;
-/// Distance from the end of a step, as a fraction of the step, at which a quantity with a possible jump is evaluated.
+/// Distance from the end of a step, as a fraction of the step, at which a quantity that may jump there is evaluated.
 const INSIDE: f64 = 1e-12;
 /// Number of stages of a step.
 pub const STAGES: usize = 3;
@@ -24,7 +24,7 @@ pub const PLACES: [f64; STAGES] = {
 /// Positions of the stages and ends of a step, as fractions of the step.
 const ALL_PLACES: [f64; 5] = [0.0, PLACES[0], PLACES[1], PLACES[2], 1.0];
 pub const WEIGHTS: [f64; STAGES] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
-/// √15, for the Gauss points of order three.
+/// Value of √15 for the three Gauss points of a step.
 const ROOT: f64 = 3.872_983_346_207_417;
 
 /// Coefficient matrix of the stages: integrals of the Lagrange polynomials (Hairer, Nørsett and Wanner 1993, II.7).
@@ -37,23 +37,23 @@ pub const INNER: [[f64; STAGES]; STAGES] = {
     ]
 };
 
-/// Load on the shaft at one angle.
+/// Coefficients of the load on the shaft at one cam angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     /// Torque per unit of positive and of negative contact force, m.
     arms: [f64; 2],
     /// Static force F₀ + k s, N.
     rest: f64,
-    /// Damping c v, N·s/rad.
+    /// Coefficient c v of the speed ω in the contact force, N·s/rad.
     damping: f64,
-    /// Inertia term 2 m a, kg·m/rad².
+    /// Coefficient 2 m a of the energy E in the contact force, kg·m/rad².
     bend: f64,
-    /// Inertia term m v, kg·m/rad.
+    /// Coefficient m v of E′ in the contact force, kg·m/rad.
     pub mass: f64,
 }
 
 impl Node {
-    /// Load of a motion for a drive with the given lever arms and an acceleration of the floor, m/s².
+    /// Load for a motion of the follower, with the lever arms of the contact force and the acceleration of the floor, m/s².
     pub fn new(drive: &Drive, at: Svaj, arms: [f64; 2], floor: f64) -> Node {
         Node {
             arms,
@@ -64,18 +64,18 @@ impl Node {
         }
     }
 
-    /// Contact force, N, for the energy ω²/2 and its derivative with respect to the angle.
+    /// Contact force, N, for the energy ω²/2 and for the derivative of this energy with respect to the angle.
     pub fn force(&self, energy: f64, rate: f64) -> f64 {
         let speed = (2.0 * energy).max(0.0).sqrt();
         self.rest + self.damping * speed + self.bend * energy + self.mass * rate
     }
 
-    /// Derivative of the contact force with respect to ω²/2, at a speed, rad/s.
+    /// Derivative of the contact force with respect to ω²/2 at a shaft speed, rad/s.
     pub fn by_energy(&self, speed: f64) -> f64 {
         self.damping / speed + self.bend
     }
 
-    /// Torque of the load, N·m.
+    /// Torque of the load, N·m, for the energy ω²/2 and for the derivative of this energy with respect to the angle.
     pub fn torque(&self, energy: f64, rate: f64) -> f64 {
         let force = self.force(energy, rate);
         self.arms[usize::from(force < 0.0)] * force
@@ -100,7 +100,7 @@ impl Node {
     }
 }
 
-/// Step of the angle, with the loads at its stages and at its ends, evaluated from inside.
+/// Step of the cam angle, with the load at its stages and its ends. The load at the ends is evaluated inside the step.
 #[derive(Debug, Clone)]
 pub struct Step {
     pub from: f64,
@@ -116,7 +116,7 @@ impl Step {
         [self.ends[0], p, q, r, self.ends[1]]
     }
 
-    /// Derivatives with respect to the angle, at the stages, of the polynomial through all nodes.
+    /// Derivatives with respect to the angle, at the stages, of the polynomial through the values at all nodes.
     pub fn slopes(&self, value: impl Fn(&Node) -> f64) -> [f64; STAGES] {
         let values = self.all().map(|node| value(&node));
         std::array::from_fn(|stage| {
@@ -141,7 +141,8 @@ pub struct Load {
 }
 
 impl Load {
-    /// Load of the motion `at` every angle of a turn from `start` over `length`, smooth between equal angles and breaks.
+    /// Load over a turn from the angle `start`, rad, of length `length`, rad. The steps end at `equal` equally spaced angles and at
+    /// `breaks`. `at` is the load at an angle, smooth within each step.
     pub fn of(
         (start, length): (f64, f64),
         breaks: &[f64],
@@ -168,7 +169,7 @@ impl Load {
         Load { steps }
     }
 
-    /// Mean torque over the turn at a constant speed, N·m, and the integral of the deviation from this mean up to the end of every step, J.
+    /// Mean torque over the turn at a constant speed, N·m, and the work of the deviation from this mean up to the end of each step, J.
     pub fn at_constant_speed(&self, speed: f64) -> (f64, Vec<f64>) {
         let energy = 0.5 * speed * speed;
         let (mut work, mut angle) = (0.0, 0.0);
@@ -185,7 +186,7 @@ impl Load {
         (mean, swings.collect())
     }
 
-    /// Range of the energy of the shaft at a constant speed, J.
+    /// Alternating work of the load at a constant speed, J: range of the work of the deviation from the mean torque.
     pub fn swing(&self, speed: f64) -> f64 {
         let works = self.at_constant_speed(speed).1.into_iter();
         let (low, high) = works.fold((0.0_f64, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
@@ -264,7 +265,7 @@ impl Load {
     }
 }
 
-/// Positive solution E of E = `base` + `width` E′(E) for a load; `None` if the shaft stops.
+/// Positive solution E of the implicit equation E = `base` + `width` E′(E) of a step; `None` if the shaft stops.
 fn implicit(node: &Node, motor: &Motor, no_load: f64, base: f64, width: f64) -> Option<f64> {
     let excess = |energy: f64| {
         let [rate, slope, _] = node.rate(motor, no_load, energy);

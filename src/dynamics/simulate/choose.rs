@@ -19,8 +19,8 @@ pub const NEAR_LIFTOFF: f64 = 0.95;
 /// RMS error of the rigid model that is negligible, relative to the mean force (theory §10: 0.20 % at 50 Hz for smooth walking targets).
 pub const RIGID_ENOUGH: f64 = 0.002;
 
-/// Selects the model. The default is the rigid model. The flexible model is used if vibration changes the force by more than [`RIGID_ENOUGH`], the
-/// contact model near lift-off. The next finer model is simulated once for comparison.
+/// Selects the model. The default is the rigid model. The flexible model is used if vibration changes the force by more than
+/// [`RIGID_ENOUGH`]. The contact model is used near lift-off. The next finer model is simulated once for comparison.
 pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
@@ -63,7 +63,8 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(compared(input, p, flexible, why, contact))
 }
 
-/// Adds to the outcome its reason and its differences from the next finer model, which is simulated for comparison.
+/// Adds to the outcome the reason for its model, and its differences from the next finer model. The finer model is simulated for this
+/// comparison.
 fn compared(
     input: &Run,
     p: &Prepared,
@@ -138,8 +139,8 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
     }
 }
 
-/// RMS change of the force by vibration, relative to the mean, from the harmonics of the rigid force, with the reason for messages. Each harmonic n
-/// is transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+/// RMS change of the force by vibration, relative to the mean, and its description for messages. The change follows from the harmonics of
+/// the rigid force. Harmonic n is multiplied by (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass there is no vibration, but the train deflects: the flexible model is always used.

@@ -7,15 +7,15 @@ use crate::dynamics::rigid::touch::Touch;
 use crate::dynamics::run::Run;
 use crate::poly::{Extreme, stand_in};
 
-/// Fraction of the maximum row below which a peak is ignored.
+/// Fraction of the maximum over the rows below which a peak is ignored.
 const NEAR: f64 = 0.99;
-/// Relative excess over its neighbours below which a row is a rounding error, not a peak.
+/// Relative difference from its neighbours below which a row is a rounding error, not a peak.
 const LEVEL: f64 = 1e-9;
 /// Relative accuracy of the polynomial approximations whose extremes are computed.
 const STAND_IN: f64 = 1e-12;
 
 impl Prepared {
-    /// Computes the rows from forces and heights, and the maximum loads.
+    /// Computes the rows from the forces and heights at equal angles, and the maximum loads.
     pub fn fill(&self, input: &Run, out: &mut Outcome, forces: &[f64], heights: &[f64]) {
         out.rows = self.rows(input, forces, heights);
         let touched = |i: usize| {
@@ -59,7 +59,8 @@ impl Prepared {
         });
     }
 
-    /// Sum of the curvatures of cam and follower, 1/m, at an angle in the direction of rotation. The nearest row determines which cam is loaded.
+    /// Sum of the curvatures of cam and follower, 1/m, at an angle measured in the direction of rotation. The nearest row determines which
+    /// cam is loaded.
     fn curvature_at(&self, input: &Run, angle: f64, forces: &[f64]) -> f64 {
         let row = ((angle - self.start) / self.step).round().max(0.0) as usize;
         let force = forces[row % forces.len()];
@@ -67,7 +68,7 @@ impl Prepared {
         touch.curvature.abs()
     }
 
-    /// Cam angle at an angle in the direction of rotation, in the range of the rows.
+    /// Converts an angle measured in the direction of rotation to the cam angle, in the range of the rows.
     fn theta(&self, angle: f64, rows: usize) -> f64 {
         let turns = (rows / self.nodes.len()) as f64;
         let wrapped = |x: f64, from: f64| match self.cycle.closed {
@@ -80,7 +81,8 @@ impl Prepared {
         }
     }
 
-    /// Maximum of a load with the given values at the rows, in the order of rotation.
+    /// Maximum of a load and its angle. `values` are the loads at the rows, in the order of rotation. If `follows`, maxima between the rows
+    /// are included.
     fn largest(
         &self,
         input: &Run,
@@ -124,7 +126,7 @@ impl Prepared {
         best
     }
 
-    /// Limits of a range of angles, and the breaks of the lift inside it.
+    /// Ends of a range of angles, and the breaks of the lift between them.
     fn cut(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = [-1.0, 0.0, 1.0].map(|k| k * self.cycle.length);
         let breaks = turns

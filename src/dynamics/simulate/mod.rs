@@ -30,8 +30,8 @@ use prepared::prepare;
 /// ```
 ///
 /// # Errors
-/// A profile that its follower cannot follow (see [`recover`](crate::dynamics::recover())); machine data out of range; an undamped resonance;
-/// `flexible` without a [`Train`](super::Train); a moving floor with a model other than the rigid one.
+/// A profile from which the lift cannot be recovered (see [`recover`](crate::dynamics::recover())); machine data out of range; an undamped
+/// resonance; `flexible` without a [`Train`](super::Train); a moving floor with a model other than the rigid one.
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     refuse_beside_floor(input, model)?;
     let mut prepared = prepare(input)?;

@@ -19,9 +19,9 @@ use crate::law::{Law, Svaj};
 pub(super) struct Prepared {
     pub drive: Drive,
     pub reversed: bool,
-    /// Lift of each cam.
+    /// Lift of each cam in the direction of rotation.
     pub laws: Vec<Law>,
-    /// Maximum of both lifts.
+    /// Maximum of the lifts of all cams at every angle.
     pub lift: Law,
     /// Angles at which derivatives of the lift may jump.
     pub breaks: Vec<f64>,
@@ -32,11 +32,11 @@ pub(super) struct Prepared {
     pub start: f64,
     pub cycle: Cycle,
     pub step: f64,
-    /// Follower at its maximum contact pressure: for a barrel at the floor of the groove.
+    /// Follower for the maximum contact pressure: for a barrel, with the radius of the groove's floor.
     pub bearing: Follower,
     /// Contact formulas of the follower.
     pub contact: FollowerContact,
-    /// Units of the law, for messages.
+    /// Kind of motion, which determines the units of the law in messages.
     pub measures: Measures,
     /// Motion of the shaft if its speed varies.
     pub shaft: Option<Motion>,
@@ -45,9 +45,9 @@ pub(super) struct Prepared {
     pub machine: Option<MachineMotion>,
     /// Whether the follower is constrained from both sides.
     pub held: bool,
-    /// Whether the effect of friction on the torque differs from that under a flat face.
+    /// Whether friction acts and its torque differs from the friction torque of a translating flat face.
     pub rubs: bool,
-    /// Target at the angles of the rows.
+    /// Target force at the angles of the rows, N.
     pub target: Option<Vec<f64>>,
     pub mismatch: f64,
     pub law_mismatch: f64,
@@ -129,7 +129,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     })
 }
 
-/// Whether the effect of friction on the torque differs from that under a translating flat face.
+/// Whether friction acts and its torque differs from the friction torque of a translating flat face.
 fn has_own_friction(input: &Run) -> bool {
     let follower = &input.cam.follower;
     let is_flat = matches!(follower, Follower::FlatTranslating { .. });
@@ -143,7 +143,7 @@ fn mismatch(input: &Run, nodes: &[Svaj]) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// Follower at its maximum contact pressure: for a barrel at the floor of the groove.
+/// Follower for the maximum contact pressure: for a barrel, with the radius of the groove's floor.
 fn bearing(input: &Run) -> Follower {
     match (input.cam.follower, input.machine.groove_floor) {
         (barrel @ Follower::Barrel { .. }, Some(floor)) => barrel.with_base_radius(floor),
@@ -151,7 +151,7 @@ fn bearing(input: &Run) -> Follower {
     }
 }
 
-/// Lift of each cam in the direction of rotation, and the maximum of both.
+/// Lift of each cam in the direction of rotation, and the maximum of these lifts.
 fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     let first = if reversed { law.reversed() } else { law };
     let Some(angle) = input.machine.second_cam else {
@@ -162,7 +162,7 @@ fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
     (vec![first, second], lift)
 }
 
-/// Rejects invalid machine data.
+/// Rejects invalid machine data: non-finite values, negative mass, stiffness, damping or friction, and invalid contact data.
 fn check_machine(input: &Run) -> Result<()> {
     let drive = &input.drive;
     let numbers = [
@@ -195,7 +195,7 @@ fn check_machine(input: &Run) -> Result<()> {
     check_restitution(input.machine.restitution)
 }
 
-/// Values of the target at fractions of its cycle.
+/// Values of the target at fractions of its cycle, N.
 fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64>> {
     if target.is_empty() || target.iter().any(|f| !f.is_finite()) {
         return Err(DynamicsError::Target.into());
@@ -203,7 +203,7 @@ fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64
     Ok(parts.map(|part| phase_value(target, part)).collect())
 }
 
-/// Rejects machines that no model supports.
+/// Rejects combinations of machine data that no model supports.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
         return Err(DynamicsError::SlideBackwards.into());
@@ -214,7 +214,8 @@ fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     Ok(())
 }
 
-/// Lift of the second cam from its own emitted profile, and a note on the variation of the pair's distance at the rows.
+/// Lift of the second cam, recovered from its own emitted profile. A note on the variation of the distance between both followers is added
+/// to `notes`.
 fn conjugate_lift(
     cam: &Cam,
     reversed: bool,
@@ -244,14 +245,14 @@ impl Prepared {
         self.nodes.iter().map(|at| self.drive.force(*at)).collect()
     }
 
-    /// Torque in the direction of rotation for a force and a motion, N·m.
+    /// Torque in the direction of rotation for a contact force and a motion of the follower, N·m.
     pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let (friction, v) = (sign * input.machine.friction, sign * at.v);
         sign * self.contact.torque(friction, Svaj { v, ..at }, force)
     }
 
-    /// Computes [`Prepared::torque`] at the rows of a cycle.
+    /// Computes [`Prepared::torque`] at all rows of a cycle.
     pub fn torques(&self, input: &Run, forces: &[f64]) -> Vec<f64> {
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let turned = |at: &Svaj| Svaj {
@@ -265,7 +266,8 @@ impl Prepared {
         torques
     }
 
-    /// Contact in the direction of rotation. A cam with reversed rotation touches at the same angles; only quantities along the contact change sign.
+    /// Contact in the direction of rotation. Reversed rotation does not change the contact points. Only the torque and the velocities along
+    /// the surfaces change sign.
     pub fn seen(
         &self,
         follower: &Follower,

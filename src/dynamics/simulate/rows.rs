@@ -12,7 +12,7 @@ use crate::law::Svaj;
 use crate::units::{Dimension, Quantity};
 
 impl Prepared {
-    /// Converts a contact force, or the moment of an arm, to a quantity with its unit.
+    /// Converts a contact force, N, or the moment on an arm, N·m, to a quantity with its unit.
     pub fn load(&self, value: f64) -> Quantity {
         let dimension = match self.measures {
             Measures::Oscillating => Dimension::Torque,
@@ -26,7 +26,7 @@ impl Prepared {
         (self.shaft.as_ref()).map_or(self.drive.speed, |shaft| shaft.speed[row])
     }
 
-    /// Difference between the forces at the rows and the target as functions of time, if the speed varies.
+    /// Difference between the force and the target over time; `None` without a target or for constant speed.
     pub fn force_time(&self, forces: &[f64]) -> Option<InTime> {
         let (target, shaft) = (self.target.as_ref()?, self.shaft.as_ref()?);
         let period = self.cycle.length / self.drive.speed;
@@ -49,7 +49,7 @@ impl Prepared {
         Some((sum / forces.len() as f64).sqrt())
     }
 
-    /// Rows from forces (and heights above the lift of the profile) at equal angles over whole turns.
+    /// Rows at equal angles over whole turns, from the forces and from the heights above the lift of the profile at these angles.
     pub fn rows(&self, input: &Run, forces: &[f64], heights: &[f64]) -> Vec<Row> {
         let n = self.nodes.len();
         let total = forces.len();
@@ -93,7 +93,7 @@ impl Prepared {
         rows
     }
 
-    /// Index of the row of a sample in the order of rotation.
+    /// Index of the row that belongs to a sample. Samples are in the order of rotation, rows in the order of increasing cam angle.
     pub fn place(&self, sample: usize, rows: usize) -> usize {
         if self.reversed {
             (rows - sample) % rows
@@ -102,7 +102,7 @@ impl Prepared {
         }
     }
 
-    /// The loaded contact. In a conjugate pair, a negative force loads the second cam.
+    /// Contact that carries the force. In a conjugate pair, a negative force loads the second cam.
     pub fn touch(&self, input: &Run, speed: f64, angle: f64, at: Svaj, force: f64) -> Touch {
         let friction = input.machine.friction;
         match (&input.machine.conjugate, &self.second) {

@@ -1,4 +1,4 @@
-//! Motion of shaft and floor in a run. The motor is included if it changes the force; the force moves the floor.
+//! Motion of shaft and floor in a run. The motor is included if it changes the force. The floor moves under the force.
 
 use super::choose::RIGID_ENOUGH;
 use super::prepared::Prepared;
@@ -18,7 +18,7 @@ const FEW: usize = 32;
 ///
 /// # Errors
 ///
-/// The errors of [`Carrier::new`]; a motor is combined with a second cam.
+/// The errors of [`Carrier::new`], and a motor in combination with a second cam.
 pub(super) fn carrier<'a>(input: &'a Run, p: &Prepared) -> Result<Carrier<'a>> {
     let machine = &input.machine;
     let motor = machine.motor.as_ref();

@@ -13,10 +13,10 @@ use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 use crate::units::{Dimension, Quantity};
 
-/// Minimum and maximum number of steps of the shaft between two rows, and its steps per time constant of the motor.
+/// Minimum and maximum number of integration steps between two rows, and number of steps per time constant of the motor.
 const SUBSTEPS: [f64; 2] = [2.0, 256.0];
 const PER_TIME_CONSTANT: f64 = 4.0;
-/// Relative difference between the available and the required torque of the motor above which the motor cannot follow.
+/// Relative difference between the available and the required torque of the motor above which the motor cannot follow the programme.
 const SAME_TORQUE: f64 = 1e-6;
 
 /// A cam that follows a programme, at the times of its rows.
@@ -39,7 +39,7 @@ const SAME_TORQUE: f64 = 1e-6;
 pub struct ProgrammeRun {
     /// Times of the rows of the programme, s.
     pub time_s: Vec<f64>,
-    /// Cam angle, rad, which counts the turns.
+    /// Cam angle, rad, which increases over all turns.
     pub angle: Vec<f64>,
     /// Speed of the camshaft, rad/s.
     pub speed: Vec<f64>,
@@ -51,15 +51,15 @@ pub struct ProgrammeRun {
     pub follower_acceleration: Vec<f64>,
     /// Contact force, N; for an arm, divided by its lever.
     pub force_n: Vec<f64>,
-    /// Torque at the camshaft, N·m: of the motor if there is one, otherwise of the load.
+    /// Torque at the camshaft, N·m: torque of the motor if there is one, otherwise torque of the load.
     pub torque: Vec<f64>,
     /// Whether the follower leaves the cam.
     pub contact_lost: bool,
 }
 
 impl ProgrammeRun {
-    /// Simulates an emitted cam that follows a programme, from a cam angle on. With a motor, the programme is the commanded no-load speed; without
-    /// one, it is the speed of the shaft. The model is rigid.
+    /// Simulates an emitted cam that follows a programme. `start` is the cam angle at its first row, rad. With a motor, the programme is
+    /// the commanded no-load speed; without one, it is the speed of the shaft. The model is rigid.
     ///
     /// # Errors
     /// A cam that is not closed, an emitted profile without smooth lift, a motor whose shaft stops.
@@ -71,8 +71,8 @@ impl ProgrammeRun {
         }
     }
 
-    /// Differences between the responses to the cam's force and to a recorded force, N, at the rows. The rows contain the given number of strides;
-    /// the last row repeats the first.
+    /// Differences between the responses of a structural mode to a recorded force, N, at the rows and to the force of the cam. The rows
+    /// contain the given number of strides. The last row repeats the first.
     pub fn misfits(&self, walk_n: &[f64], strides: usize) -> [Misfit; 3] {
         let last = self.time_s.len() - 1;
         let duration = self.time_s[last] - self.time_s[0];
@@ -80,7 +80,7 @@ impl ProgrammeRun {
         of(walk_n).misfits(&of(&self.force_n))
     }
 
-    /// Root mean square of the difference from a recorded force at the rows, N.
+    /// Root mean square difference between the force of the cam and a recorded force at the rows, N.
     pub fn rms_error(&self, walk_n: &[f64]) -> f64 {
         let off = self.force_n.iter().zip(walk_n).skip(1);
         let square: f64 = off.map(|(a, b)| (a - b).powi(2)).sum();
@@ -88,7 +88,7 @@ impl ProgrammeRun {
     }
 }
 
-/// The rigid follower of an emitted cam.
+/// Rigid follower of an emitted cam, with its drive and motor.
 pub(super) struct Follower<'a> {
     law: Law,
     drive: Drive,
@@ -122,7 +122,7 @@ impl<'a> Follower<'a> {
         self.law.svaj(angle.rem_euclid(TAU))
     }
 
-    /// Simulates the run at a prescribed speed.
+    /// Simulates the run for which the speed of the shaft is the programme.
     pub(super) fn prescribed(&self, programme: &SpeedProgramme, start: f64) -> ProgrammeRun {
         let inertia = self.motor.map_or(0.0, |m| m.inertia);
         let friction = self.motor.map_or(0.0, |m| m.friction);
@@ -175,8 +175,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// No-load speed of the motor at the rows of a prescribed run, rad/s, for which the motor has the torque of the run; without a motor, the speed
-    /// of the run.
+    /// No-load speed of the motor at the rows of a prescribed run, rad/s, for which the torque of the motor is the torque of the run.
+    /// Without a motor, it is the speed of the run.
     ///
     /// # Errors
     /// The motor does not reach the torque or the no-load speed.
@@ -202,7 +202,8 @@ impl<'a> Follower<'a> {
         .collect()
     }
 
-    /// Angular acceleration, rad/s², contact force, N, and torque of the motor, N·m, at an angle and a speed under a commanded speed.
+    /// Angular acceleration, rad/s², contact force, N, and torque of the motor, N·m, at a cam angle, a speed and a commanded no-load speed,
+    /// rad/s.
     fn under(&self, motor: &Motor, angle: f64, speed: f64, command: f64) -> [f64; 3] {
         let at = self.motion(angle);
         let torque = motor.torque(speed, command)[0];
@@ -223,7 +224,8 @@ impl<'a> Follower<'a> {
         ]
     }
 
-    /// Simulates the run of a motor under a commanded speed: the second of two consecutive passes, by the classical Runge–Kutta method.
+    /// Simulates the run of a motor with the programme as its commanded no-load speed, by the classical Runge–Kutta method. The programme
+    /// is simulated twice in succession, and the second run is returned.
     ///
     /// # Errors
     /// The shaft stops.

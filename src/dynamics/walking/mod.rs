@@ -1,5 +1,5 @@
-//! Recorded walking. The response of a structural mode to a recorded walk is compared with the response to a cam. A cam speed is computed for which
-//! the force varies as recorded.
+//! Comparison of a cam with a recorded walk. The response of a structural mode to the force of the walk is compared with its response to
+//! the force of the cam. A variable cam speed is computed with which the cam reproduces the recorded step times.
 
 mod follower;
 mod mode;

@@ -1,4 +1,4 @@
-//! Mode of unit mass under a periodically repeated force, tuned about the step frequency.
+//! Mode of unit mass under a periodically repeated force. The natural frequency of the mode is varied about the step frequency.
 //!
 //! A force of period T has lines at k/T. With mean square Pₖ of line k at ω = 2πk/T, a mode of frequency ωₘ and damping ratio ζ has the mean square
 //! acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part is omitted, and no other window is used.
@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::force::Walk;
 use crate::poly::amplitudes;
 
-/// Number of equally spaced frequencies of the mode, and their range relative to the step frequency.
+/// Number of equally spaced natural frequencies of the mode, and their range relative to the step frequency.
 const TUNINGS: usize = 401;
 const BAND: [f64; 2] = [0.9, 1.1];
 /// Number of harmonics of the stride frequency; the response to higher ones is negligible.
@@ -33,15 +33,15 @@ pub struct RepeatedForce {
     squares: Vec<f64>,
     means: Vec<f64>,
     strides: usize,
-    /// Step frequency, Hz.
+    /// Step frequency of the walk, Hz.
     pub step_frequency_hz: f64,
 }
 
 impl RepeatedForce {
-    /// Damping ratios of the modes, typical of footbridges of steel, of composite decks and of concrete.
+    /// Damping ratios for which modes are compared, typical of footbridges of steel, of composite decks and of concrete.
     pub const DAMPING_RATIOS: [f64; 3] = [0.003, 0.005, 0.01];
 
-    /// Lines of a force, N, at equal steps of its duration, s. The duration contains `strides` strides of two steps.
+    /// Spectral lines of a force, N, that is given at equal steps of its duration, s. The duration contains `strides` strides of two steps.
     pub fn new(force: &[f64], duration_s: f64, strides: usize) -> RepeatedForce {
         let lines = amplitudes(force);
         let lines = lines.iter().enumerate().skip(1).take(OF_STRIDE * strides);
@@ -56,19 +56,20 @@ impl RepeatedForce {
         }
     }
 
-    /// Lines of the strides of a recording, repeated periodically.
+    /// Spectral lines of the force of a recorded walk, repeated periodically.
     pub fn of(walk: &Walk) -> RepeatedForce {
         RepeatedForce::new(&walk.force_n(), walk.duration_s, walk.strides())
     }
 
-    /// Frequencies of the mode, Hz: 401 equally spaced ones from 0.9 to 1.1 of a step frequency.
+    /// Natural frequencies of the mode, Hz: 401 equally spaced ones from 0.9 to 1.1 of a step frequency.
     pub fn tunings(step_frequency_hz: f64) -> Vec<f64> {
         let part = |i: usize| i as f64 / (TUNINGS - 1) as f64;
         let at = |i: usize| step_frequency_hz * (BAND[0] + part(i) * (BAND[1] - BAND[0]));
         (0..TUNINGS).map(at).collect()
     }
 
-    /// RMS acceleration, m/s², of a mode of 1 kg at the tunings about a step frequency, Hz.
+    /// RMS acceleration, m/s², of a mode of 1 kg, at each of its natural frequencies about a step frequency, Hz
+    /// ([`RepeatedForce::tunings`]).
     pub fn about(&self, step_frequency_hz: f64, damping_ratio: f64) -> Vec<f64> {
         let at = |frequency: f64| {
             let mode = TAU * frequency;
@@ -83,27 +84,28 @@ impl RepeatedForce {
         tunings.into_iter().map(at).collect()
     }
 
-    /// RMS acceleration, m/s², of a mode of 1 kg at the tunings about its own step frequency.
+    /// RMS acceleration, m/s², of a mode of 1 kg, at each of its natural frequencies about the step frequency of this force.
     pub fn response(&self, damping_ratio: f64) -> Vec<f64> {
         self.about(self.step_frequency_hz, damping_ratio)
     }
 
-    /// Maximum RMS acceleration, m/s², of a mode of 1 kg tuned from 0.9 to 1.1 of the step frequency.
+    /// Maximum RMS acceleration, m/s², of a mode of 1 kg with a natural frequency from 0.9 to 1.1 of the step frequency.
     pub fn peak(&self, damping_ratio: f64) -> f64 {
         self.response(damping_ratio).into_iter().fold(0.0, f64::max)
     }
 
-    /// Whether the lines are closer than the bandwidth π ζ f of the mode: 2π ζ N ≥ 1 for N strides.
+    /// Whether the spacing of the spectral lines is at most the bandwidth π ζ f of the mode: 2π ζ N ≥ 1 for N strides.
     pub fn resolves(&self, damping_ratio: f64) -> bool {
         self.strides >= RepeatedForce::strides_for(damping_ratio)
     }
 
-    /// Minimum number of strides for which the distance of the lines is less than the bandwidth of a mode.
+    /// Minimum number of strides for which the spacing of the spectral lines is at most the bandwidth of a mode.
     pub fn strides_for(damping_ratio: f64) -> usize {
         (0.5 / (PI * damping_ratio)).ceil() as usize
     }
 
-    /// Differences between the responses to another force and to this force, about the step frequency of this force.
+    /// Differences between the responses to this force and to another force, about the step frequency of this force, for every damping
+    /// ratio.
     pub fn misfits(&self, other: &RepeatedForce) -> [Misfit; 3] {
         RepeatedForce::DAMPING_RATIOS.map(|damping_ratio| {
             let at = self.step_frequency_hz;
@@ -122,7 +124,7 @@ impl RepeatedForce {
     }
 }
 
-/// Difference of the responses to two forces, about the step frequency of the first.
+/// Difference between the responses of a mode to two forces, about the step frequency of the first force.
 ///
 /// ```
 /// use gaitcam::dynamics::RepeatedForce;

@@ -11,13 +11,14 @@ use crate::error::{DynamicsError, Result};
 use crate::force::Walk;
 use crate::units::{Dimension, Quantity};
 
-/// Smoothing parameters, relative to the cube of a step time, for a practically constant speed and for a practically unsmoothed one.
+/// Smoothing parameters relative to the cube of a step time. With the first, the speed is practically constant. With the second, it is
+/// practically unsmoothed.
 const SMOOTHEST: f64 = 1e9;
 const LEAST: f64 = 1e-6;
-/// Number of halvings of the smoothing on its logarithmic scale.
+/// Number of halvings in the search for the smoothing parameter on a logarithmic scale.
 const HALVINGS: usize = 24;
 
-/// Bounds that a programme satisfies.
+/// Bounds that a speed programme must satisfy.
 ///
 /// ```
 /// use gaitcam::dynamics::Bounds;
@@ -27,9 +28,9 @@ const HALVINGS: usize = 24;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Maximum angular acceleration, rad/s².
+    /// Maximum angular acceleration of the camshaft, rad/s².
     pub acceleration: f64,
-    /// Minimum contact force, N.
+    /// Minimum contact force of the run, N.
     pub force_min: f64,
 }
 
@@ -54,22 +55,22 @@ pub struct Bounds {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// Programme: the speed of the shaft; with a motor, its no-load speed.
+    /// Programme: speed of the shaft; with a motor, commanded no-load speed.
     pub programme: SpeedProgramme,
     /// Run of the cam that follows the programme.
     pub run: ProgrammeRun,
     /// Force of the walk (recorded or generated) at the rows, N.
     pub walk_n: Vec<f64>,
-    /// Differences between the responses to the force of the cam and to the force of the walk.
+    /// Differences between the responses of a structural mode to the force of the walk and to the force of the cam.
     pub misfits: [Misfit; 3],
     /// Maximum deviation of a step time of the programme from the recorded one, s.
     pub step_error_s: f64,
-    /// Root mean square of the difference between both forces, N.
+    /// Root mean square difference between the force of the cam and the force of the walk, N.
     pub rms_error_n: f64,
 }
 
-/// Cam angles of the heel strikes of a walk, rad, increasing. One turn is a stride of two steps, or one step. The heel strike that begins the cycle
-/// of the force is at the angle `first`; that of the other foot is at the fraction `middle` of a stride.
+/// Cam angles of the heel strikes of a walk, rad, increasing. One turn is a stride of two steps, or one step. The heel strike that begins
+/// the cycle of the force is at the angle `first`. The heel strike of the other foot is at the fraction `middle` of a stride.
 fn strike_angles(walk: &Walk, steps_per_turn: usize, first: f64, middle: f64) -> Vec<f64> {
     let angle = |i: usize| match steps_per_turn {
         1 => TAU * i as f64,
@@ -79,14 +80,15 @@ fn strike_angles(walk: &Walk, steps_per_turn: usize, first: f64, middle: f64) ->
 }
 
 impl SpeedProgramme {
-    /// Times of the rows of a walk, s: the times of its force, and its end.
+    /// Times of the rows of the programme for a walk, s: the times of its force samples, and its end.
     fn times(walk: &Walk) -> Vec<f64> {
         let count = walk.samples();
         let at = |i: usize| walk.duration_s * i as f64 / count as f64;
         (0..=count).map(at).collect()
     }
 
-    /// Smoothed programme that passes a cam angle at each heel strike, with the angle of its first row.
+    /// Speed programme whose cam angles at the heel strikes approximate `angles`, rad, smoothed with the weight `lambda`. Also returns the
+    /// cam angle at the first row, rad, and the spline of the deviation from constant speed, rad.
     fn of(walk: &Walk, angles: &[f64], turns: f64, lambda: f64) -> (SpeedProgramme, f64, Periodic) {
         let mean = TAU * turns / walk.duration_s;
         let off = angles.iter().zip(&walk.steps_s);
@@ -99,12 +101,13 @@ impl SpeedProgramme {
 }
 
 impl Followed {
-    /// Computes the speed for which a cam has the step times of a walk, with the minimum smoothing that the bounds and the motor permit.
-    /// `steps_per_turn` is 1 or 2. The cycle of the cam's force begins at the cam angle `first`; the other foot strikes at the fraction `middle` of
-    /// the cycle.
+    /// Computes the speed for which a cam reproduces the step times of a walk, with the minimum smoothing that the bounds and the motor
+    /// permit. `steps_per_turn` is 1 or 2. The cycle of the cam's force begins at the cam angle `first`; the other foot strikes at the
+    /// fraction `middle` of the cycle.
     ///
     /// # Errors
-    /// A cam that breaks a bound even at constant speed, a motor that cannot follow; a cam or machine without a rigid run.
+    /// A cam that violates a bound even at constant speed, a motor that cannot follow, or a cam or machine that the rigid model does not
+    /// support.
     pub fn new(
         run: &Run,
         walk: &Walk,

@@ -1,8 +1,8 @@
-//! The speed of the camshaft over time.
+//! Speed of the camshaft as a function of time.
 
 use crate::error::{DynamicsError, Result};
 
-/// The speed of the camshaft over time, linear between its rows.
+/// Speed of the camshaft as a function of time, linear between its rows.
 ///
 /// ```
 /// use gaitcam::dynamics::SpeedProgramme;
@@ -39,7 +39,7 @@ impl SpeedProgramme {
         Ok(SpeedProgramme { time_s, speed })
     }
 
-    /// Cam angles at the rows, rad, from the angle `start` on.
+    /// Cam angles at the rows, rad; `start` is the angle at the first row.
     pub fn angles(&self, start: f64) -> Vec<f64> {
         let mut angle = start;
         let steps = self.time_s.windows(2).zip(self.speed.windows(2));
@@ -50,7 +50,7 @@ impl SpeedProgramme {
         std::iter::once(start).chain(next).collect()
     }
 
-    /// Acceleration at the rows, rad/s²: the mean of the slopes on both sides.
+    /// Angular acceleration at the rows, rad/s²: mean of the slopes before and after the row.
     pub(super) fn accelerations(&self) -> Vec<f64> {
         let steps = self.time_s.windows(2).zip(self.speed.windows(2));
         let slopes: Vec<f64> = steps.map(|(t, w)| (w[1] - w[0]) / (t[1] - t[0])).collect();

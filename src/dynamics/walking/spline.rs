@@ -1,9 +1,10 @@
 //! Periodic cubic smoothing spline (Reinsch 1967): the curve with the minimum of Σ (p(tₖ) − yₖ)² + λ ∫ p″². It passes through yₖ for λ = 0.
 //!
-//! The steps are hₖ. R is the cyclic matrix of the integrals of hat functions, Q the cyclic matrix of second differences. The second derivatives γ at
-//! the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The system is cyclic with two diagonals on either side.
+//! R is the cyclic matrix of the integrals of products of two hat functions. Q is the cyclic matrix of second differences. The second
+//! derivatives γ at the knots solve (R + λ QᵀQ) γ = Qᵀy, and p = y − λ Q γ. The matrix of this system is cyclic, with two diagonals on
+//! either side of the main diagonal.
 
-/// A periodic cubic spline.
+/// A periodic cubic spline, evaluated at any time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Periodic {
     period: f64,
@@ -13,7 +14,8 @@ pub struct Periodic {
 }
 
 impl Periodic {
-    /// Smoothing spline of values at five or more increasing knots in [0, period). `lambda` is the weight of ∫ p″²; 0 interpolates.
+    /// Smoothing spline of values at five or more increasing knots in [0, period). `lambda` is the weight λ of ∫ p″². With 0, the spline
+    /// passes through the values.
     pub fn smoothed(knots: &[f64], values: &[f64], period: f64, lambda: f64) -> Periodic {
         let n = knots.len();
         let after = |k: usize| (k + 1) % n;
@@ -61,7 +63,7 @@ impl Periodic {
         }
     }
 
-    /// Value and first two derivatives at the time `t`.
+    /// Value of the spline and its first two derivatives at the time `t`.
     pub fn at(&self, t: f64) -> [f64; 3] {
         let n = self.knots.len();
         let t = self.knots[0] + (t - self.knots[0]).rem_euclid(self.period);
@@ -87,7 +89,8 @@ impl Periodic {
     }
 }
 
-/// A symmetric cyclic matrix with two diagonals on either side. Each row contains the diagonal entry and the two entries after it, modulo the size.
+/// A symmetric cyclic matrix with two diagonals on either side of the main diagonal. Each row contains the diagonal entry and the two
+/// entries after it, modulo the size.
 struct Cyclic {
     rows: Vec<[f64; 3]>,
 }
@@ -136,7 +139,7 @@ impl Cyclic {
         rest.chain(last).collect()
     }
 
-    /// Solves the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
+    /// Solves the system of the leading band of `m` rows for several right-hand sides, by A = L D Lᵀ.
     fn solve_band(&self, m: usize, columns: &mut [Vec<f64>]) {
         let mut lower = vec![[0.0; 2]; m];
         let mut diagonal = vec![0.0; m];

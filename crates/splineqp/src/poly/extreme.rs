@@ -1,4 +1,4 @@
-//! Extreme value of a function.
+//! Extreme value of a function, with its position.
 
 use serde::Serialize;
 
@@ -13,9 +13,9 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extreme {
-    /// Abscissa of the extreme, in the units of the breaks.
+    /// Abscissa of the extreme, in the units of the function's breaks.
     pub at: f64,
-    /// Value of the extreme.
+    /// Value of the function at the extreme.
     pub value: f64,
 }
 
@@ -28,7 +28,7 @@ impl Extreme {
         }
     }
 
-    /// Maximum absolute value of a function with the given two extremes.
+    /// Maximum absolute value of a function with the given minimum and maximum, and its abscissa.
     pub fn largest((low, high): (Extreme, Extreme)) -> Extreme {
         if high.value >= -low.value {
             high

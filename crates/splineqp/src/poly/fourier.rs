@@ -7,7 +7,7 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 thread_local! {
-    /// Planner of transforms. It is reused, because planning takes longer than one transform of usual length.
+    /// Planner of Fourier transforms. It is reused, because planning takes longer than one transform of usual length.
     static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
 }
 
@@ -19,9 +19,9 @@ fn inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
     PLANNER.with_borrow_mut(|p| p.plan_fft_inverse(n))
 }
 
-/// Mean, then (cosine, sine) amplitudes of the harmonics 1 … n/2 of n ≥ 1 samples at equal steps of a turn: the sample at θ is the mean plus Σ aₕ cos
-/// hθ + bₕ sin hθ. The first entry is (mean, 0). For even n, the amplitude of the last cosine is twice that in the sum, because samples do not
-/// distinguish it from its alias.
+/// Mean and (cosine, sine) amplitudes of the harmonics 1 … n/2 of n ≥ 1 samples at equal steps of a turn. The first entry is (mean, 0). The
+/// sample at θ is the mean plus Σ aₕ cos hθ + bₕ sin hθ. For even n, the last cosine coincides with its alias at the samples, so its
+/// amplitude is twice its coefficient in this sum.
 pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     let n = samples.len();
     let fft = forward(n);
@@ -38,8 +38,8 @@ pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Derivative of the given order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1, from (aₕ, bₕ), h = 1 … < n/2. It is exact up to rounding
-/// errors relative to the maximum value.
+/// Samples of the derivative of the given order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1. `terms` contains (aₕ, bₕ) for h = 1
+/// … < n/2. The result is exact up to rounding errors relative to the maximum value.
 pub fn samples(terms: &[(f64, f64)], order: u32, n: usize) -> Vec<f64> {
     debug_assert!(2 * terms.len() < n);
     let fft = inverse(n);

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Maximum number of nodes of one rule. For more nodes, rules are repeated on equal parts.
+/// Maximum number of nodes of one rule. For more nodes, the interval is divided into equal parts with one rule each.
 const LARGEST: usize = 16;
 
-/// At least `n` nodes in (0, 1) with their weights (sum 1): a Gauss–Legendre rule, or several rules on equal parts if `n` exceeds 16. A rule with m
-/// nodes integrates degree 2m − 1 exactly.
+/// At least `n` nodes in (0, 1) with their weights, whose sum is 1. If `n` exceeds 16, the interval is divided into equal parts with one
+/// rule each. A Gauss–Legendre rule with m nodes integrates polynomials of degree 2m − 1 exactly.
 pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let parts = n.max(1).div_ceil(LARGEST);
     let m = n.max(1).div_ceil(parts);
@@ -21,14 +21,14 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Rule with m ≤ 16 nodes; each rule is computed once.
+/// Gauss–Legendre rule with m ≤ 16 nodes. Each rule is computed only once.
 fn cached_rule(m: usize) -> &'static [(f64, f64)] {
     static RULES: [OnceLock<Vec<(f64, f64)>>; LARGEST + 1] =
         [const { OnceLock::new() }; LARGEST + 1];
     RULES[m].get_or_init(|| single_rule(m))
 }
 
-/// Nodes by Newton's method for the Legendre polynomial, from the usual cosine estimate.
+/// Computes the nodes by Newton's method for the roots of the Legendre polynomial, from the usual cosine estimate.
 fn single_rule(m: usize) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = (0..m)
         .map(|i| {
@@ -50,7 +50,7 @@ fn single_rule(m: usize) -> Vec<(f64, f64)> {
     out
 }
 
-/// Legendre polynomial Pₘ(x) and its derivative.
+/// Value and derivative of the Legendre polynomial Pₘ at x.
 fn legendre(m: usize, x: f64) -> (f64, f64) {
     let (mut before, mut p) = (1.0, x);
     for k in 2..=m {

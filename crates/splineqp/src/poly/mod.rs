@@ -1,7 +1,7 @@
 //! Piecewise polynomials in Bernstein form, with exact derivatives, roots and extrema; B-splines; sums of harmonics.
 //!
-//! A polynomial of degree n on an interval is represented by its n + 1 Bernstein coefficients. Their convex hull bounds the polynomial, and they are
-//! better conditioned than monomials (theory §9).
+//! A polynomial of degree n on an interval is represented by its n + 1 Bernstein coefficients. The polynomial lies in the convex hull of
+//! its coefficients. The Bernstein form is better conditioned than monomials (theory §9).
 
 pub mod bernstein;
 mod bspline;

@@ -52,7 +52,7 @@ impl Range {
     }
 }
 
-/// Local maximum, with the piece to which it belongs. The piece identifies the side of a break.
+/// Local maximum of a piecewise polynomial. The index of the piece distinguishes the two sides of a break.
 ///
 /// ```
 /// use splineqp::poly::PiecewisePoly;
@@ -64,18 +64,18 @@ impl Range {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Peak {
-    /// Index of the piece.
+    /// Index of the piece on which the maximum is.
     pub piece: usize,
-    /// Position on the piece, 0 … 1.
+    /// Position u on the piece, from 0 at its start to 1 at its end.
     pub u: f64,
-    /// Abscissa of the maximum.
+    /// Abscissa at which the maximum is.
     pub at: f64,
-    /// Value of the maximum.
+    /// Value of the function at the maximum.
     pub value: f64,
 }
 
 impl Peak {
-    /// A peak at the given position, with the value 0.
+    /// A position as a peak with the value 0.
     pub fn place(piece: usize, u: f64, at: f64) -> Peak {
         let value = 0.0;
         Peak {
@@ -106,7 +106,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Another function with the same breaks.
+    /// Function with the same breaks and the given Bernstein coefficients.
     fn with_pieces(&self, degree: usize, coef: Vec<f64>) -> Self {
         PiecewisePoly {
             breaks: self.breaks.clone(),
@@ -115,13 +115,13 @@ impl PiecewisePoly {
         }
     }
 
-    /// Breaks in ascending order, one more than pieces.
+    /// Breaks in ascending order. Their number is the number of pieces plus one.
     #[inline]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks
     }
 
-    /// Degree of all pieces.
+    /// Degree of the polynomials of all pieces.
     #[inline]
     pub fn degree(&self) -> usize {
         self.degree
@@ -145,7 +145,8 @@ impl PiecewisePoly {
         &self.coef
     }
 
-    /// Index of the piece that contains `x` (outside the breaks the first or last piece), and position u ∈ [0, 1] on it.
+    /// Index of the piece that contains `x`, and position u ∈ [0, 1] on it. Outside the breaks, it is the first or the last piece, and u is
+    /// outside [0, 1].
     #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
@@ -160,7 +161,7 @@ impl PiecewisePoly {
         bernstein::eval(self.piece(i), u)
     }
 
-    /// Derivative, piece by piece. Jumps at breaks are not differentiated.
+    /// Derivative of every piece. Jumps at breaks are ignored.
     #[must_use]
     pub fn derivative(&self) -> Self {
         let n = self.degree;
@@ -249,7 +250,7 @@ impl PiecewisePoly {
         self.with_pieces(degree, coef)
     }
 
-    /// Minimum and maximum, from the roots of the derivative and both sides of every break.
+    /// Minimum and maximum over the whole range, from the roots of the derivative and the values on both sides of every break.
     pub fn extremes(&self) -> (Extreme, Extreme) {
         let start = Extreme {
             at: self.breaks[0],
@@ -286,7 +287,8 @@ impl PiecewisePoly {
         (range.low, range.high)
     }
 
-    /// Local maxima above `level` on [from, to] (clipped to the breaks), including ends of pieces towards which the function rises.
+    /// Local maxima above `level` on [from, to], limited to the range of the breaks. An end of a piece counts as a maximum if the function
+    /// rises towards it.
     pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {
@@ -353,7 +355,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Points at which the function changes sign, in ascending order, including jumps through zero.
+    /// Points at which the function changes sign, in ascending order, including jumps from one sign to the other.
     pub fn roots(&self) -> Vec<f64> {
         let mut out: Vec<f64> = Vec::new();
         for i in 0..self.pieces() {

@@ -8,7 +8,7 @@ use super::{PiecewisePoly, bernstein};
 const DEGREE: usize = 12;
 /// Maximum number of halvings of a part, reached at a cusp or jump inside a piece.
 const MAX_HALVINGS: u32 = 30;
-/// Maximum number of parts of one piece. A cusp needs one part per halving; noise would need any number.
+/// Maximum number of parts of one piece. A cusp needs one part per halving. For a function with noise, no number would be sufficient.
 const MOST_PARTS: usize = 512;
 /// Fraction of the scale below which the last coefficients are rounding noise of the function, if halving does not reduce them.
 const NOISE: f64 = 1e-9;
@@ -25,8 +25,8 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     joined(&transform, breaks, tolerance, 0.0, &first, f)
 }
 
-/// Interpolants of several functions that are computed together. Each function is a difference of large terms. `terms` contains the sizes of these
-/// terms, because their rounding errors limit the accuracy.
+/// Piecewise polynomials as from [`stand_in`], for several functions that are evaluated together. Each function is a difference of large
+/// terms. `terms` contains the sizes of these terms, because their rounding errors limit the accuracy.
 pub fn stand_ins_for_differences(
     breaks: &[f64],
     tolerance: f64,
@@ -54,7 +54,7 @@ pub fn stand_ins_for_differences(
 /// Values of a function at the nodes of a part.
 type Values = [f64; DEGREE + 1];
 
-/// Interpolant of a function, from its `first` values on whole intervals.
+/// Interpolant of a function; `first` contains its values at the nodes of whole intervals.
 fn joined(
     transform: &Transform,
     breaks: &[f64],
@@ -82,9 +82,9 @@ fn joined(
 
 struct Transform {
     nodes: [f64; DEGREE + 1],
-    /// Values of T_k at the nodes.
+    /// Values of the Chebyshev polynomials T_k at the nodes.
     waves: [[f64; DEGREE + 1]; DEGREE + 1],
-    /// Bernstein coefficients of T_k(2u − 1).
+    /// Bernstein coefficients of the Chebyshev polynomials T_k(2u − 1).
     chebyshev: Vec<Vec<f64>>,
 }
 
@@ -116,7 +116,7 @@ impl Transform {
         }
     }
 
-    /// Nodes between two ends.
+    /// Chebyshev nodes between two ends.
     fn nodes_on(&self, [a, b]: [f64; 2]) -> [f64; DEGREE + 1] {
         self.nodes.map(|x| a + (b - a) * 0.5 * (1.0 + x))
     }
@@ -148,7 +148,7 @@ struct Part {
     chebyshev: [f64; DEGREE + 1],
     /// Maximum absolute value at the nodes.
     largest: f64,
-    /// Maximum of the last coefficients, for this part and before the last halving.
+    /// Maximum absolute value of the last coefficients. The next field is the same maximum before the last halving.
     tail: f64,
     parent_tail: f64,
     halvings: u32,
@@ -174,7 +174,7 @@ impl Part {
         }
     }
 
-    /// Whether halving would reduce the error.
+    /// Whether the part needs a further halving and the halving would reduce the error.
     fn is_rough(&self, tolerance: f64, scale: f64) -> bool {
         let [a, b] = self.ends;
         let mid = 0.5 * (a + b);
@@ -185,7 +185,8 @@ impl Part {
     }
 }
 
-/// A piece divided into parts, from left to right. The part with the largest error is halved until all parts are accurate, or there are too many.
+/// Divides a piece into parts and returns them from left to right. The part with the largest error is halved until all parts are accurate
+/// or their maximum number is reached.
 fn parts(
     transform: &Transform,
     f: &impl Fn(f64) -> f64,

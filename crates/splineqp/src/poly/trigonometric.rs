@@ -1,4 +1,4 @@
-//! Values and extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
+//! Values and extremes of the sum Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
 
 use std::f64::consts::TAU;
 
@@ -8,12 +8,12 @@ use super::{Extreme, fourier};
 const POINTS_PER_WAVE: usize = 16;
 /// Minimum number of grid points.
 const FEWEST_POINTS: usize = 64;
-/// Maximum number of steps within a cell. Newton's method needs three or four; bisection needs all of them.
+/// Maximum number of steps within a cell. Newton's method needs three or four steps. Bisection needs all of them.
 const STEPS: usize = 40;
-/// Newton step, rad, below which a parabola gives the value of the maximum up to rounding errors.
+/// Newton step, rad, below which a parabola gives the value of the maximum with an error below rounding errors.
 const FLAT: f64 = 1e-5;
 
-/// Values and two derivatives at `x` of sums with equal numbers of terms.
+/// Value and two derivatives at `x` of each of several sums with equal numbers of terms.
 pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64; 3]; K] {
     let (sin, cos) = libm::sincos(x);
     let (mut c, mut s) = (1.0, 0.0);
@@ -32,7 +32,7 @@ pub fn harmonic_sums<const K: usize>(sums: [&[(f64, f64)]; K], x: f64) -> [[f64;
     out
 }
 
-/// Values at equal steps over the turn. Their number is a power of two, at least 16 per period of the highest harmonic.
+/// Values of the sum at equal steps over the turn. Their number is a power of two, at least 16 per period of the highest harmonic.
 pub fn harmonic_values(terms: &[(f64, f64)]) -> Vec<f64> {
     fourier::samples(terms, 0, grid_for(terms.len()))
 }
@@ -43,8 +43,9 @@ fn grid_for(harmonics: usize) -> usize {
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Minimum and maximum, exact up to rounding errors: Newton's method in every candidate cell of the grid. Between grid points, the sum exceeds the
-/// higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
+/// Minimum and maximum of the sum, exact up to rounding errors. They are computed by Newton's method in every cell of the grid that may
+/// contain them. Between grid points, the sum exceeds the higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² +
+/// bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
@@ -83,7 +84,7 @@ pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     (lowest.found(), highest.found())
 }
 
-/// Extreme of a sum without terms.
+/// Extreme of the zero function, which has no terms.
 const NOTHING: Extreme = Extreme {
     value: 0.0,
     at: 0.0,
@@ -98,12 +99,12 @@ struct Search<'a> {
     sign: f64,
     best: f64,
     at: f64,
-    /// The cell that was searched last, given by the point at its end.
+    /// The cell that was searched last, given by the grid point at its end.
     searched: Option<usize>,
 }
 
 impl Search<'_> {
-    /// Evaluates a point of the grid with its value, and searches the cells on both sides.
+    /// Considers a grid point with its value, and searches the cells on both sides of the point.
     fn around(&mut self, i: usize, value: f64) {
         self.take(self.sign * value, i as f64 * self.step);
         for end in [i, i + 1] {
@@ -127,8 +128,8 @@ impl Search<'_> {
         }
     }
 
-    /// Maximum in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method for f′ from a linear estimate, with
-    /// bisection as a safeguard.
+    /// Searches the maximum in the cell before grid point `i`, if sign·f rises at the start of the cell and falls at its end. The method is
+    /// Newton's method for f′ from a linear estimate, with bisection as a safeguard.
     fn crest(&mut self, i: usize) {
         let points = self.slopes.len();
         let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);

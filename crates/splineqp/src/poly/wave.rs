@@ -1,4 +1,4 @@
-//! Sinusoids of a function on pieces, and their Taylor polynomials.
+//! Sinusoids on the pieces of a function, and their Taylor polynomials.
 
 use super::{PiecewisePoly, bernstein};
 use serde::Serialize;
@@ -24,13 +24,13 @@ pub struct Wave {
     pub sin: f64,
 }
 
-/// Maximum phase of a sinusoid on one Taylor polynomial, rad: ±½ about its middle.
+/// Maximum phase of a sinusoid that one Taylor polynomial covers, rad: ±½ about its middle.
 const PHASE_PER_PIECE: f64 = 1.0;
 /// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
 const TAYLOR_DEGREE: usize = 14;
 
 impl Wave {
-    /// Adds the value and three derivatives at `x` to `out`.
+    /// Adds the value and the first three derivatives at `x` to `out`.
     #[inline]
     pub fn add_to(&self, x: f64, out: &mut [f64; 4]) {
         let (sin, cos) = libm::sincos(self.rate * x);
@@ -43,7 +43,7 @@ impl Wave {
         out[3] -= square * slope;
     }
 
-    /// The sinusoid with a later start: g(x) = f(x + later).
+    /// The same sinusoid with the origin moved by `later`: g(x) = f(x + later).
     pub fn from(&self, later: f64) -> Wave {
         let (sin, cos) = libm::sincos(self.rate * later);
         Wave {
@@ -63,7 +63,7 @@ impl Wave {
         }
     }
 
-    /// Amplitudes (cos, sin) of w₀f + w₁f′ + w₂f″ + w₃f‴.
+    /// Amplitudes (cos, sin) of the combination w₀f + w₁f′ + w₂f″ + w₃f‴.
     fn combination(&self, w: [f64; 4]) -> (f64, f64) {
         let r = self.rate;
         let even = w[0] - w[2] * r * r;
@@ -75,8 +75,8 @@ impl Wave {
     }
 }
 
-/// Splits pieces until one Taylor polynomial is accurate for every sinusoid on a piece. Each returned sinusoid contains the x at the start of its new
-/// piece.
+/// Divides pieces until one Taylor polynomial is sufficient for every sinusoid on a piece. Each returned sinusoid is stored with the
+/// position x at which its new piece starts.
 pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, Vec<Vec<Shifted>>) {
     if waves.is_empty() {
         return (poly.clone(), Vec::new());
@@ -106,13 +106,13 @@ pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, V
     (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
 }
 
-/// A sinusoid on a part of its piece that starts at x = `start`.
+/// A sinusoid on a part of its piece. The part starts at x = `start`.
 pub struct Shifted {
     wave: Wave,
     start: f64,
 }
 
-/// Adds Σ wₖ dᵏ of the sinusoids of each piece to `sum`, whose pieces are those of [`subdivide`].
+/// Adds the combination Σ wₖ f⁽ᵏ⁾ of the sinusoids f of each piece to `sum`. The pieces of `sum` are those of [`subdivide`].
 pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4]) -> PiecewisePoly {
     if waves.is_empty() {
         return sum;

@@ -3,15 +3,15 @@
 use crate::Names;
 use serde::Serialize;
 
-/// Reason for a missing solution. Only the first two prove infeasibility.
+/// Reason why a program has no solution. Only the first two reasons prove infeasibility.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Failure<N: Names> {
     /// The equalities contradict each other.
     Inconsistent {
-        /// Names of the independent equalities among the contradictory ones.
+        /// Names of the dependent equalities that contradict the other equalities.
         equalities: Vec<N::Equality>,
     },
-    /// The limits are infeasible.
+    /// No law satisfies all limits.
     Infeasible,
     /// The solver stopped without a result.
     Numerical {

@@ -87,7 +87,7 @@ pub struct Limit<N: Names> {
     pub bound: f64,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Index in the shapes of the program, for the part of the bound that varies with θ.
+    /// Index of the part of the bound that varies with θ, in the shapes of the program; `None` for a constant bound.
     pub shape: Option<usize>,
     /// Whether the law is measured from its value at the reference angle of the program.
     pub from_reference: bool,
@@ -95,9 +95,9 @@ pub struct Limit<N: Names> {
     pub domain: (f64, f64),
     /// Scale of a violation: |bound|, or 1 if the bound is 0.
     pub scale: f64,
-    /// Whether a solver may tighten the limit by a margin. This is wrong if a law may have to lie on its bound over a whole range.
+    /// Whether a solver may tighten the limit by a margin. It must be false if the law may have to equal its bound over a whole range.
     pub has_room: bool,
-    /// Whether the limit is one end of a range with free position.
+    /// Whether the limit is one end of a range of values whose position is free.
     pub is_window: bool,
     /// Meaning of a change of the bound for the caller.
     pub meaning: N::Meaning,
@@ -111,7 +111,7 @@ pub struct Limited<N: Names> {
 }
 
 impl<N: Names> Limited<N> {
-    /// Limits the left side to at most `bound`. A violation is relative to the bound, or to 1 if the bound is 0.
+    /// Limits the left side to at most `bound`. The scale of a violation is |bound|, or 1 if the bound is 0.
     pub fn at_most(self, bound: f64) -> Limit<N> {
         Limit {
             name: self.name,
@@ -128,7 +128,7 @@ impl<N: Names> Limited<N> {
         }
     }
 
-    /// Limits the left side to at least `bound`.
+    /// Limits the left side to at least `bound`. The scale of a violation is |bound|, or 1 if the bound is 0.
     pub fn at_least(self, bound: f64) -> Limit<N> {
         let side = -self.side;
         Limited { side, ..self }.at_most(-bound)
@@ -168,14 +168,14 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// The limit without a margin.
+    /// The limit without permission to tighten it by a margin.
     #[must_use]
     pub fn exact(mut self) -> Self {
         self.has_room = false;
         self
     }
 
-    /// The limit with its bound, except the shape, replaced by the peak variable.
+    /// The limit with the peak variable in place of its constant bound. The shape is unchanged.
     #[must_use]
     pub fn minimised(mut self) -> Self {
         self.bound = 0.0;
@@ -183,7 +183,8 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Scale of an excess for the given bound. For a range of values it is the width, not the distance from 0.
+    /// Scale of an excess for the given bound. For a range of values with free position, it is the width of the range, not the distance
+    /// from 0.
     pub fn size(&self, room: f64) -> f64 {
         if self.is_window {
             self.scale
@@ -202,7 +203,7 @@ impl<N: Names> Limit<N> {
         at >= self.domain.0 && at <= self.domain.1
     }
 
-    /// The limit with an empty domain.
+    /// The limit with an empty domain, so that it has no effect.
     pub(crate) fn idle(mut self) -> Self {
         self.extra = Values::NONE;
         self.is_window = false;
@@ -210,7 +211,7 @@ impl<N: Names> Limit<N> {
         self
     }
 
-    /// Whether the domain of the limit is empty.
+    /// Whether the domain of the limit is empty, so that it has no effect.
     pub(crate) fn is_idle(&self) -> bool {
         self.domain.0 == f64::INFINITY
     }
@@ -220,7 +221,7 @@ impl<N: Names> Limit<N> {
         self.weights == [0.0; 5] && !self.extra.is_none()
     }
 
-    /// Whether the bound of the limit is the minimised peak.
+    /// Whether the bound of the limit contains the minimised peak.
     pub fn is_peak(&self) -> bool {
         self.extra[PEAK] != 0.0
     }

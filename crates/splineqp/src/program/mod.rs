@@ -1,8 +1,8 @@
 //! Convex program for the coefficients of a law, and its solution by exchange of rows.
 //!
-//! Minimises ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold at *every* point of their domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is
-//! equivalent to infinitely many rows. `separation` finds its exact worst points. `solve` selects the method: `active_set` for the coefficients
-//! alone, `exchange` if sizes and peaks are variables.
+//! Minimises ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold at *every* point of their domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A
+//! limit is equivalent to infinitely many rows, one for each θ. `separation` computes the exact points at which a law exceeds a limit most.
+//! `solve` selects the method: `active_set` if only the coefficients are unknown, `exchange` if sizes and peaks are variables.
 
 use crate::Names;
 mod failure;
@@ -29,15 +29,15 @@ use variable::Declared;
 /// Equality constraint on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality<N: Names> {
-    /// Name of the equality.
+    /// Name of the equality for the caller.
     pub name: N::Equality,
-    /// Coefficients of the row.
+    /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
-    /// Value of the left side.
+    /// Prescribed value of the left side.
     pub value: f64,
 }
 
-/// Convex program.
+/// Convex program for the coefficients of a law and a few further variables.
 #[derive(Debug, Clone)]
 pub struct Program<N: Names> {
     /// Basis functions of the law.
@@ -54,13 +54,14 @@ pub struct Program<N: Names> {
     pub limits: Vec<Limit<N>>,
     /// Limits on root mean squares of the law.
     pub rms: Vec<RmsLimit<N>>,
-    /// Parts of bounds that vary with θ.
+    /// Functions of θ that are added to the constant bounds of limits.
     pub shapes: Vec<PiecewisePoly>,
-    /// Row for the value of the law at the reference angle, from which limits may measure the law; `None` if they measure it from zero.
+    /// Row for the value of the law at the reference angle. Limits with `from_reference` measure the law from this value; `None` if they
+    /// measure it from zero.
     pub reference: Option<Entries>,
-    /// Rows that do not belong to a limit (linearised curvature). These rows are kept in every iteration.
+    /// Rows that do not belong to a limit, such as those of a linearised curvature. These rows are kept in every iteration.
     pub fixed: Vec<Row<N>>,
-    /// Initial rows of the exchange: contacts of a similar program.
+    /// Initial rows of the exchange, such as the active rows of a similar program.
     pub seeds: Vec<Row<N>>,
     /// Cost of each further variable.
     pub cost: Values,
@@ -69,7 +70,7 @@ pub struct Program<N: Names> {
     variables: Vec<Declared>,
     /// Typical size of the coefficients, used as unit of the solver.
     pub length: f64,
-    /// Settings of the solvers.
+    /// Settings of the solvers for this program.
     pub settings: Settings,
     /// Stop condition of the solvers.
     pub halt: Halt,
@@ -78,21 +79,21 @@ pub struct Program<N: Names> {
 /// Row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
 #[derive(Debug, Clone)]
 pub struct Row<N: Names> {
-    /// Index of the limit; `None` for a fixed row.
+    /// Index of the limit; `None` for a row that does not belong to a limit.
     pub limit: Option<usize>,
     /// Name of the limit for users.
     pub name: N::Limit,
-    /// Position on the law.
+    /// Position at which the row is evaluated, as a peak of the law.
     pub peak: Peak,
     /// Weights of s, v, a, j and the fourth derivative at that position.
     pub weights: [f64; 5],
-    /// Coefficients of the row.
+    /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
-    /// Coefficients of the row for the reference value.
+    /// Part of the coefficients that belongs to the value of the law at the reference angle.
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
-    /// Bound of the row.
+    /// Bound of the left side of the row.
     pub bound: f64,
     /// Scale of the margin; 0 if no margin is permitted.
     pub scale: f64,
@@ -117,12 +118,12 @@ impl<N: Names> Row<N> {
         }
     }
 
-    /// Bound minus left side.
+    /// Bound of the row minus its left side for the given coefficients and further variables.
     pub(crate) fn slack(&self, x: &[f64], extra: &Values) -> f64 {
         self.bound - self.extra.dot(extra) - apply(&self.entries, x)
     }
 
-    /// Whether a row of the same limit is closer than this fraction of the piece.
+    /// Whether both rows belong to the same limit and the same piece, at a distance less than the fraction `part` of the piece.
     pub(crate) fn coincides(&self, other: &Row<N>, part: f64) -> bool {
         self.limit == other.limit
             && self.peak.piece == other.peak.piece
@@ -133,17 +134,17 @@ impl<N: Names> Row<N> {
 /// Solution of a program, with the data for its certificate.
 #[derive(Debug, Clone)]
 pub struct Solution<N: Names> {
-    /// Coefficients of the law.
+    /// Coefficients of the law, without the further variables.
     pub x: Vec<f64>,
     /// Values of the further variables.
     pub extra: Values,
     /// Active rows with their multipliers.
     pub active: Vec<Row<N>>,
-    /// Whether inequalities were necessary.
+    /// Whether inequalities were necessary, that is, whether the optimum with the equalities alone violates a limit.
     pub used_rows: bool,
     /// Total number of interior-point iterations.
     pub iterations: usize,
-    /// Number of exchange iterations.
+    /// Number of iterations in which rows were added.
     pub rounds: usize,
     /// Maximum violation of a limit over all angles, relative to its scale.
     pub violation: f64,
@@ -178,8 +179,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables. For a lift measured from the touching angle,
-    /// it is the bound of the increase.
+    /// Bound of the left side of a limit for a law: the bound minus the terms of the further variables. If the limit measures the law from
+    /// its value at the reference angle, this value is added.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &Values) -> f64 {
         let lowest = self.reference_of(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
@@ -190,17 +191,18 @@ impl<N: Names> Program<N> {
         self.basis.combination(&solution.x, &side.into().weights())
     }
 
-    /// Sets the angle, rad, from whose value limits measure the law.
+    /// Sets the reference angle, rad. Limits with `from_reference` measure the law from its value at this angle.
     pub fn count_from(&mut self, angle: f64) {
         self.reference = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
     }
 
-    /// Row of the value from which a limit measures the law, if it is not zero.
+    /// Row of the value from which a limit measures the law; `None` if the limit measures it from zero.
     pub fn reference_of(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// The program without the ranges of free position; `None` if there are no such limits, or if one of them was active in a similar program.
+    /// The program without the ranges of free position. `None` if there are no such limits, if the width of a range is minimised, or if one
+    /// of these limits was active in a similar program.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
@@ -218,7 +220,7 @@ impl<N: Names> Program<N> {
         Some(free)
     }
 
-    /// Lower ends of the ranges with free position, for a law.
+    /// Values of the variables that are the lower ends of ranges with free position, for the law with the coefficients `x`.
     pub fn windows(&self, x: &[f64]) -> Values {
         let mut extra = Values::NONE;
         if self.limits.iter().any(|l| l.is_window) {
@@ -289,12 +291,12 @@ impl<N: Names> Program<N> {
         self.cost[PEAK].abs() * peak.abs().max(f64::MIN_POSITIVE)
     }
 
-    /// Total objective of a solution.
+    /// Total objective of a solution, including the costs of the further variables.
     pub fn merit(&self, solution: &Solution<N>) -> f64 {
         self.objective(&solution.x) + self.constant + self.cost.dot(&solution.extra)
     }
 
-    /// Value of the quadratic part of the objective.
+    /// Value of the quadratic part of the objective, without its constant.
     pub fn objective(&self, x: &[f64]) -> f64 {
         quadratic(&self.hessian, &self.gradient, &x[..self.basis.columns()])
     }

@@ -11,11 +11,11 @@ use crate::poly::{Peak, Span, SplineSpace, bernstein};
 pub struct Pieces {
     spans: usize,
     degree: usize,
-    /// Rows of s, then of v and so on, with one row fewer per derivative.
+    /// Rows of coefficients of s, then of v and so on. Each derivative has one row fewer than the previous one.
     rows: Vec<f64>,
 }
 
-/// Bernstein coefficients of a function on every span, and its maxima.
+/// Bernstein coefficients of a function on every span, and the maximum coefficient of each span.
 #[derive(Default)]
 pub struct Curve {
     spans: usize,
@@ -60,7 +60,7 @@ impl Pieces {
         }
     }
 
-    /// Coefficients of one derivative.
+    /// Rows of Bernstein coefficients of the derivative `order`.
     fn of_order(&self, order: usize) -> &[f64] {
         let before: usize = (0..order).map(|k| self.degree + 1 - k).sum();
         &self.rows[before * self.spans..][..(self.degree + 1 - order) * self.spans]
@@ -144,7 +144,7 @@ impl Pieces {
 }
 
 impl Curve {
-    /// Coefficients on one piece.
+    /// Bernstein coefficients of the function on one piece.
     pub fn on<'a>(&self, piece: usize, room: &'a mut [f64; WIDEST]) -> &'a [f64] {
         let rows = self.rows.chunks_exact(self.spans);
         let n = rows.len();
@@ -199,7 +199,7 @@ impl Curve {
     }
 }
 
-/// Coefficients in cyclic order, so that those of a span are contiguous.
+/// Spline coefficients in cyclic order, with the first ones repeated, so that the coefficients of each span are contiguous.
 fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     let mut around = Vec::with_capacity(space.dimension() + space.degree());
     around.extend_from_slice(&x[..space.dimension()]);
@@ -207,7 +207,8 @@ fn around(space: &SplineSpace, x: &[f64]) -> Vec<f64> {
     around
 }
 
-/// Bernstein coefficients of the velocity on a span from the differences of the spline coefficients.
+/// Weights with which the differences of the spline coefficients contribute to the Bernstein coefficients of the velocity on a span, row by
+/// row.
 fn of_steps(space: &SplineSpace, span: usize) -> Vec<f64> {
     let n = space.degree() + 1;
     let factor = space.degree() as f64 / space.spans()[span].width;
@@ -259,7 +260,7 @@ fn fill(
     }
 }
 
-/// Inner products of the weights and the coefficients at every offset.
+/// Inner products of the weights with consecutive coefficients, starting at each coefficient.
 #[inline(always)]
 fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     for (out, own) in out.iter_mut().zip(coefficients.windows(weights.len())) {
@@ -267,12 +268,12 @@ fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
     }
 }
 
-/// Whether the values on both sides of a break are equal up to rounding errors.
+/// Whether the values on both sides of a break are equal up to rounding errors of this size or of `level`.
 fn joins(left: f64, right: f64, level: f64) -> bool {
     (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
 }
 
-/// Raises the degree of rows of Bernstein coefficients by one.
+/// Raises the degree of the polynomials by one. Each row contains one Bernstein coefficient of all spans.
 fn elevate(rows: &mut Vec<f64>, spans: usize) {
     let m = rows.len() / spans;
     rows.extend_from_within((m - 1) * spans..);

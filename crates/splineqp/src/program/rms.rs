@@ -6,27 +6,27 @@ use crate::band::ArrowFactor;
 use crate::objective::{MeanSquare, Quadratic};
 use crate::poly::Peak;
 
-/// Rounding error of a difference of the terms of q, relative to its constant.
+/// Rounding error of q, relative to its constant term.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Relative increase of the diagonal of H, so that H can be factorised if it is zero for constant functions.
+/// Relative increase of the diagonal of H. With it, H can be factorised even if it is zero for constant functions.
 const RIDGE: f64 = 1e-13;
 
 /// Limit on a root mean square as a cone: ‖Lᵀx + h‖ ≤ radius.
 pub struct Ball {
     /// Cholesky factor L of the Hessian H of the quadratic q (see [`RmsLimit`]).
     pub factor: ArrowFactor,
-    /// Shift h of the cone.
+    /// Vector h by which the cone is shifted.
     pub shift: Vec<f64>,
     /// Radius √(most² − 2 min q) of the cone.
     pub radius: f64,
 }
 
-/// Limit √(2 q(x)) ≤ most with a convex quadratic q, which is half a mean square.
+/// Limit √(2 q(x)) ≤ most. The convex quadratic function q is half a mean square.
 #[derive(Debug, Clone)]
 pub struct RmsLimit<N: Names> {
     /// Name of the limit for users.
     pub name: N::Limit,
-    /// The quadratic q as a mean square.
+    /// The function q, half a mean square.
     pub half: MeanSquare,
     /// Maximum root mean square, above 0.
     pub most: f64,
@@ -35,13 +35,13 @@ pub struct RmsLimit<N: Names> {
 }
 
 impl<N: Names> RmsLimit<N> {
-    /// Relative excess over the limit, beyond the rounding errors of q; negative if the limit is satisfied.
+    /// Relative excess over the limit after subtraction of the rounding errors of q; negative if the limit is satisfied.
     pub fn excess(&self, x: &[f64]) -> f64 {
         let square = 2.0 * self.half.value(x) - ROUNDING * self.half.whole.constant.abs();
         square.max(0.0).sqrt() / self.most - 1.0
     }
 
-    /// The limit as a cone; `None` if no law has such a small mean square.
+    /// The limit as a cone; `None` if the minimum of q exceeds the limit.
     pub(crate) fn ball(&self) -> Option<Ball> {
         let whole = &self.half.whole;
         let mut hessian = whole.hessian.clone();
@@ -60,12 +60,13 @@ impl<N: Names> RmsLimit<N> {
         })
     }
 
-    /// Whether a row is a tangent of this limit.
+    /// Whether a row is a tangent of this limit, recognised by its name.
     pub fn is_tangent(&self, row: &Row<N>) -> bool {
         row.limit.is_none() && row.name == self.name
     }
 
-    /// Tangent of the limit at x. Since q is convex, every law z within the limit satisfies ∇q(x)·(z − x) ≤ ½ most² − q(x), divided by `most`.
+    /// Tangent of the limit at x. Since q is convex, every law z that satisfies the limit satisfies ∇q(x)·(z − x) ≤ ½ most² − q(x). The
+    /// tangent is this inequality, divided by `most`.
     pub(crate) fn tangent(&self, x: &[f64], multiplier: f64) -> Row<N> {
         let mut gradient = self.half.gradient(x);
         gradient.iter_mut().for_each(|g| *g /= self.most);
@@ -80,8 +81,8 @@ impl<N: Names> RmsLimit<N> {
 }
 
 impl<N: Names> Program<N> {
-    /// Active rows of a similar program as initial rows of this one. They are contacts of limits, whose bounds and sizes may differ, and tangents of
-    /// root-mean-square limits.
+    /// Active rows of a similar program as initial rows of this program. Rows of limits are computed again with the bounds of this program.
+    /// Tangents of root-mean-square limits are unchanged.
     pub fn seeds_of(&self, active: &[Row<N>]) -> Vec<Row<N>> {
         let is_limited = |i: usize| self.limits.get(i).is_some_and(|l| !l.is_idle());
         let own = |row: &Row<N>| match row.limit {
@@ -107,7 +108,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// Program that minimises the root mean square with this name, with the other limits; `None` if there is no limit with this name.
+    /// Program that minimises the root mean square with this name subject to the other limits; `None` if there is no limit with this name.
     pub fn of_least_rms(&self, name: N::Limit) -> Option<Program<N>> {
         let mut out = self.clone();
         let limit = out.rms.iter().position(|l| l.name == name)?;
@@ -115,7 +116,8 @@ impl<N: Names> Program<N> {
         Some(out.minimising(limit.half.whole))
     }
 
-    /// The program with another objective for the coefficients alone. Its limits keep their indices, so that rows can be shared.
+    /// The program with `objective` as its objective, and without costs of further variables. Its limits keep their indices, so that rows
+    /// of both programs can be exchanged.
     #[must_use]
     pub fn minimising(mut self, objective: Quadratic) -> Program<N> {
         (self.hessian, self.gradient) = (objective.hessian, objective.gradient);
@@ -125,7 +127,8 @@ impl<N: Names> Program<N> {
         self
     }
 
-    /// Removes limits that have no effect because they contain a variable without a cost: an unbounded peak or size.
+    /// Removes limits that have no effect, because their bound contains a variable without a cost or another restriction, such as an
+    /// unbounded peak or size.
     fn without_idle_limits(&mut self) {
         let kept = |k: Variable| {
             self.is_in_cone(k)

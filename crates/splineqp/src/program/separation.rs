@@ -1,4 +1,4 @@
-//! Violations of limits by a law: exact worst points, from the roots of derivatives of the limits.
+//! Violations of limits by a law. The points of maximum violation are computed exactly, from roots of derivatives of the limits.
 
 use super::pieces::{Curve, Pieces};
 use super::{Limit, PEAK, Program, Row, Values};
@@ -7,19 +7,19 @@ use crate::basis::{Basis, Entries, WIDEST, add};
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
 impl<N: Names> Program<N> {
-    /// Exact worst points whose excess is above the tolerance.
+    /// Local maxima that exceed their limit by more than the tolerance, with the indices of the limits.
     pub fn broken(&self, x: &[f64], extra: &Values) -> Vec<(usize, Peak)> {
         self.peaks_near(x, extra, -self.settings.tolerance)
     }
 
-    /// Maximum excess over a limit, relative to the scale of the limit; 0 if all limits are satisfied.
+    /// Maximum excess over a limit, relative to the scale of the limit. The result is 0 if all limits are satisfied.
     pub fn violation(&self, x: &[f64], extra: &Values) -> f64 {
         let of_means = self.rms.iter().map(|limit| limit.excess(x));
         let of_limits = self.worst(&self.peaks_near(x, extra, 0.0), x, extra);
         of_means.fold(of_limits.max(0.0), f64::max)
     }
 
-    /// Local maxima of the left sides of limits whose distance from the bound is below the fraction `near` of the scale.
+    /// Local maxima of the left sides of limits that exceed the bound, or are below it by less than the fraction `near` of the scale.
     pub fn peaks_near(&self, x: &[f64], extra: &Values, near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let level = |limit: &Limit<N>| {
@@ -30,7 +30,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// Local maxima that exceed their limit by more than the tolerance.
+    /// Those of the given local maxima that exceed their limit by more than the tolerance.
     pub fn broken_among(
         &self,
         peaks: &[(usize, Peak)],
@@ -45,7 +45,7 @@ impl<N: Names> Program<N> {
         broken.copied().collect()
     }
 
-    /// Maximum excess of the given maxima and of the permanent rows, relative to the scale of the limits.
+    /// Maximum excess of the given local maxima and of the permanent rows, relative to the scale of the limits.
     pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &Values) -> f64 {
         let excess = peaks.iter().map(|(index, peak)| {
             let limit = &self.limits[*index];
@@ -55,14 +55,15 @@ impl<N: Names> Program<N> {
         excess.fold(self.excess_of_rows(x, extra), f64::max)
     }
 
-    /// Maximum relative excess of the rows that have a scale but no limit.
+    /// Maximum excess of the permanent rows that have a scale, relative to this scale.
     pub fn excess_of_rows(&self, x: &[f64], extra: &Values) -> f64 {
         let rows = self.fixed.iter().filter(|row| row.scale > 0.0);
         rows.map(|row| -row.slack(x, extra) / row.scale)
             .fold(0.0, f64::max)
     }
 
-    /// The minimised peak, raised to the value of the law. An excess then increases the objective and the duality gap and is not a violation.
+    /// Value of the peak variable, raised to the actual peak of the law. An excess over the peak then increases the objective and the
+    /// duality gap, and is not a violation.
     pub fn own_peak(&self, x: &[f64], extra: &Values) -> f64 {
         let mut raised = 0.0_f64;
         if self.limits.iter().any(Limit::is_peak) {
@@ -79,7 +80,7 @@ impl<N: Names> Program<N> {
         extra[PEAK] + raised
     }
 
-    /// Visits all local maxima of the left sides of all limits above their levels, limit by limit.
+    /// Visits all local maxima of the left side of each limit above the level of this limit, limit by limit.
     pub fn each_peak_above(
         &self,
         x: &[f64],
@@ -106,7 +107,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Spline space of the left side of a limit.
+    /// Spline space of the law if the left side of a limit can be evaluated on its spans. `None` for harmonics, for a limit with a shape
+    /// and for high degrees.
     fn spline_of(&self, limit: &Limit<N>) -> Option<&SplineSpace> {
         match &self.basis {
             Basis::Spline { space, .. } => {
@@ -122,7 +124,7 @@ impl<N: Names> Program<N> {
         Pieces::new(space, x, highest)
     }
 
-    /// The row of a limit at a point.
+    /// Row of the limit with the index `index` at the point `peak`.
     pub fn row(&self, index: usize, peak: Peak) -> Row<N> {
         let limit = &self.limits[index];
         let by_piece = matches!(self.basis, Basis::Spline { .. });
@@ -169,8 +171,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Adds rows at ends and middles of pieces where the unlimited law violates a limit. Many of them become contacts, and rows cost less than
-    /// iterations.
+    /// Adds rows at ends and middles of pieces where the unlimited law violates a limit. Many of them become active, and additional rows
+    /// need less time than additional iterations.
     pub fn add_neighbours(&self, rows: &mut Vec<Row<N>>, x: &[f64]) {
         let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {

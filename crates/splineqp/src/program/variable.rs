@@ -7,7 +7,7 @@ use std::ops::{Index, IndexMut};
 /// Maximum number of further variables, including the peak.
 const MOST: usize = 8;
 
-/// The peak: a minimised bound. Every program declares it; it is used if a limit or a cost refers to it.
+/// The peak: a bound that is minimised. Every program declares this variable. It is used if a limit or a cost refers to it.
 pub const PEAK: Variable = Variable(0);
 
 /// A further variable, given by its index in the program.
@@ -21,7 +21,7 @@ impl Variable {
         Variable(n)
     }
 
-    /// Indices of all variables.
+    /// Iterator over all variables, used or not.
     pub fn all() -> impl Iterator<Item = Variable> {
         (0..MOST).map(Variable)
     }
@@ -50,14 +50,14 @@ impl<T> IndexMut<Variable> for ByVariable<T> {
 }
 
 impl<T: Copy> ByVariable<T> {
-    /// The entries with their variables.
+    /// Iterator over the variables and their entries.
     pub fn iter(&self) -> impl Iterator<Item = (Variable, T)> + '_ {
         Variable::all().map(|k| (k, self[k]))
     }
 }
 
 impl Values {
-    /// Zero for every variable.
+    /// The value zero for every variable.
     pub const NONE: Values = ByVariable([0.0; MOST]);
 
     /// Whether all entries are 0.
@@ -65,21 +65,21 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Sum of the products of the entries.
+    /// Sum over all variables of the products of both entries.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
     }
 }
 
-/// Declaration of a variable.
+/// Name and properties of a declared variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Declared {
     /// Name of the variable for the caller.
     pub name: &'static str,
     /// Typical value, used as unit of the solver.
     pub typical: f64,
-    /// Order of the derivative of the law whose minimum the variable is; `None` for an independent variable.
+    /// Order of the derivative of the law whose minimum is this variable; `None` for an independent variable.
     pub least_of: Option<usize>,
 }
 
@@ -95,7 +95,7 @@ pub struct Cone<N: Names> {
 }
 
 impl<N: Names> Cone<N> {
-    /// Norm of the tail.
+    /// Euclidean norm of the tail for given values of the variables.
     pub fn norm(&self, values: &Values) -> f64 {
         let tail = self.tail.iter().map(|&k| values[k]);
         tail.fold(0.0, libm::hypot)
@@ -146,7 +146,7 @@ impl<N: Names> Program<N> {
         });
     }
 
-    /// Name of a variable.
+    /// Name of a variable for the caller; "peak" for [`PEAK`].
     pub fn name_of(&self, variable: Variable) -> &'static str {
         self.declared(variable).map_or("peak", |d| d.name)
     }
@@ -160,7 +160,7 @@ impl<N: Names> Program<N> {
         self.variables.get(variable.0.checked_sub(1)?)
     }
 
-    /// Whether each variable is used in the program.
+    /// Whether each variable is used in the cost, a limit, a permanent row or a cone.
     pub fn present(&self) -> ByVariable<bool> {
         let mut out = ByVariable([false; MOST]);
         for k in Variable::all() {
@@ -185,13 +185,13 @@ impl<N: Names> Program<N> {
             .any(|c| c.members().any(|k| k == variable))
     }
 
-    /// Variables that are minima of the law, with the order of the derivative.
+    /// Variables that are the minimum of the law or of a derivative, with the order of the derivative.
     pub(crate) fn least_values(&self) -> impl Iterator<Item = (Variable, usize)> + '_ {
         let declared = Variable::all().skip(1).zip(&self.variables);
         declared.filter_map(|(k, d)| Some((k, d.least_of?)))
     }
 
-    /// The program with the given variables as constants, without their costs.
+    /// The program with the given variables as constants. Their costs, and the cones that contain them, are removed.
     #[must_use]
     pub fn with_constant(mut self, variables: &[Variable], values: &Values) -> Program<N> {
         for limit in &mut self.limits {
@@ -207,7 +207,7 @@ impl<N: Names> Program<N> {
     }
 }
 
-/// Moves the terms of the given variables to the bound.
+/// Replaces the given variables by their values, and moves their terms to the bound.
 pub(crate) fn make_constant(
     bound: &mut f64,
     extra: &mut Values,

@@ -7,9 +7,9 @@
 //! | dual active-set method | only coefficients, at most 1000 rows | `active_set` |
 //! | interior-point method with exchange of rows | sizes, a peak or a cone among the variables; failure of the active-set method | `exchange` |
 //! | search for the weight of the mean square in the objective | a limit on a root mean square; with a peak and sizes: `exchange` | `rms` |
-//! | Newton's method on the contacts | every solution whose certificate is not sufficient | `refine` |
+//! | Newton's method for the active points | every solution whose certificate is not sufficient | `refine` |
 //!
-//! Between separations, `active_set` and `exchange` solve programs with finitely many rows, by the trait in `row_solver`.
+//! In each iteration, `active_set` and `exchange` solve a program with finitely many rows by a solver with the trait `RowSolver`.
 
 mod active_set;
 pub mod exchange;
@@ -81,7 +81,7 @@ impl<N: Names> Program<N> {
         Ok(refine::refined(self, self.by_the_first_method()?))
     }
 
-    /// Solution of the first applicable method.
+    /// Solution by the first applicable method of the table above.
     fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
         if proximal::suits(self) && self.hessian.largest_diagonal() == 0.0 {
             match proximal::solve(self)? {
@@ -107,8 +107,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Solution of the active-set method, refined if it exceeds its limits. If the refinement fails, the solution of the exchange replaces it if that
-    /// satisfies the limits or has a smaller gap.
+    /// Solution of the active-set method, refined if it exceeds its limits. If the refined solution still exceeds its limits, the exchange
+    /// method is tried as well. Its solution is used if it satisfies the limits or has a better certificate.
     fn or_by_exchange(&self, solution: Solution<N>) -> Solution<N> {
         if refine::keeps_limits(self, &solution) {
             return solution;
@@ -129,8 +129,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Solves again with limits that are tightened by twice the violation from rounding errors. The gap includes the cost of this change. `None` if
-    /// the solution already satisfies its limits, or if the new solution violates them.
+    /// Solves again with limits that are tightened by twice the violation, if this violation results from rounding errors. The duality gap
+    /// includes the effect of this change. `None` if the solution already satisfies its limits, or if the new solution violates them.
     fn inside(&self, unlimited: &Unlimited, solution: &Solution<N>) -> Option<Solution<N>> {
         if solution.violation <= self.settings.tolerance || !refine::keeps_limits(self, solution) {
             return None;
@@ -150,7 +150,7 @@ impl<N: Names> Program<N> {
         (inside.violation <= self.settings.tolerance).then_some(inside)
     }
 
-    /// The unlimited optimum as the solution, if it satisfies all limits.
+    /// The optimum without limits as the solution, if it satisfies all limits.
     pub(crate) fn without_rows(&self, x: &[f64]) -> Option<Solution<N>> {
         let extra = Values::NONE;
         let violation = self.violation(x, &extra);

@@ -1,20 +1,22 @@
 //! Limit on a root mean square √(2 q), satisfied up to rounding errors by a search for a weight or a peak.
 //!
-//! **Start.** With the limit as a cone, the interior-point method gives the law to about 1e-6, and the multiplier of the limit. This is sufficient
-//! for the steps of a sequence; here the search for a weight starts from it. The search for a peak starts from the law with the minimum root mean
-//! square. It ends immediately if the law with the minimum peak satisfies the limit.
+//! **Start.** The interior-point method solves the program with the limit as a cone. The law is accurate to about 1e-6, which is sufficient
+//! for the steps of a sequence. The multiplier of the limit is the start of the search for a weight. The search for a peak starts from the
+//! law with the minimum root mean square. It ends immediately if the law with the minimum peak satisfies the limit.
 //!
-//! **Weight.** With the weight μ on q, the optimum x(μ) of J + μ q satisfies the other limits, and q(x(μ)) decreases with μ. If √(2 q) is `most`,
-//! x(μ) is the optimum with √(2 q) ≤ `most`, and μ·most is the multiplier of the tangent: the gradient of J and the active rows sum to −μ∇q (Boyd and
-//! Vandenberghe, Convex Optimization, §5.5.3). So every method for quadratic objectives applies, and the certificate needs one more row.
+//! **Weight.** Let x(μ) be the optimum of J + μ q subject to the other limits. Its value q(x(μ)) decreases with the weight μ. If √(2 q)
+//! equals `most`, x(μ) is also the optimum of J subject to √(2 q) ≤ `most`. The multiplier of the tangent is then μ·most, because the
+//! gradients of J and of the active rows sum to −μ∇q (Boyd and Vandenberghe, Convex Optimization, §5.5.3). Every method for quadratic
+//! objectives can therefore be used. The certificate needs only one additional row.
 //!
-//! **Peak.** If J is only a peak t, q is minimised with t ≤ p. The search determines the p for which the minimum is the permitted value. The optimum
-//! is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). Each step has the force
-//! error as its objective. If the other limits alone determine the minimum peak, the feasible set just above this minimum is as small as the rounding
-//! errors. The search then ends, with the certificate of the minimum peak without the limit on q.
+//! **Peak.** If J is only a peak t, each step minimises q subject to t ≤ p. The search determines the p for which the minimum of q is the
+//! permitted value. The optimum is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
+//! 31, 2008, §2). The other limits alone may determine the minimum peak. The feasible set just above this minimum is then as small as the
+//! rounding errors. In this case, the search ends with the certificate of the minimum peak without the limit on q.
 //!
-//! Between two iterates, the law is interpolated to the permitted value of q, where all limits hold. With interpolated weight and multipliers, the
-//! remaining gradient is t(1 − t) Δμ Δ∇q, which is of second order.
+//! **Result.** The law is interpolated between two iterates so that q has the permitted value. The limits are convex, so the interpolated
+//! law satisfies them. Weight and multipliers are interpolated with the same fraction t. The remaining gradient is t(1 − t) Δμ Δ∇q, which
+//! is of second order.
 //!
 //! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a nearly constant law by
 //! 1e-4.
@@ -25,16 +27,16 @@ use crate::program::{
 };
 use crate::solve::exchange;
 
-/// Relative root mean square that counts as zero.
+/// Lower bound of the ratio of the root mean square to its limit, so that the logarithm of the ratio is finite.
 const SMALL: f64 = 1e-2;
 
 /// Iterate of the search: optimum for a weight or for a peak.
 struct Tried<N: Names> {
-    /// Logarithm of the weight or of the peak.
+    /// Logarithm of the weight μ or of the peak p.
     number: f64,
-    /// The weight μ; 0 if no limit of the peak is active.
+    /// The weight μ; 0 if no limit with the peak is active.
     weight: f64,
-    /// Logarithm of the ratio of the root mean square to the permitted one.
+    /// Logarithm of the ratio of the root mean square to its limit.
     excess: f64,
     solution: Solution<N>,
 }
@@ -50,9 +52,9 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
     way: Way,
-    /// Active rows of the last optimum.
+    /// Active rows of the last optimum, as seeds of the next one.
     seeds: Vec<Row<N>>,
-    /// Law with the minimum peak within the other limits, if it exceeds the limit.
+    /// Law with the minimum peak subject to the other limits; `None` if it is not computed.
     least: Option<Solution<N>>,
 }
 
@@ -108,7 +110,8 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Weight from the limit as a cone; `None` if the cone program fails, or if the limit has no multiplier.
+    /// Logarithm of the weight from the program with the limit as a cone. `None` if this program has no solution, or if the limit has no
+    /// multiplier.
     fn begin(&mut self) -> Option<f64> {
         let mut rough = self.program.clone();
         rough.settings.tolerance = self.program.settings.rms.rough;
@@ -120,12 +123,12 @@ impl<'a, N: Names> Search<'a, N> {
         Some(libm::log(weight))
     }
 
-    /// Whether a law satisfies the limit.
+    /// Whether a law satisfies the limit to the tolerance.
     fn keeps(&self, law: &Solution<N>) -> bool {
         self.limit.excess(&law.x) <= self.program.settings.tolerance
     }
 
-    /// Law with the minimum root mean square.
+    /// Law with the minimum root mean square subject to the other limits.
     fn nearest(&self) -> Result<Solution<N>, Failure<N>> {
         let near = self
             .program
@@ -138,7 +141,8 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(near)
     }
 
-    /// First iterate: the law with the minimum root mean square, with its peak, or the optimum with equal weights of objective and root mean square.
+    /// First iterate. In the search for a peak, it is the law with the minimum root mean square. In the search for a weight, it is the
+    /// optimum with equal weights of objective and root mean square.
     fn of_the_nearest(&mut self) -> Result<Tried<N>, Failure<N>> {
         let mut near = self.nearest()?;
         let program = self.program;
@@ -156,15 +160,16 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Optimum without the limit.
+    /// Optimum without the limit on the root mean square.
     fn without_limit(&self) -> Result<Solution<N>, Failure<N>> {
         let mut plain = self.program.weighing(self.limit, 0.0);
         plain.seeds.retain(|r| r.limit.is_some());
         plain.solve()
     }
 
-    /// The optimum without the limit, if it satisfies the limit. Otherwise the law with the minimum peak within the other limits, if it satisfies the
-    /// limit. Otherwise a law without a certificate: that of the exchange method or that with the minimum root mean square.
+    /// Result if the search finds only one side of the limit. The first of these laws that satisfies the limit is returned: the optimum
+    /// without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the result is a law without a
+    /// certificate: the law of the exchange method, or the law with the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -189,7 +194,7 @@ impl<'a, N: Names> Search<'a, N> {
         })
     }
 
-    /// Logarithm of the smallest trial peak, slightly above the minimum within the other limits.
+    /// Logarithm of the smallest peak that is tried. This peak is slightly above `least`, the minimum peak subject to the other limits.
     fn lowest(&self, least: &Solution<N>) -> f64 {
         libm::log(least.extra[PEAK].max(f64::MIN_POSITIVE)) + self.program.settings.rms.pinch
     }
@@ -234,7 +239,7 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(tried)
     }
 
-    /// Converts the law with minimum q for a peak to a solution with the peak as its objective, and gives μ.
+    /// Converts the law with minimum q for a given peak to a solution with the peak as its objective. Also returns the weight μ.
     fn of_peak(&self, mut solution: Solution<N>, peak: f64) -> (Solution<N>, f64) {
         let of_peak = |row: &Row<N>| {
             row.limit
@@ -256,7 +261,7 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
-    /// Whether the program may be solvable for a nearby value after this failure.
+    /// Whether, after this failure, the program may have a solution for a nearby value.
     fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
         match failure {
             Failure::Infeasible => self.way == Way::Peak,
@@ -339,7 +344,8 @@ impl<'a, N: Names> Search<'a, N> {
         Ok(self.met(inside, &outside))
     }
 
-    /// Whether interpolation between two optima is sufficiently accurate: its gap is below Δμ Δq.
+    /// Whether interpolation between two optima is sufficiently accurate: Δμ Δq, an upper bound of the duality gap, is within the
+    /// tolerance.
     fn is_one(&self, inside: &Tried<N>, outside: &Tried<N>) -> bool {
         let weights = (inside.weight - outside.weight).abs();
         let squares = self.limit.most.powi(2) * (outside.excess - inside.excess);
@@ -349,7 +355,8 @@ impl<'a, N: Names> Search<'a, N> {
             && weights * squares <= settings.rms.gap.max(0.01 * settings.tolerance) * size
     }
 
-    /// Interpolates between two optima so that the limit is active. Combines both sets of rows and adds the tangent of the limit.
+    /// Interpolates between two optima so that the limit is active. The result has the active rows of both optima and the tangent of the
+    /// limit.
     fn met(&self, inside: Tried<N>, outside: &Tried<N>) -> Solution<N> {
         let (limit, other) = (self.limit, &outside.solution);
         let mut out = inside.solution;

@@ -1,4 +1,4 @@
-//! Solvers of programs with finitely many rows, used between two separations.
+//! Solvers of programs with finitely many rows, used by the iterations that add rows.
 
 use crate::Names;
 use crate::program::{Failure, Program, Row, Values};
@@ -11,13 +11,13 @@ pub struct Point<N: Names> {
     pub extra: Values,
     /// Tangents of the limits on root mean squares, with their multipliers.
     pub tangents: Vec<Row<N>>,
-    /// Total number of iterations so far.
+    /// Total number of iterations of the solver so far.
     pub iterations: usize,
 }
 
-/// Solver of quadratic programs with rows. A new solver needs a file, constants in the settings and a line in [`super`].
+/// Solver of quadratic programs with finitely many rows. A new solver needs a file, constants in the settings and a line in [`super`].
 pub trait RowSolver<N: Names> {
-    /// Optimum with the rows; `margin` times the scale of each row is kept free. The multipliers are written to the rows.
+    /// Computes the optimum with the rows, each of which is tightened by `margin` times its scale. The multipliers are written to the rows.
     ///
     /// # Errors
     ///
@@ -29,6 +29,6 @@ pub trait RowSolver<N: Names> {
         margin: f64,
     ) -> Result<Point<N>, Failure<N>>;
 
-    /// Notifies the solver that a new row has replaced this one since the last solution.
+    /// Notifies the solver that the row with this index has been replaced since the last solution.
     fn replaced(&mut self, _row: usize) {}
 }

@@ -74,7 +74,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
-/// Contact force, and height above the lift, at the rows of one period.
+/// Contact force, N, and height above the lift of the profile, m, at the rows of one period.
 fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, Vec<f64>) {
     let (from, _) = run.window();
     let n = p.nodes.len();
@@ -100,7 +100,7 @@ fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, V
     (forces, heights)
 }
 
-/// Integrals and extremes over one period of the motion.
+/// Integrals and extremes of force and torque over one period of the motion.
 struct Sums {
     force: [f64; 2],
     torque: [f64; 2],
@@ -109,7 +109,8 @@ struct Sums {
     error: f64,
 }
 
-/// Integration with two Gauss points per row and phase: fourth order, with exact ends of the flights.
+/// Integrates force, torque and error with two Gauss points per row and phase. The method is of fourth order, and the ends of the flights
+/// are exact.
 fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
     const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
     let (from, to) = run.window();

@@ -1,4 +1,4 @@
-//! The flexible model for a prepared cam.
+//! Simulation of a prepared cam with a compliant follower in steady vibration.
 
 use super::note_pull;
 use crate::dynamics::flexible;

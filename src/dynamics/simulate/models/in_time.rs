@@ -6,10 +6,11 @@ use crate::dynamics::shaft::Motion;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
 
-/// Distance from a break at which its two sides are evaluated, rad.
+/// Distance from a break at which the motion on each side is evaluated, rad.
 const SIDE: f64 = 1e-10;
 
-/// Lift as a function of the fraction of the period, rad: a quintic between `breaks` and the breaks of the shaft motion.
+/// Lift as a function of the elapsed fraction of the period, rad (2π for one period). Polynomials of degree 5 extend between `breaks` and
+/// the breaks of the shaft motion.
 pub fn in_time(law: &Law, breaks: &[f64], clock: &Motion) -> Law {
     let start = law.extent().0;
     let mut marks: Vec<f64> = clock

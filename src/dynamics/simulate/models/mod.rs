@@ -16,7 +16,7 @@ use crate::dynamics::run::Run;
 use crate::error::Result;
 use crate::units::Quantity;
 
-/// Simulates a prepared cam with one model; `Auto` stands for the rigid model.
+/// Simulates a prepared cam with one model; the rigid model for `Auto`.
 pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> {
     match model {
         Model::Auto | Model::Rigid => rigid_run(input, p),
@@ -25,7 +25,8 @@ pub(super) fn under(input: &Run, p: &Prepared, model: Model) -> Result<Outcome> 
     }
 }
 
-/// Notes the fraction of the cycle with a negative force. There contact is lost; in a groove or a conjugate pair, the other side carries the force.
+/// Records the fraction `pulled` of the cycle in which the force is negative, as the fraction without contact. In a groove or a conjugate
+/// pair, the other side carries the negative force. A note then states the fraction.
 fn note_pull(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if !p.held {
         out.lost_fraction = pulled;

@@ -1,4 +1,4 @@
-//! The rigid model for a prepared cam.
+//! Simulation of a prepared cam with rigid bodies that stay in contact.
 
 use super::in_time::in_time;
 use super::note_pull;
@@ -15,7 +15,7 @@ use crate::dynamics::surface::Surface;
 use crate::error::Result;
 use crate::law::Svaj;
 
-/// Mean torque relative to the root mean square below which the mean is a rounding error.
+/// Mean torque, relative to the root mean square torque, below which the mean is a rounding error.
 const NO_TORQUE: f64 = 1e-9;
 
 pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
@@ -65,8 +65,8 @@ fn pulled_share(surface: &Surface, p: &Prepared) -> f64 {
     pulled / p.cycle.length
 }
 
-/// Simulates the rigid model with a varying shaft speed or a moving floor. With a moving floor or a learned force, the minimum and maximum force are
-/// those of the output samples.
+/// Simulates the rigid model with a varying shaft speed or a moving floor. With a moving floor or a learned force, the minimum and maximum
+/// force are those of the rows.
 fn over_time(input: &Run, p: &Prepared, machine: &MachineMotion) -> Outcome {
     let nodes = p.nodes.iter().enumerate();
     let motion = |i: usize| match &p.shaft {

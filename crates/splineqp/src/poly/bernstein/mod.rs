@@ -1,7 +1,7 @@
 //! A polynomial on u ∈ [0, 1] in Bernstein form.
 //!
-//! The coefficients `b[0..=n]` represent Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the minimum and the maximum coefficient; the end
-//! coefficients are its end values.
+//! The coefficients `b[0..=n]` represent Σ bₖ C(n,k) uᵏ (1−u)ⁿ⁻ᵏ. The polynomial lies between the minimum and the maximum coefficient. The
+//! first and the last coefficient are its values at u = 0 and u = 1.
 
 mod roots;
 
@@ -26,7 +26,7 @@ const BINOMIALS: [[f64; SHORT]; SHORT] = {
     rows
 };
 
-/// Value at `u`; numerically stable for u in [0, 1], valid outside.
+/// Value at `u`. The computation is numerically stable for u in [0, 1] and valid for any u.
 #[inline]
 pub fn eval(b: &[f64], u: f64) -> f64 {
     let n = b.len() - 1;
@@ -54,7 +54,7 @@ pub fn eval(b: &[f64], u: f64) -> f64 {
     sum + power * u * b[n]
 }
 
-/// Coefficients of the derivative d/du, one degree lower (for a constant `[0]`).
+/// Coefficients of the derivative d/du. The degree is one lower; the derivative of a constant is `[0]`.
 pub fn derivative(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     if n == 0 {
@@ -63,7 +63,7 @@ pub fn derivative(b: &[f64]) -> Vec<f64> {
     b.windows(2).map(|w| (w[1] - w[0]) * n as f64).collect()
 }
 
-/// Coefficients of the antiderivative in u with the value 0 at u = 0, one degree higher.
+/// Coefficients of the antiderivative in u with the value 0 at u = 0. The degree is one higher.
 pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     let scale = 1.0 / b.len() as f64;
     let mut out = Vec::with_capacity(b.len() + 1);
@@ -76,7 +76,7 @@ pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Polynomial with the higher degree `to`, which is at least the present degree. A constant remains exactly constant.
+/// The same polynomial with the degree `to`, which is at least its present degree. A constant remains exactly constant.
 pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(to.max(b.len()) + 1);
     out.extend_from_slice(b);
@@ -106,7 +106,7 @@ pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// C(n, k) for k = 0 … n, each computed from the previous one; exact up to 2⁵³.
+/// Binomial coefficients C(n, k) for k = 0 … n, each computed from the previous one; exact up to 2⁵³.
 fn binomials(n: usize) -> impl Iterator<Item = f64> {
     (0..=n).scan(1.0, move |c, k| {
         let this = *c;
@@ -115,8 +115,8 @@ fn binomials(n: usize) -> impl Iterator<Item = f64> {
     })
 }
 
-/// ∫ of the product of two basis polynomials of degree n over [0, 1], row by row:
-/// C(n, i)·C(n, j)/C(2n, i + j)/(2n + 1).
+/// Integrals over [0, 1] of the products of two Bernstein polynomials of degree n, as a matrix by rows: C(n, i)·C(n, j)/C(2n, i + j)/(2n +
+/// 1).
 pub fn gram(n: usize) -> Vec<f64> {
     let rows: Vec<f64> = binomials(n).collect();
     let sums: Vec<f64> = binomials(2 * n).collect();
@@ -127,7 +127,7 @@ pub fn gram(n: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Integral of the square over [0, 1], with the matrix from [`gram`].
+/// Integral of the squared polynomial over [0, 1], with the matrix from [`gram`].
 pub fn square(gram: &[f64], b: &[f64]) -> f64 {
     (b.iter().zip(gram.chunks_exact(b.len())))
         .map(|(x, row)| x * row.iter().zip(b).map(|(g, y)| g * y).sum::<f64>())
@@ -152,7 +152,7 @@ pub fn from_power(p: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Monomial coefficients pₖ of Σ pₖ uᵏ. Only for output, because this form is ill-conditioned.
+/// Monomial coefficients pₖ of the polynomial Σ pₖ uᵏ. They are only for output, because this form is ill-conditioned.
 pub fn to_power(b: &[f64]) -> Vec<f64> {
     let n = b.len() - 1;
     let mut differences = b.to_vec();
@@ -166,7 +166,7 @@ pub fn to_power(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Splits the polynomial at `u` into the coefficients of both parts (de Casteljau).
+/// Splits the polynomial at `u`. Returns the coefficients of both parts (de Casteljau).
 pub fn split(b: &[f64], u: f64) -> (Vec<f64>, Vec<f64>) {
     let n = b.len();
     let mut work = b.to_vec();
@@ -192,7 +192,7 @@ pub fn between(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
     }
 }
 
-/// Minimum and maximum coefficient: bounds of the polynomial on [0, 1].
+/// Minimum and maximum coefficient, which are bounds of the polynomial on [0, 1].
 #[inline]
 pub fn hull(b: &[f64]) -> (f64, f64) {
     b.iter()

@@ -2,18 +2,18 @@
 
 use super::{SHORT, derivative, eval, split};
 
-/// Depth at which bisection of an interval of length 1 no longer changes its ends.
+/// Number of bisections after which a further bisection of the interval [0, 1] does not change its ends.
 const MAX_DEPTH: u32 = 54;
 
-/// All u in the open interval (0, 1) at which the polynomial changes sign, in ascending order, and points at which it touches zero within rounding
-/// errors. A polynomial that is identically zero has no roots.
+/// All u in the open interval (0, 1) at which the polynomial changes sign, or touches zero up to rounding errors, in ascending order. A
+/// polynomial that is identically zero has no roots.
 pub fn roots(b: &[f64]) -> Vec<f64> {
     let mut out = Vec::new();
     add_roots(b, &mut out);
     out
 }
 
-/// Appends the roots, as from [`roots`], to a list.
+/// Appends the roots, as computed by [`roots`], to a list.
 pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
@@ -58,12 +58,12 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of adjacent coefficients below which this difference may be a rounding error.
+/// Difference of adjacent coefficients below which it may be a rounding error.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }
 
-/// Visits every local maximum on [0, 1] above `level` as (u, value), including ends towards which the polynomial rises.
+/// Visits every local maximum on [0, 1] above `level` as (u, value). An end counts as a maximum if the polynomial rises towards it.
 pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
     let n = b.len() - 1;
     let mut push = |u: f64, value: f64| {
@@ -134,7 +134,7 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
     }
 }
 
-/// Splits the interval at its middle.
+/// Coefficients of both halves of the interval, written to `left` and `right`.
 fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
     right.copy_from_slice(b);
     for (k, left) in left.iter_mut().enumerate() {

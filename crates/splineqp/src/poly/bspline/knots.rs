@@ -6,8 +6,9 @@ use std::sync::OnceLock;
 use super::{Span, SplineSpace};
 
 impl SplineSpace {
-    /// Periodic splines on one period `breaks[0] ..= breaks[n]`; the last break is the first one a period later. `multiplicity[i]` (1 … degree + 1)
-    /// belongs to break i, 0 ≤ i < n. A break of multiplicity m has degree − m continuous derivatives.
+    /// Periodic splines on one period `breaks[0] ..= breaks[n]`. The last break is the first break, shifted by the period. The knot at
+    /// break i, 0 ≤ i < n, has the multiplicity `multiplicity[i]` (1 … degree + 1). At a break of multiplicity m, degree − m derivatives
+    /// are continuous.
     ///
     /// # Panics
     ///
@@ -52,7 +53,7 @@ impl SplineSpace {
         space
     }
 
-    /// Periodic splines on `n` equal spans of [0, period], with the maximum smoothness of the degree.
+    /// Periodic splines on `n` equal spans of [0, period]. At the breaks, degree − 1 derivatives are continuous.
     pub fn periodic_uniform(degree: usize, n: usize, period: f64) -> Self {
         let mut space = SplineSpace::in_whole_numbers(degree, n);
         space.stretch(period);
@@ -79,7 +80,7 @@ impl SplineSpace {
         }
     }
 
-    /// Scales a uniform space with integer knots to its length.
+    /// Scales a uniform space with integer knots to the period `length`.
     pub(super) fn stretch(&mut self, length: f64) {
         let n = self.dimension as f64;
         for span in &mut self.spans {
@@ -92,7 +93,7 @@ impl SplineSpace {
         self.unit = length / n;
     }
 
-    /// Splines on an open interval, with no conditions at the ends; `multiplicity[i]` belongs to the inner break i + 1.
+    /// Splines on an interval, without conditions at its ends. The knot at the inner break i + 1 has the multiplicity `multiplicity[i]`.
     ///
     /// # Panics
     ///
@@ -151,7 +152,7 @@ impl SplineSpace {
     }
 }
 
-/// Extraction matrix of equal spans; matrices of common degrees are computed once.
+/// Extraction matrix of a span with equally spaced knots. The matrices of common degrees are computed only once.
 fn uniform(degree: usize) -> Cow<'static, [f64]> {
     static USUAL: [OnceLock<Vec<f64>>; 10] = [const { OnceLock::new() }; 10];
     let own = || {
@@ -164,8 +165,8 @@ fn uniform(degree: usize) -> Cow<'static, [f64]> {
     }
 }
 
-/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming. The k-th Bernstein coefficient is the polar form
-/// at (left ×(d−k), right ×k).
+/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming. Bernstein coefficient k is the value of
+/// the polar form (blossom) with d − k arguments equal to the left end of the span and k arguments equal to its right end.
 fn extraction(degree: usize, local: &[f64]) -> Vec<f64> {
     let n = degree + 1;
     let mut matrix = vec![0.0; n * n];

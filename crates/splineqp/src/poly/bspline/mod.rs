@@ -1,7 +1,7 @@
 //! B-splines on arbitrary knots, periodic or clamped, in Bernstein form on every span.
 //!
-//! On a span, degree + 1 basis functions are not zero; the *extraction matrix* of the span contains their Bernstein coefficients. Every linear
-//! functional of a spline at one point (value, derivative, limit) is a row with entries for these adjacent coefficients.
+//! On a span, degree + 1 basis functions are not zero. The *extraction matrix* of the span contains their Bernstein coefficients. Every
+//! linear functional of a spline at one point (value, derivative, limit) is a row with entries for these adjacent coefficients.
 
 mod knots;
 
@@ -28,7 +28,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// Index of the extraction matrix. Spans with the same index have the same knot pattern and the same rows.
+    /// Index of the extraction matrix. Spans with the same index have the same knot pattern and the same matrix.
     #[inline]
     pub fn matrix(&self) -> usize {
         self.matrix
@@ -53,16 +53,17 @@ pub struct SplineSpace {
     /// Extraction matrices with (degree+1)² entries each; entry [k*(degree+1) + i] is the Bernstein coefficient k of the local basis function i.
     /// Uniform spans share one matrix.
     matrices: Vec<Vec<f64>>,
-    /// Knots of one turn of a periodic space, and the length of the turn; empty for a clamped space.
+    /// Knots of one turn of a periodic space, in units of `unit`; empty for a clamped space. The next field is the length of the turn.
     turn: Vec<f64>,
     period: f64,
-    /// Length of the unit of the knots.
+    /// Length of the unit in which the knots and the period are stored.
     unit: f64,
 }
 
 impl SplineSpace {
-    /// Space of the derivatives of a periodic space, on the same knots, with the factors f in c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), with cyclic indices. `None` for a
-    /// clamped space, for degree 0, and if splines may jump at a break of full multiplicity.
+    /// Spline space of the derivatives of a periodic space, on the same knots, and the factors f. If a spline has the coefficients c, its
+    /// derivative has the coefficients fᵢ (cᵢ − cᵢ₋₁), with cyclic indices. `None` for a clamped space, for degree 0, and if splines may
+    /// jump at a break of full multiplicity.
     pub fn derivative(&self) -> Option<(SplineSpace, Vec<f64>)> {
         let (n, q) = (self.dimension, self.degree);
         if self.turn.is_empty() || q == 0 {
@@ -147,14 +148,15 @@ impl SplineSpace {
         }
     }
 
-    /// Weights of the local basis functions of a span for Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
+    /// Weights of the local basis functions of a span for the value of Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.degree + 1];
         self.values(span, &[u], weights, &mut out);
         out
     }
 
-    /// Weights as from `row`, at many `places`: values of each local function at all places, function by function, written to `out`.
+    /// Weights as from `row`, at all positions `places` of the span. The weights of one local function at all places are consecutive in
+    /// `out`.
     pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
         let (n, count) = (self.degree + 1, places.len());
         let width = self.spans[span].width;
@@ -231,7 +233,7 @@ impl SplineSpace {
     }
 }
 
-/// The m + 1 Bernstein polynomials of degree m at `places`, polynomial by polynomial.
+/// Values of the m + 1 Bernstein polynomials of degree m at `places`. The values of one polynomial are consecutive in `out`.
 fn bernstein_basis(m: usize, places: &[f64], out: &mut [f64]) {
     let count = places.len();
     out[..count].fill(1.0);

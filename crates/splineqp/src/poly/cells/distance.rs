@@ -1,11 +1,12 @@
-//! Distance between a piecewise polynomial and cubic cells, computed without their difference as a function.
+//! Distance between a piecewise polynomial and cubic cells. The difference is computed on one part at a time.
 
 use super::{Cells, restricted};
 use crate::poly::{PiecewisePoly, bernstein};
 
 /// Distance, in cells, below which a break coincides with the end of a cell.
 const SAME: f64 = 1e-9;
-/// Maximum excess of a difference of polynomials over its end values on a range, as a fraction of its second derivative there.
+/// A function exceeds the larger of its absolute end values on an interval by at most this factor × maximum absolute second derivative ×
+/// width².
 const BEYOND_ENDS: f64 = 1.0 / 8.0;
 
 /// Distance between two functions over their common range, exact up to rounding errors.
@@ -27,7 +28,7 @@ pub struct Distance {
     pub largest: f64,
 }
 
-/// A range within one cell and one piece, with ends in cells.
+/// A range within one cell and one piece. The ends are in units of cells.
 struct Part {
     piece: usize,
     from: f64,
@@ -54,8 +55,8 @@ impl Cells {
         self.parts(own).map(square).sum()
     }
 
-    /// Maximum absolute difference. Only a few cells are candidates, because the second derivative bounds the excess over the values at the ends of a
-    /// cell.
+    /// Maximum absolute difference. The second derivative bounds the excess over the values at the ends of a cell. The exact maximum is
+    /// therefore computed on a few cells only.
     pub fn largest_distance(&self, own: &PiecewisePoly) -> f64 {
         let scale = self.per_length();
         let mut level = 0.0_f64;
@@ -103,7 +104,7 @@ impl Cells {
     }
 }
 
-/// Parts of one piece between the ends of cells, with ends in cells.
+/// Parts of one piece between the ends of cells. All positions are in units of cells.
 fn parts_of(piece: usize, (start, end): (f64, f64)) -> impl Iterator<Item = Part> {
     let mut from = start;
     std::iter::from_fn(move || {
@@ -134,7 +135,7 @@ impl<'a> Difference<'a> {
         }
     }
 
-    /// Coefficients of the difference on a part of a span.
+    /// Bernstein coefficients of the difference on a part of a piece.
     fn on(&mut self, part: &Part) -> &mut [f64] {
         let (own, scale) = (self.own, self.cells.per_length());
         let ends = &own.breaks()[part.piece..part.piece + 2];

@@ -1,6 +1,6 @@
-//! A smooth periodic function as cubics on equal cells: its least-squares approximations, and its distance from polynomials.
+//! Smooth periodic functions, represented by cubics on equal cells, with their least-squares approximations and distances from polynomials.
 //!
-//! A target force has a thousand cells and a law about ten pieces, so sums over cells determine the cost.
+//! A target force has a thousand cells and a law about ten pieces, so the computing time is that of the sums over cells.
 
 mod distance;
 mod nearest;
@@ -9,7 +9,7 @@ mod tests;
 
 pub use distance::Distance;
 
-/// A function with the period `length` that is a cubic on each of n equal cells: a cubic Hermite spline.
+/// Cubic Hermite spline with the period `length`: a cubic on each of n equal cells.
 ///
 /// ```
 /// use splineqp::poly::Cells;
@@ -22,17 +22,17 @@ pub use distance::Distance;
 pub struct Cells {
     /// Values at the n + 1 ends of the cells; the last value equals the first one.
     values: Vec<f64>,
-    /// Slopes at the ends of the cells, relative to the length of a cell.
+    /// Slopes at the ends of the cells, per length of a cell.
     slopes: Vec<f64>,
     length: f64,
 }
 
-/// Value and slope at the start of a cell, then at its end.
+/// Value and slope at the start of a cell, then value and slope at its end.
 type Ends = [f64; 4];
 
 impl Cells {
-    /// Creates the function from values and slopes (per cell) at the ends of its cells; the first cell begins at 0. There is one more value than
-    /// cells; the last value equals the first one.
+    /// Creates the function from the values, and slopes per length of a cell, at the ends of its cells. The first cell begins at 0. The
+    /// number of values is the number of cells plus one, and the last value equals the first one.
     pub fn new(values: Vec<f64>, slopes: Vec<f64>, length: f64) -> Self {
         Cells {
             values,
@@ -64,7 +64,8 @@ impl Cells {
         self.at_place(x * self.per_length())
     }
 
-    /// Values at positions u ∈ [0, 1] of a range in the first period; `places` also contains the weights of the positions.
+    /// Values at positions u ∈ [0, 1] of a range (start, width) in the first period. `places` contains pairs of a position u and a
+    /// quadrature weight. The weights are not used.
     pub fn on(&self, (start, width): (f64, f64), places: &[(f64, f64)], out: &mut [f64]) {
         let (first, step) = (start * self.per_length(), width * self.per_length());
         for (f, (u, _)) in out.iter_mut().zip(places) {
@@ -89,7 +90,7 @@ impl Cells {
         self.count() as f64 / self.length
     }
 
-    /// Index of the cell at a position, in cells.
+    /// Index of the cell at a position. The position is in units of cells.
     fn cell(&self, place: f64) -> usize {
         (place as u32 as usize).min(self.count() - 1)
     }
@@ -99,7 +100,7 @@ impl Cells {
         [f[cell], s[cell], f[cell + 1], s[cell + 1]]
     }
 
-    /// Value at a position, in cells.
+    /// Value at a position in units of cells.
     fn at_place(&self, place: f64) -> f64 {
         let i = self.cell(place);
         cubic(&self.cubic(i), place - i as f64)
@@ -112,13 +113,13 @@ pub fn by_ends([f0, s0, f1, s1]: Ends) -> [f64; 4] {
     [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
 }
 
-/// Value of a cubic in Bernstein form.
+/// Value at u of a cubic in Bernstein form.
 fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
     let v = 1.0 - u;
     v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-/// Coefficients of a polynomial on a part of its range, with the degree that the length of `out` determines.
+/// Coefficients of a polynomial on the part from `low` to `high` of its range. The length of `out` determines the degree of the result.
 fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
     let own = b.len() - 1;
     let c = &mut out[..=own];

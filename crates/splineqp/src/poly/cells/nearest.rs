@@ -7,13 +7,13 @@ use crate::poly::{bernstein, gauss_legendre};
 const SAME: f64 = 1e-11;
 
 impl Cells {
-    /// Least-squares approximation of the function by a polynomial of one degree on every range between breaks of the first period. The result
-    /// contains its values at the nodes of [`gauss_legendre`] for this degree (degree + 1 or more), range by range. Integrals with polynomials of
-    /// this degree equal those of the function itself, so the discontinuities between the cells cause no error.
+    /// Least-squares approximation of the function by a polynomial of degree `degree` on every range between breaks of the first period.
+    /// The result contains the values of the polynomials at the degree + 1 nodes of [`gauss_legendre`], range by range. Integrals with
+    /// polynomials of this degree equal those of the function itself, so the discontinuities between the cells cause no error.
     ///
     /// # Panics
     ///
-    /// If the degree is above 9, because powers lose too many digits.
+    /// If the degree is above 9, because the rounding errors of the powers would be too large.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         match degree {
             0 => Nearest::<1>::new(self, breaks).values(),
@@ -33,24 +33,25 @@ impl Cells {
 
 /// Approximation by polynomials of degree N − 1, from the moments ∫ f xʲ dx with x ∈ [−1, 1] on the range.
 ///
-/// On whole cells of the width w, f is a sum of Hermite cubics about their ends X, one even and one odd. To the right of an end
+/// On whole cells of the width w, the function f is a sum of Hermite cubics. Each end X of a cell, with the value f and the slope s, has
+/// one even and one odd cubic. The contribution of an end to the integral over the cell on its right is
 ///
 /// ```text
 /// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// and to its left (−1)ᵏ (aₖ f − bₖ s). Each cell therefore contributes only to the sums Σ Xᵃ f and Σ Xᵃ s over the ends; the first and the last end
-/// have only one side.
+/// In its contribution to the cell on its left, the last factor is (−1)ᵏ (aₖ f − bₖ s). The moments are therefore combinations of the sums
+/// Σ Xᵃ f and Σ Xᵃ s over the ends. The first and the last end have a cell on one side only.
 struct Nearest<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
-    /// C(j, k) times the factor of each of the [`Sums`], by j and k.
+    /// Binomial coefficient C(j, k) times the factor of each entry of [`Sums`], indexed by j and k.
     shares: [[[f64; 4]; N]; N],
-    /// Values at the nodes per unit of each moment.
+    /// Contribution of each moment to the values at the nodes.
     values: [[f64; N]; N],
 }
 
-/// Sums of Xᵃ f: over both sides of the ends, and first end minus last end; then the same sums of Xᵃ s.
+/// Four sums for each power a: Xᵃ f over both sides of all ends, Xᵃ f of the first end minus the last end, and the same two sums of Xᵃ s.
 type Sums<const N: usize> = [[f64; 4]; N];
 
 impl<'a, const N: usize> Nearest<'a, N> {
@@ -103,7 +104,8 @@ impl<'a, const N: usize> Nearest<'a, N> {
         out
     }
 
-    /// Adds the contribution of cells with given sums and the width `width` on the range; moments by sum.
+    /// Adds the contribution of cells with the given sums. `width` is the width of a cell if the range has the length 2. `moments` has one
+    /// column per sum.
     #[inline(always)]
     fn add(&self, sums: &Sums<N>, width: f64, moments: &mut [[f64; 4]; N]) {
         let mut power = width;
@@ -154,13 +156,13 @@ impl<'a, const N: usize> Nearest<'a, N> {
     }
 }
 
-/// Nodes for a degree on [−1, 1].
+/// Nodes on [−1, 1] of the quadrature rule with `degree` + 1 nodes.
 fn places(degree: usize) -> Vec<f64> {
     let rule = gauss_legendre(degree + 1);
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// Values and slopes at both ends of a part of a cubic cell; the slopes are per length of that part.
+/// Values and slopes at both ends of a part of a cubic cell. The slopes are those with respect to a coordinate from 0 to 1 on the part.
 #[inline(always)]
 fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];
@@ -189,7 +191,7 @@ fn sums<const N: usize>(values: &[f64], slopes: &[f64], first: f64, step: f64) -
     out
 }
 
-/// Σ xᵃ y for each power a, with x = `first`, `first` + `step`, …
+/// Sums Σ xᵃ y for each power a, with x = `first`, `first` + `step`, …
 fn powers<const N: usize>(y: &[f64], first: f64, step: f64) -> [f64; N] {
     let mut sums = [0.0; N];
     for (i, y) in y.iter().enumerate() {
@@ -202,8 +204,8 @@ fn powers<const N: usize>(y: &[f64], first: f64, step: f64) -> [f64; N] {
     sums
 }
 
-/// Factors of the moments of a function on [−1, 1] in the value at x of its least-squares polynomial: Σₖ (2k + 1) Pₖ(x) ∫ f Pₖ, with moments relative
-/// to the length 2.
+/// Factors with which the moments of a function f on [−1, 1] contribute to the value at x of its least-squares polynomial Σₖ (2k + 1) Pₖ(x)
+/// ∫ f Pₖ. The moments and integrals are divided by the length 2.
 fn by_moments<const N: usize>(x: f64) -> [f64; N] {
     let mut out = [0.0; N];
     // Coefficients and value of each Legendre polynomial.

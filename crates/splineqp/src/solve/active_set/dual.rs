@@ -19,35 +19,36 @@ struct Member {
 /// Active planes and the optimum on them.
 pub struct Dual<'a> {
     factor: &'a ArrowFactor,
-    /// Unconstrained optimum L⁻¹p, in the coordinates of the factor.
+    /// Unconstrained optimum L⁻¹p, in the coordinates y = Lᵀx.
     free: Vec<f64>,
-    /// The optimum on the active planes.
+    /// Coefficients x of the optimum on the active planes.
     pub x: Vec<f64>,
     members: Vec<Member>,
     frame: Frame,
-    /// Number of steps so far, and its maximum.
+    /// Number of steps so far. The next field is the maximum number of steps.
     pub steps: usize,
     most_steps: usize,
-    /// Squared fraction of a plane's normal outside the span of the active planes below which the plane is dependent.
+    /// Squared length of the part of a normal outside the span of the active planes, relative to the normal, below which the plane is
+    /// dependent.
     dependent: f64,
 }
 
-/// Inequality aᵀx ≤ b.
+/// Inequality aᵀx ≤ b of the quadratic program.
 pub struct Plane<'p> {
     pub entries: &'p Entries,
     pub bound: f64,
-    /// Scale of an excess.
+    /// Unit in which an excess over the bound is measured.
     pub unit: f64,
 }
 
-/// Result if the method ended before a plane was satisfied.
+/// Error if the method ends before all planes are satisfied.
 pub struct Stuck {
-    /// Excess of a dependent plane; infinite if the maximum number of steps was reached.
+    /// Excess over a plane that depends on the active planes; infinite if the maximum number of steps was reached.
     pub excess: f64,
 }
 
 impl<'a> Dual<'a> {
-    /// Creates the method without planes, starting at the unconstrained optimum `x`.
+    /// Creates the method without planes. It starts at the unconstrained optimum `x`; `pull` is the linear term p.
     pub fn new(
         factor: &'a ArrowFactor,
         mut pull: Vec<f64>,
@@ -68,7 +69,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Adds a vector to the linear term p.
+    /// Adds a vector to the linear term p of the objective.
     pub fn add_pull(&mut self, mut change: Vec<f64>) {
         self.factor.forward(&mut change);
         for (f, c) in self.free.iter_mut().zip(change) {
@@ -106,7 +107,7 @@ impl<'a> Dual<'a> {
         independent
     }
 
-    /// Computes optimum and multipliers from the active planes alone.
+    /// Computes the optimum and the multipliers from the active planes alone.
     pub fn refresh(&mut self) {
         let bounds: Vec<f64> = self.members.iter().map(|m| m.bound).collect();
         let (mut y, away) = self.frame.nearest(&self.free, &bounds);
@@ -118,7 +119,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Computes optimum and multipliers, and removes inequalities with negative multipliers, the most negative first.
+    /// Computes the optimum and the multipliers, and removes inequalities with negative multipliers, the most negative first.
     pub fn retreat(&mut self) {
         loop {
             self.refresh();
@@ -135,7 +136,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Removes an inequality before its data change.
+    /// Removes an inequality, if it is active, before its coefficients change.
     pub fn forget(&mut self, row: usize) {
         if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
             self.remove(j);
@@ -143,7 +144,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// Iterates until no plane is violated by more than `resolved` times its unit, the most violated first.
+    /// Adds violated planes, the most violated first, until no plane is violated by more than `resolved` times its unit.
     pub fn settle(
         &mut self,
         planes: &[Plane],
@@ -169,8 +170,8 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The most violated inactive plane. All planes are checked in every step, because partial pricing left minimax problems of 25 spans without a
-    /// certificate.
+    /// Index of the most violated inactive plane. All planes are checked in every step. With partial pricing, minimax problems with 25
+    /// spans had no certificate.
     fn most_violated(&self, planes: &[Plane], resolved: f64) -> Option<usize> {
         let mut worst = (0.0, None);
         for (i, plane) in planes.iter().enumerate() {
@@ -190,7 +191,7 @@ impl<'a> Dual<'a> {
         self.members.iter().any(|m| m.row == Some(row))
     }
 
-    /// Satisfies a violated inequality. Inequalities whose multiplier decreases to zero become inactive.
+    /// Adds a violated inequality to the active planes. Inequalities whose multiplier decreases to zero become inactive.
     pub fn bring_in(&mut self, row: usize, entries: &Entries, bound: f64) -> Result<(), Stuck> {
         let z = self.whitened(entries);
         let length = square(&z);
@@ -237,7 +238,7 @@ impl<'a> Dual<'a> {
         }
     }
 
-    /// The active inequality whose multiplier becomes zero first, and the step length at which it does.
+    /// The active inequality whose multiplier becomes zero first, and the corresponding step length.
     fn blocking(&self, shift: &[f64]) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
         for (j, (member, shift)) in self.members.iter().zip(shift).enumerate() {

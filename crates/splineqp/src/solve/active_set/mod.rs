@@ -1,7 +1,8 @@
-//! Optimum nearest to the unlimited law: the dual active-set method on rows at the exact worst points of the law.
+//! Optimum for the coefficients alone, by the dual active-set method. It starts at the optimum without limits, and its rows are at the
+//! exact points of maximum violation.
 //!
-//! Each iteration starts from the last solution and adds the worst points of the law as rows. The objective only increases, so no active set is
-//! repeated. When all contacts are nearly exact, Newton's method moves them together (`refine`).
+//! Each iteration starts from the last solution and adds rows at the points of maximum violation. The objective only increases, so no
+//! active set is repeated. When all active points are nearly exact, Newton's method improves all of them together (`refine`).
 
 pub mod dual;
 pub mod proximal;
@@ -18,8 +19,8 @@ use dual::{Dual, Plane, Stuck};
 
 /// Solves a program for the coefficients alone, starting from its optimum without limits.
 ///
-/// If the maximum number of steps is reached or there is no progress, it returns the rows so far. The interior-point method then decides on
-/// feasibility.
+/// If the maximum number of steps is reached or there is no progress, the error contains the rows so far. The interior-point method then
+/// continues with these rows and determines feasibility.
 pub fn solve<N: Names>(
     program: &Program<N>,
     unlimited: &Unlimited,
@@ -107,7 +108,7 @@ fn add_rows<N: Names>(
     }
 }
 
-/// Active set of a program, with the free level fixed.
+/// Active set of a program. If the level of the law is free, it is fixed by an additional quadratic term.
 pub struct ActiveSet<'a> {
     settings: ActiveSetSettings,
     pub dual: Dual<'a>,
@@ -116,7 +117,7 @@ pub struct ActiveSet<'a> {
 }
 
 impl<'a> ActiveSet<'a> {
-    /// Starts with only the equalities, with a factor of H; a free level is fixed at `level`.
+    /// Creates the active set with the equalities alone, for a factor of H. A free level is fixed at `level`.
     pub fn new<N: Names>(
         program: &Program<N>,
         unlimited: &Unlimited,
@@ -139,7 +140,7 @@ impl<'a> ActiveSet<'a> {
         set
     }
 
-    /// Iterates until no row is violated and a free level is constant.
+    /// Iterates until no row is violated and, if the level is free, the level no longer changes.
     fn settle<N: Names>(
         &mut self,
         program: &Program<N>,
@@ -185,7 +186,7 @@ impl<'a> ActiveSet<'a> {
         }
     }
 
-    /// Rows with positive multiplier.
+    /// Rows with positive multipliers.
     pub fn active<N: Names>(&self, rows: &[Row<N>]) -> Vec<Row<N>> {
         let positive = self.dual.multipliers().filter(|m| m.1 > 0.0);
         let rows = positive.map(|(i, multiplier)| Row {
@@ -197,7 +198,7 @@ impl<'a> ActiveSet<'a> {
 }
 
 impl<N: Names> RowSolver<N> for ActiveSet<'_> {
-    /// Starts with the active rows of the last solution. The working set is unchanged on failure.
+    /// Continues with the active rows of the last solution. The working set is unchanged on failure.
     fn solve(
         &mut self,
         program: &Program<N>,

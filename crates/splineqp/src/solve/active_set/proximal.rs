@@ -1,14 +1,15 @@
 //! Minimax objectives: proximal steps, each of which is a strictly convex program for the dual active-set method.
 //!
-//! The peak t is linear in the objective, and the law is not determined where it is below t, so H is zero. About a centre (s̄, t̄)
+//! The objective is linear in the peak t, and the law is not determined where it is below t. H is therefore zero. The program of a step
+//! about a centre (s̄, t̄) is
 //!
 //! ```text
 //! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      under the rows at hand
 //! ```
 //!
-//! has a banded factor. Its solution is the next centre, and the worst points of its law become further rows (theory §9). With the multipliers of a
-//! step, scaled to those of t alone, the remaining gradient is εM(x − x̄). As ε decreases from step to step, their lower bound approaches the peak,
-//! also where the law is not determined.
+//! Its matrix has a banded factor. Its solution is the next centre, and the points of maximum violation of its law become further rows
+//! (theory §9). The multipliers of a step are scaled so that the gradient with respect to t is zero. The remaining gradient is then εM(x −
+//! x̄). As ε decreases from step to step, the lower bound from the multipliers approaches the peak, even if the law is not determined.
 
 use super::dual::{Dual, Plane};
 use crate::Names;
@@ -20,7 +21,7 @@ use crate::objective::Quadratic;
 use crate::poly::Peak;
 use crate::program::{Failure, Limit, PEAK, Program, Row, Solution, Values, Variable};
 
-/// Minimax law; `None` if the steps end before the optimum.
+/// Law with the minimum peak; `None` if the steps end before the optimum.
 ///
 /// # Errors
 ///
@@ -30,27 +31,27 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Option<Solution<N>>, Fail
     Ok(start.and_then(|start| Search::new(program, start).run()))
 }
 
-/// Whether the method applies to a program.
+/// Whether the method applies to a program: splines, no cones, and a peak with a positive cost.
 pub fn suits<N: Names>(program: &Program<N>) -> bool {
     let splines = matches!(program.basis, Basis::Spline { .. });
     splines && program.cones.is_empty() && program.cost[PEAK] > 0.0
 }
 
-/// Start of the search, and the metric of its steps.
+/// First centre of the search, and the metric of its steps.
 struct Start<N: Names> {
     centre: Vec<f64>,
-    /// Contacts of the centre.
+    /// Active rows of the first centre.
     contacts: Vec<Row<N>>,
-    /// Matrix of mean (w·s)², made positive definite by the equalities in directions that they fix.
+    /// Matrix of the mean of (w·s)². Multiples of the equalities make it positive definite in the directions that they fix.
     square: ArrowMatrix,
-    /// Further variables that have a column.
+    /// Further variables of the program, which are unknowns of the steps.
     free: Vec<Variable>,
-    /// Peak T of the quantity in the initial law.
+    /// Peak T of the initial law.
     peak: f64,
 }
 
-/// Initial law: least squares of the quantity whose peak is minimised. For a constant quantity it is the least-squares solution with the other
-/// limits.
+/// Initial law, with the minimum mean square of the quantity whose peak is minimised. If its peak is practically zero, the law with the
+/// minimum mean square subject to the other limits is used instead.
 ///
 /// # Errors
 ///
@@ -116,9 +117,9 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     start: Start<N>,
     rows: Vec<Row<N>>,
-    /// Entries of the rows for coefficients and further variables.
+    /// Entries of the rows, for the coefficients and the further variables.
     entries: Vec<Entries>,
-    /// Active rows with their multipliers.
+    /// Indices of the active rows, with their multipliers.
     active: Vec<(usize, f64)>,
     nearness: f64,
     steps: usize,
@@ -144,7 +145,7 @@ impl<'a, N: Names> Search<'a, N> {
         search
     }
 
-    /// Factor of the system matrix of a step.
+    /// Cholesky factor of the system matrix of a step; `None` if it is not positive definite.
     fn factor(&self) -> Option<ArrowFactor> {
         let Start {
             square, free, peak, ..
@@ -243,7 +244,8 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Solution about the centre; `None` if rows contradict each other, or if the maximum number of steps or the time limit is reached.
+    /// Solution of a step about the centre. `None` if rows contradict each other, if the maximum number of steps is reached, or if the
+    /// caller stops the search.
     fn step(&mut self) -> Option<Vec<f64>> {
         let factor = self.factor()?;
         let (program, centre) = (self.program, &self.start.centre);
@@ -278,7 +280,7 @@ impl<'a, N: Names> Search<'a, N> {
         Some(centre.iter().zip(dual.x).map(|(c, d)| c + d).collect())
     }
 
-    /// Scale of an excess of a limit; for a peak the peak itself.
+    /// Scale of an excess over a limit. For a limit with the peak, it is the peak of the initial law.
     fn size(&self, limit: &Limit<N>) -> f64 {
         if limit.is_peak() {
             return self.start.peak;
@@ -286,7 +288,7 @@ impl<'a, N: Names> Search<'a, N> {
         limit.scale
     }
 
-    /// A law with its peak, the peak of its rows, and its violations.
+    /// Solution with the law of a step and its actual peak, the peak of the rows alone, and the points at which the law violates limits.
     fn solution(&self, at: &[f64], round: usize) -> (Solution<N>, f64, Vec<(usize, Peak)>) {
         let program = self.program;
         let x = at[..program.basis.columns()].to_vec();

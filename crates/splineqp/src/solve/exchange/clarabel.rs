@@ -27,7 +27,7 @@ pub fn prepared(
     DefaultSolver::new(p, q, a, b, cones, settings)
 }
 
-/// Solves the prepared problem; the result is in `solution` of the solver.
+/// Solves the prepared problem. The result is in the field `solution` of the solver.
 pub fn run(solver: &mut DefaultSolver<f64>) {
     solver.solve();
 }
@@ -109,15 +109,15 @@ fn solved<N: Names>(
     })
 }
 
-/// Units that scale the numbers of the solver to about one.
+/// Units by which the quantities of the program are divided, so that the numbers of the solver are about one.
 struct Scaling {
     /// Further variables that are used in the program; their columns follow those of the coefficients.
     free: Vec<Variable>,
-    /// Unit of the peak.
+    /// Unit of the peak variable.
     peak: f64,
-    /// Unit of the objective.
+    /// Unit by which the objective is divided.
     objective: f64,
-    /// Unit of each row.
+    /// Unit by which each row is divided.
     rows: Vec<f64>,
 }
 
@@ -135,7 +135,7 @@ impl Scaling {
         }
     }
 
-    /// Unit of a further variable.
+    /// Unit by which a further variable is divided.
     fn variable<N: Names>(&self, program: &Program<N>, k: Variable) -> f64 {
         if k == PEAK {
             self.peak

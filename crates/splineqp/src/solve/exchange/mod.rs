@@ -1,5 +1,5 @@
-//! Exchange of rows: solves the program with finitely many rows and adds rows at the exact worst points of the law. The exchange ends when no limit
-//! is exceeded at any angle.
+//! Exchange of rows: solves the program with finitely many rows, and adds rows at the exact points of maximum violation. The exchange ends
+//! when no limit is exceeded at any angle.
 
 pub mod clarabel;
 
@@ -12,8 +12,8 @@ use crate::solve::refine;
 use crate::solve::row_solver::{Point, RowSolver};
 use clarabel::InteriorPoint;
 
-/// Optimum by the interior-point method with exchange of rows, starting from the seeds of the program. Nearly equal seeds may prevent convergence;
-/// the method then starts without seeds.
+/// Optimum by the interior-point method with exchange of rows, starting from the seeds of the program. Nearly equal seeds may prevent
+/// convergence. The method then starts again without seeds.
 ///
 /// # Errors
 ///
@@ -34,7 +34,8 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
     }
 }
 
-/// Starts from the rows of the program, or from the worst points of its unlimited optimum.
+/// Starts without seeds. The first rows are at the points of maximum violation of the unlimited optimum. With further variables, they are
+/// at ends and middles of pieces.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let rows = if program.free_variables().is_empty() {
         let x = program.with_least_at_zero(equality::solve(program)?.x);
@@ -50,7 +51,7 @@ fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<
     from_rows(program, rows, &mut InteriorPoint::default())
 }
 
-/// Fixed rows, and rows at and near the worst points of the unlimited optimum.
+/// Permanent rows, and rows at and near the points of maximum violation of the unlimited optimum.
 pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
     let mut rows = program.fixed.clone();
     add_rows(program, &mut rows, program.broken(x, &Values::NONE));
@@ -58,7 +59,7 @@ pub fn first_rows<N: Names>(program: &Program<N>, x: &[f64]) -> Vec<Row<N>> {
     rows
 }
 
-/// Iterates from the given rows with a solver.
+/// Iterates from the given rows, with `solver` for each program with finitely many rows.
 pub fn from_rows<N: Names>(
     program: &Program<N>,
     mut rows: Vec<Row<N>>,
@@ -140,8 +141,8 @@ pub fn from_rows<N: Names>(
     best.ok_or(Stop::NoProgress.into())
 }
 
-/// Adds rows at the violated points. Earlier rows are kept: two rows on either side of a contact converge to it like the secant method. Only a
-/// coinciding row is replaced.
+/// Adds rows at the violated points. Earlier rows are kept, because two rows on either side of an active point converge to this point as in
+/// the secant method. Only a coinciding row is replaced.
 fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<(usize, Peak)>) {
     let coincident = program.settings.exchange.coincident;
     for (limit, peak) in broken {
@@ -151,7 +152,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether the multiplier of a row exceeds its slack, both in the scaled units of the solver.
+/// Whether a row is active: its multiplier exceeds its slack, both in the scaled units of the solver.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

@@ -1,9 +1,9 @@
-//! Newton's method on the contacts of a program for the coefficients alone, with the banded factor.
+//! Newton's method for the active points of a program for the coefficients alone, with the banded factor.
 //!
-//! At a contact, the left side of the limit c(θ) = a(θ)ᵀx has a local maximum equal to the bound. When x moves by dx, the maximum moves by dθ =
-//! −a′ᵀdx/c″, and the curvature of the objective along the moving contacts increases by Σ λ (a′ᵀdx)²/(−c″) (local reduction of a semi-infinite
-//! program, Hettich and Kortanek 1993). Each step is the optimum with equality constraints and H + Σ λ/(−c″) a′a′ᵀ, which is still banded. Violations
-//! decrease quadratically; an exchange of rows only divides them by four.
+//! At an active point, the left side of the limit c(θ) = a(θ)ᵀx has a local maximum equal to the bound. If x changes by dx, the angle of
+//! the maximum changes by dθ = −a′ᵀdx/c″. The curvature of the Lagrangian therefore increases by Σ λ (a′ᵀdx)²/(−c″) (local reduction of a
+//! semi-infinite program, Hettich and Kortanek 1993). Each step solves a program with equality constraints at the active points and the
+//! matrix H + Σ λ/(−c″) a′a′ᵀ, which is still banded. Violations decrease quadratically. An exchange of rows only divides them by four.
 
 use super::Contacts;
 use crate::Names;
@@ -12,8 +12,8 @@ use crate::poly::Peak;
 use crate::program::{Program, Row, Solution, Values};
 use crate::solve::active_set::ActiveSet;
 
-/// Improves a law with nearly exact contacts. `peaks` are its maxima near their bounds; `level` fixes a free level. `None` if the steps lose the
-/// contacts.
+/// Improves a law whose active points are nearly exact. `peaks` are the local maxima near their bounds; a free level is fixed at `level`.
+/// `None` if a step fails or the violation increases too much.
 pub fn on_band<N: Names>(
     program: &Program<N>,
     unlimited: &Unlimited,
@@ -43,7 +43,8 @@ pub fn on_band<N: Names>(
     None
 }
 
-/// Optimum on the contacts, and the contacts with positive multipliers.
+/// Optimum with the active rows of `from` as equalities, and the rows with positive multipliers. `None` if rows are dependent or a
+/// multiplier is negative.
 fn step<N: Names>(
     contacts: &Contacts<N>,
     unlimited: &Unlimited,

@@ -6,8 +6,9 @@ use crate::basis::Entries;
 use crate::poly::Peak;
 use crate::program::{Cone, Program, Row, Solution};
 
-/// Optimum of a program with cones near a solution, by tangents head ≥ tail·tail₀/‖tail₀‖, which are valid for all points of a cone. Each tangent
-/// belongs to the last optimum; finally the head equals the norm. `None` at the tip of a cone.
+/// Optimum of a program with cones near a solution. Each cone is replaced by its tangents head ≥ tail·tail₀/‖tail₀‖, which all points of
+/// the cone satisfy. Each tangent is computed at the previous optimum. The iteration ends when the head equals the norm. `None` if the norm
+/// is zero (tip of the cone), or if the iteration fails.
 pub fn on_cones<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
     let mut flat = program.clone();
@@ -54,7 +55,7 @@ fn is_tangent<N: Names>(cone: &Cone<N>, row: &Row<N>) -> bool {
     row.limit.is_none() && row.entries.is_empty() && row.name == cone.name
 }
 
-/// Tangent of a cone at a solution.
+/// Tangent of a cone at a solution, as a row with the given multiplier.
 fn tangent<N: Names>(cone: &Cone<N>, at: &Solution<N>, multiplier: f64) -> Row<N> {
     let mut tangent = Row {
         multiplier,

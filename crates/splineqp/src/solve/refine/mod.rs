@@ -1,15 +1,18 @@
-//! Refinement of a solution and of its certificate up to rounding errors, by Newton's method on the contact points.
+//! Refinement of a solution and of its certificate up to rounding errors, by Newton's method for the active points. An active point
+//! (`contact` in the code) is a point at which a limit equals its bound.
 //!
-//! An interior-point method approximates a contact by two rows, one on either side. The multipliers of these rows, and so the certificate, are still
-//! inaccurate when the law is accurate. Here each contact is one row at the exact local maximum. A step solves
+//! An interior-point method approximates an active point by two rows, one on either side. The multipliers of these rows, and therefore the
+//! certificate, are inaccurate even if the law is accurate. In the refinement, each active point is one row at the exact local maximum. A
+//! step solves
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for the law and the further variables together. The contacts may not determine the active rows: contacts coincide on an arc along the bound, or
-//! there are more contacts than unknowns. A step is then a quadratic program over all rows near their bounds, and violated points are added as rows.
-//! The proximal terms ε and δ fix the directions that objective and contacts do not determine. They do not change the result.
+//! for the law and the further variables together. The active points may not determine the active rows. For example, the law equals its
+//! bound on a whole range, or there are more active points than unknowns. A step is then a quadratic program with all rows near their
+//! bounds, and rows at violated points are added. The proximal terms ε and δ fix the directions that the objective and the active points do
+//! not determine. They do not change the result.
 //!
 //! | file | used |
 //! |---|---|
@@ -46,18 +49,18 @@ struct Contacts<'a, N: Names> {
 /// Method for choosing the rows of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
-    /// All contacts as equalities; those with negative multiplier are removed.
+    /// All active points as equalities. Rows with negative multipliers are removed.
     Equalities,
-    /// Quadratic program over all points near their bounds.
+    /// Quadratic program with rows at all points near their bounds.
     Program,
 }
 
-/// Whether a program is to be refined. The steps of a sequence have a larger tolerance and are not refined.
+/// Whether a program is refined. The steps of a sequence of programs have a larger tolerance and are not refined.
 pub fn is_wanted<N: Names>(program: &Program<N>) -> bool {
     program.settings.tolerance <= program.settings.refinement.finest_tolerance
 }
 
-/// Refined solution, if its certificate is not sufficient and refinement improves it. Programs that need no refinement are unchanged.
+/// The refined solution, if the certificate is not sufficient and the refinement improves it. Otherwise the solution is returned unchanged.
 pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solution<N> {
     if !solution.used_rows || !is_wanted(program) {
         return solution;
@@ -92,7 +95,7 @@ pub fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
         .max(proof.violation / program.settings.tolerance.max(rounding(program, solution)))
 }
 
-/// Rounding errors of the active rows relative to the scale of the limits: a lower bound of violations.
+/// Maximum rounding error of the active rows, relative to the scale of their limits. Violations cannot be smaller.
 fn rounding<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let of_row = |row: &Row<N>| {
         let of_limit = |i: usize| {
@@ -139,7 +142,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// The start with its contacts as rows.
+    /// The initial solution with its active points as rows.
     fn start(&self, start: &Solution<N>) -> Solution<N> {
         let push = |r: &Row<N>| r.multiplier * row_unit(&r.entries, self.program.length);
         let largest = start.active.iter().map(push).fold(0.0, f64::max);
@@ -206,7 +209,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         order >= self.degree && limit.shape.is_none()
     }
 
-    /// Active rows moved to the nearest local maxima. Rows with the same maximum become one contact.
+    /// Active rows, each moved to the nearest local maximum. Rows at the same maximum become one row.
     fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)]) -> Vec<Row<N>> {
         let program = self.program;
         let mut out: Vec<Row<N>> = Vec::new();
@@ -243,7 +246,8 @@ impl<'a, N: Names> Contacts<'a, N> {
             || a.peak.piece == b.peak.piece && self.is_flat(&self.program.limits[limit])
     }
 
-    /// Negative second derivative −c″ at a contact inside its piece.
+    /// Negative second derivative −c″ of the left side c at an active point inside its piece. `None` at the ends of a piece, and if c is
+    /// nearly constant.
     fn sharpness(&self, x: &[f64], row: &Row<N>) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
         let w = limit.weights;
@@ -283,7 +287,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         hessian
     }
 
-    /// Scale of a distance from a bound; for a minimised peak the peak itself.
+    /// Scale of a distance from a bound. For a limit with the minimised peak, it is at most the peak.
     fn size(&self, limit: &Limit<N>, at: &Solution<N>) -> f64 {
         let room = limit.room(&at.extra);
         if limit.is_peak() && at.extra[PEAK] != 0.0 {
@@ -293,7 +297,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// Maximum excess over all limits, including permanent rows and limits on further variables alone.
+    /// Maximum relative excess over all limits, including permanent rows and limits on further variables alone.
     fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
         let over =
@@ -308,13 +312,13 @@ impl<'a, N: Names> Contacts<'a, N> {
         of_rows.chain(of_sizes).fold(known, f64::max)
     }
 
-    /// Local maxima near their bounds.
+    /// Local maxima of the left sides of limits near their bounds.
     fn peaks_near(&self, at: &Solution<N>) -> Vec<(usize, Peak)> {
         let below = self.program.settings.refinement.below;
         self.peaks_above(at, |size| -below * size)
     }
 
-    /// Local maxima whose excess is above a tolerance that depends on their scale.
+    /// Local maxima whose excess over the bound is above `excess`, which is a function of the scale.
     fn peaks_above(&self, at: &Solution<N>, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
         let mut peaks = Vec::new();
         let level =
@@ -324,7 +328,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         peaks
     }
 
-    /// Rows of a step: the contacts, and other points near their bounds.
+    /// Rows of a step: active rows, other local maxima near their bounds, permanent rows, and limits on further variables alone.
     fn candidates(&self, from: &Solution<N>) -> Vec<Row<N>> {
         let program = self.program;
         let mut rows = from.active.clone();
@@ -352,7 +356,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         rows
     }
 
-    /// Adds the points that a step violates to the rows.
+    /// Adds rows at the points at which the law violates limits.
     fn add_broken(&self, solution: &mut Solution<N>) {
         for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
             let row = self.program.row(limit, peak);
@@ -362,7 +366,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// Step with the contacts as equalities. Rows with negative multipliers are removed, the most negative first.
+    /// Step with all active rows as equalities. Rows with negative multipliers are removed, the most negative first.
     fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
         // A vertex has at most as many contacts as unknowns. Many more contacts result from an interior point or from a failed step.
         let unknowns = self.program.basis.columns() + self.program.equalities.len();
@@ -394,7 +398,8 @@ impl<'a, N: Names> Contacts<'a, N> {
         }
     }
 
-    /// Quadratic program about a solution, with rows at the contacts. Points that the step violates are added.
+    /// Step as a quadratic program about a solution, with rows at all points near their bounds. Rows are added at points that the step
+    /// violates.
     fn program_step(&self, from: &Solution<N>) -> Option<Solution<N>> {
         let program = self.program;
         let local = Local::new(self, from);

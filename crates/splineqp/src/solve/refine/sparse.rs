@@ -1,12 +1,13 @@
-//! Linear systems of a step: sparse, symmetric, indefinite.
+//! Solution of the linear system of a step, which is sparse, symmetric and indefinite.
 
 use rsparse::data::{Sprs, Trpl};
 
-/// Minimum ratio of a diagonal entry to the maximum entry of its column for which the diagonal entry is the pivot. Other pivots cause fill-in.
+/// Minimum ratio of a diagonal entry to the maximum entry of its column for which the diagonal entry is used as the pivot. Other pivots
+/// cause fill-in.
 const THRESHOLD: f64 = 0.1;
-/// Number of iterative refinements.
+/// Number of iterative refinements of a solution.
 const CORRECTIONS: usize = 2;
-/// Ordering of the unknowns: minimum degree for the pattern of A + Aᵀ.
+/// Ordering of the unknowns in `rsparse`; 0 is minimum degree for the pattern of A + Aᵀ.
 const ORDERING: i8 = 0;
 
 /// Solution of A y = b. The lower triangle of A is given as (row, column, value); values at the same position are added. `None` if A is singular.

@@ -1,4 +1,4 @@
-//! Newton step on the contacts: the program about a solution, in the units of the solver.
+//! Newton step for the active points. The linearised program about a solution is solved in scaled units.
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
@@ -12,28 +12,28 @@ use crate::basis::{Entries, apply, row_unit};
 use crate::program::{PEAK, Row, Solution, Values, Variable};
 use crate::solve::active_set::dual::Dual;
 
-/// Plane aᵀd ≤ bound, or aᵀd = bound, with entries near 1.
+/// Plane aᵀd ≤ bound, or aᵀd = bound, for the step d. The entries of a are of order 1.
 struct Plane {
     entries: Entries,
     bound: f64,
     equal: bool,
 }
 
-/// Step with the multipliers of the planes; 0 for an inactive plane.
+/// Step in scaled units, with the multipliers of the planes. The multiplier of an inactive plane is 0.
 struct Step {
     way: Vec<f64>,
     multipliers: Vec<f64>,
 }
 
-/// The program about a solution, in the units of the solver.
+/// The linearised program about a solution, in scaled units.
 pub struct Local<'a, N: Names> {
     contacts: &'a Contacts<'a, N>,
     from: &'a Solution<N>,
-    /// Units of the unknowns, coefficients first.
+    /// Units of the unknowns: coefficients first, then further variables.
     units: Vec<f64>,
     objective: f64,
     matrix: ArrowMatrix,
-    /// Proximal weight of the step.
+    /// Proximal weight ε of the step.
     held: f64,
     gradient: Vec<f64>,
 }
@@ -74,7 +74,7 @@ impl<'a, N: Names> Local<'a, N> {
         }
     }
 
-    /// Converts a row to a plane of the step, with its unit.
+    /// Converts a row to a plane of the step. The second value is the unit by which the row is divided.
     fn plane(
         &self,
         (entries, extra, bound): (&Entries, &Values, f64),
@@ -96,7 +96,7 @@ impl<'a, N: Names> Local<'a, N> {
         (plane, scale)
     }
 
-    /// Solution after the step with the given rows, and its active rows with their multipliers.
+    /// Solution after the step of the quadratic program with the given rows. Its active rows have the new multipliers.
     pub fn solved(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -121,7 +121,7 @@ impl<'a, N: Names> Local<'a, N> {
         Some(self.moved(rows, &scales, &active, step))
     }
 
-    /// Factor of the matrix with `held` added to the diagonal.
+    /// Cholesky factor of the matrix with `held` added to the diagonal.
     fn factor(&self, held: f64) -> Option<ArrowFactor> {
         let mut matrix = self.matrix.clone();
         (0..self.units.len()).for_each(|i| matrix.add(i, i, held));
@@ -176,7 +176,7 @@ impl<'a, N: Names> Local<'a, N> {
         Some(self.moved(rows, &scales, &all, step))
     }
 
-    /// Equalities and rows as planes, with their units.
+    /// Equalities and rows as planes of the step, with the units by which they are divided.
     fn planes(&self, rows: &[Row<N>]) -> (Vec<Plane>, Vec<f64>) {
         let none = Values::NONE;
         (self.contacts.program.equalities.iter())
@@ -185,7 +185,7 @@ impl<'a, N: Names> Local<'a, N> {
             .unzip()
     }
 
-    /// Solution after a step, with its rows.
+    /// Solution after a step, with its active rows and their multipliers.
     fn moved(&self, rows: &[Row<N>], scales: &[f64], active: &[usize], step: Step) -> Solution<N> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
@@ -205,7 +205,7 @@ impl<'a, N: Names> Local<'a, N> {
         next
     }
 
-    /// The step computed again with the active planes as equalities.
+    /// The step with the active planes as equalities, computed again with higher accuracy by a sparse linear system.
     fn with_last_digits(
         &self,
         planes: &[Plane],
