@@ -1,4 +1,4 @@
-//! Values with their dimension.
+//! Dimensions of physical quantities, and values with a dimension.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
@@ -55,7 +55,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// Exponents of metre, kilogram, second and radian; SI unit; examples of valid values.
+    /// Exponents of metre, kilogram, second and radian; name of the SI unit; examples of valid values.
     fn row(self) -> (Exponents, &'static str, &'static str) {
         let power = |n: u8, units: [&'static str; 3]| units[usize::from(n.clamp(1, 3)) - 1];
         match self {
@@ -105,7 +105,7 @@ impl Dimension {
         <&str>::from(self).replace('-', " ")
     }
 
-    /// SI unit, as scenes and tables write it.
+    /// SI unit, as written in scenes and tables.
     pub fn si(self) -> &'static str {
         self.row().1
     }
@@ -118,8 +118,8 @@ impl Dimension {
 
 /// A value in SI units with its dimension, used in results and messages.
 ///
-/// It serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`. `wording` displays it in the common
-/// unit, here 13.6 mm.
+/// It serialises as `{"value": 0.0136, "unit": "m"}`. A value that is not finite serialises as `"inf"`, `"-inf"` or `"nan"`. In messages it
+/// is displayed in its common unit, here 13.6 mm.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, Quantity};
@@ -137,7 +137,7 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// A value in SI units.
+    /// A quantity from a value in SI units and its dimension.
     pub fn new(value: f64, dimension: Dimension) -> Quantity {
         Quantity { value, dimension }
     }

@@ -1,4 +1,4 @@
-//! Texts as cells of CSV.
+//! Conversion of texts to cells of a CSV file, and back.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ pub fn text_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Original text of a cell that [`text_cell`] made.
+/// Original text of a cell that [`text_cell`] returned.
 pub fn cell_text(cell: &str) -> &str {
     let text = cell.strip_prefix('\'');
     text.filter(|text| begins_like_formula(text))
