@@ -49,16 +49,16 @@ pub struct ForceCurve {
     pub mass_kg: Option<f64>,
     /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
-    /// Consecutive strides of the recording, on the same scale.
+    /// Consecutive strides of the recording as a force over time, if there are enough; scaled like the samples of the cycle.
     #[serde(skip)]
     pub walk: Option<Walk>,
-    /// Number of steps of a walker in the cycle, if a file states it.
+    /// Number of steps of a walker in the cycle, if the file gives it.
     #[serde(skip)]
     pub steps: Option<usize>,
-    /// Notes on a file that contains one cycle, or a part of one.
+    /// Notes on the reading of a file that contains one cycle or a part of a cycle.
     #[serde(skip)]
     pub notes: Vec<Note>,
-    /// Interpretation of the averaged recording.
+    /// Interpretation of the recording from which the cycle was averaged.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
     /// Walkers whose mean is the curve, if there are several.
@@ -177,7 +177,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle with its start at another phase, rad: sample 0 of the result is the force at `phase`.
+    /// The cycle with another start: sample 0 of the result is the force at `phase`, rad.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();
