@@ -1,4 +1,4 @@
-//! A force given as a finite Fourier series; it is exact without samples.
+//! A force given as a finite Fourier series. It is evaluated exactly, without interpolation between samples.
 
 use std::f64::consts::TAU;
 
@@ -77,7 +77,7 @@ impl FourierForce {
         self.harmonics.iter().map(wave).collect()
     }
 
-    /// The cycle as samples.
+    /// The cycle as a curve of equally spaced samples.
     pub fn curve(&self) -> ForceCurve {
         let at = |x: f64| {
             let waves = self.harmonics.iter().zip(1..);
