@@ -25,7 +25,7 @@ use crate::wording::{Language, sentence};
 pub enum Format {
     /// C3D, with the number format of its processor.
     C3d {
-        /// Number format of the processor that wrote the file.
+        /// Number format of the computer that wrote the file.
         processor: Processor,
         /// Storage of the samples.
         storage: Storage,
@@ -35,7 +35,7 @@ pub enum Format {
         /// Name of the program, with the file ending if it identifies the kind of export.
         program: &'static str,
     },
-    /// Table with one stance per row.
+    /// Table with one whole stance per row.
     StanceTable,
     /// Delimited text with a header.
     Text {
