@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
-/// Exponents of metre, kilogram, second and radian.
+/// Exponents of metre, kilogram, second and radian in a unit.
 pub(crate) type Exponents = [i32; 4];
 
 /// Dimension of a physical quantity.
@@ -95,7 +95,7 @@ impl Dimension {
         }
     }
 
-    /// Exponents of metre, kilogram, second and radian.
+    /// Exponents of metre, kilogram, second and radian in the SI unit.
     pub(crate) fn exponents(self) -> Exponents {
         self.row().0
     }
@@ -142,22 +142,22 @@ impl Quantity {
         Quantity { value, dimension }
     }
 
-    /// A length in m.
+    /// A length from a value in m.
     pub fn length(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Length)
     }
 
-    /// An angle in rad.
+    /// An angle from a value in rad.
     pub fn angle(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Angle)
     }
 
-    /// A force in N.
+    /// A force from a value in N.
     pub fn force(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Force)
     }
 
-    /// A time in s.
+    /// A time from a value in s.
     pub fn time(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Time)
     }

@@ -3,7 +3,7 @@
 /// Difference between consecutive states of SplitMix64.
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// SplitMix64: maps a 64-bit number to a pseudo-random one (Steele, Lea, Flood 2014).
+/// SplitMix64: maps a 64-bit number to a pseudo-random 64-bit number (Steele, Lea, Flood 2014).
 ///
 /// ```
 /// // First output of the published generator with seed 0.
@@ -16,7 +16,7 @@ pub fn mixed(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A number in [0, 1) from the top 53 bits; uniformly distributed if the bits are.
+/// Number in [0, 1) from the top 53 bits. If the bits are random, the number is uniformly distributed.
 pub fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }

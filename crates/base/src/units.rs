@@ -11,7 +11,8 @@ pub use crate::quantity::{Dimension, Quantity};
 /// Standard gravity as used in the source papers, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Unit names, their factors to SI and their exponents. The meaning of pound depends on the dimension: see [`parse`].
+/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. The meaning of pound depends on the dimension:
+/// see [`parse`].
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -55,7 +56,7 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("ratio", 1.0, [0, 0, 0, 0]),
 ];
 
-/// One pound-force in newtons.
+/// One pound-force (lbf) in newtons.
 pub const LBF: f64 = 4.448_221_615_260_5;
 /// One pound (mass) in kilograms.
 const LB: f64 = 0.453_592_37;

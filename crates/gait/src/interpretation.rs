@@ -37,7 +37,7 @@ pub struct Interpretation {
     pub clock: Clock,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit.
+    /// Source of the unit of the force columns.
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
@@ -86,7 +86,7 @@ pub struct Clock {
     pub from: ClockSource,
 }
 
-/// Column of vertical force.
+/// Column of vertical force in the recording.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -114,7 +114,7 @@ pub struct Column {
     pub envelope_n: Vec<[f64; 2]>,
 }
 
-/// Contact of a foot.
+/// Contact of a foot with a plate or insole.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};

@@ -170,8 +170,10 @@ impl Walk {
         }
     }
 
-    /// A part of the walk with a given number of strides. Its mean stride time is nearest to the mean of all strides. The force is blended
-    /// where the last stride is joined to the first one. `None` if the walk has fewer strides.
+    /// Part of the walk with a given number of consecutive strides. Among all such parts, its mean stride time is nearest to the mean of
+    /// the whole walk.
+    ///
+    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides.
     pub fn typical(&self, strides: usize) -> Option<Walk> {
         let starts = self.strides_s();
         let usual = self.duration_s / self.strides() as f64;
@@ -238,7 +240,7 @@ impl Walk {
         self.variability().drift.abs() > STEADY
     }
 
-    /// Variability of the strides.
+    /// Statistics of the variability of the strides.
     pub fn variability(&self) -> Variability {
         let strides = self.strides_s();
         let times: Vec<f64> = strides.windows(2).map(|s| s[1] - s[0]).collect();

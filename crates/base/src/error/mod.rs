@@ -96,7 +96,7 @@ impl Error {
         self.fault.as_any().downcast_ref()
     }
 
-    /// Code of the error, for scripts and tests: area and variant in kebab-case. Messages may change, codes do not.
+    /// Code of the error, for scripts and tests: area and variant in kebab-case. Messages may change, but codes do not.
     pub fn code(&self) -> String {
         self.fault.code()
     }
@@ -153,8 +153,8 @@ impl std::error::Error for Error {}
 
 /// The candidate that a misspelt `word` probably means; `None` if no candidate is similar.
 ///
-/// A candidate with `word` as a part (between hyphens or underscores) has priority. Otherwise the result is the candidate with the minimum
-/// edit distance, if this distance is at most 1 + a third of the length of the longer word.
+/// A candidate with `word` as a part (between hyphens or underscores) has priority. Otherwise the candidate with the minimum edit distance
+/// is returned. This distance must be at most 1 + a third of the length of the longer word.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let is_part = |c: &&&str| c.split(['-', '_']).any(|part| part == word);

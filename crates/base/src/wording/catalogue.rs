@@ -80,7 +80,7 @@ impl Catalogue {
         }
     }
 
-    /// Messages in a language.
+    /// Messages of the catalogue in a language.
     pub fn of(&self, language: Language) -> &Messages {
         let place = language as usize;
         self.messages[place].get_or_init(|| Messages::new(language, self.crates))

@@ -41,5 +41,5 @@ pub const SENTENCES: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// Catalogue of this crate.
+/// Messages of this crate, without those of other crates.
 pub static WORDS: Catalogue = Catalogue::new(&[SENTENCES]);

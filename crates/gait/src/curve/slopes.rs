@@ -2,8 +2,8 @@
 //!
 //! The slope at a sample is computed from five samples with the fourth-order centred difference. Where the second differences change
 //! slowly, as at a smooth maximum, this slope is not limited, and the interpolation is of fourth order. Elsewhere its magnitude is limited
-//! to three times the smaller of the adjacent differences, so that the interpolation does not overshoot at a sharp heel strike (bound of
-//! Fritsch and Carlson). At a local extreme of the samples, the limit is half of this value, and the slope may have either sign.
+//! to three times the smaller of the adjacent differences (bound of Fritsch and Carlson). The interpolation then does not overshoot at a
+//! sharp heel strike. At a local extreme of the samples, the limit is half of this value, and the slope may have either sign.
 
 use crate::statistics::{larger, smaller};
 

@@ -165,8 +165,8 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f6
     }
 }
 
-/// Fills `row` with one stance at equal phases, extended at both ends by the fraction `margin` of a stance and scaled to the `usual` mass,
-/// kg.
+/// Fills `row` with one stance at equal phases, scaled to the `usual` mass, kg. The row extends beyond both ends of the stance by the
+/// fraction `margin` of the stance.
 pub(super) fn stance_row(
     recording: &Recording,
     stance: &Stance,

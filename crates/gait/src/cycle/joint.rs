@@ -68,9 +68,9 @@ pub enum LeftOut {
     },
     /// The movement differs from the movement of most recordings.
     OtherKind {
-        /// Movement of this recording.
+        /// Kind of movement in this recording.
         movement: Kind,
-        /// Movement of most recordings.
+        /// Kind of movement in most recordings.
         most: Kind,
     },
     /// The speed differs from the speed of most recordings.

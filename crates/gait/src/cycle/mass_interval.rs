@@ -69,7 +69,8 @@ fn of_steps(
     }
 }
 
-/// Relative half width of the 95 % interval of a mean. The variance combines that of the values with the usual variance.
+/// Relative half width of the 95 % interval of a mean. It is computed from a weighted mean of the variance of the values and the usual
+/// variance.
 fn of_mean(values: &[f64], usual: f64) -> f64 {
     let degrees = (values.len() as f64 - 1.0).max(0.0);
     let own = sample_deviation(values).unwrap_or(0.0) / mean(values).abs().max(f64::MIN_POSITIVE);

@@ -61,7 +61,7 @@ pub use plausibility::implausible;
 pub struct Cycle {
     /// Mean cycle. Its period is a stride; its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
-    /// Number of averaged cycles: whole strides, or stances if a stride was built from them.
+    /// Number of averaged cycles. If a stride was built from single stances, the number of stances.
     pub averaged: usize,
     /// Method by which the cycle was computed.
     pub source: CycleSource,

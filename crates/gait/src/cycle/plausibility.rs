@@ -26,7 +26,7 @@ pub(super) struct Ranges {
     pub duty: Range<f64>,
     /// Range of the maximum force of a stance, in body weights.
     pub peak_bw: Range<f64>,
-    /// Typical duty factor.
+    /// Typical duty factor of the movement.
     pub usual_duty: f64,
     /// Typical ratio of stride and stance durations.
     pub stride_of_stance: Range<f64>,

@@ -92,8 +92,9 @@ fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     if alike.is_empty() { stances } else { alike }
 }
 
-/// Stances of the left and of the right foot. If no side is known, the times of consecutive stances determine which of them belong to the
-/// same of two unnamed feet. Both lists are empty if the times are not conclusive, or for a table of stances, whose rows are not
+/// Stances of the left and of the right foot. If no side is known, the stances are assigned to two unnamed feet by their times.
+///
+/// Both lists are empty if the times are not conclusive. They are also empty for a table of stances without sides, whose rows are not
 /// consecutive.
 pub(super) fn by_side<'a>(
     stances: &[&'a Stance],

@@ -119,7 +119,7 @@ fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     (best, reasons.collect())
 }
 
-/// All whole strides with times as in the file. `averaged` states whether the mean cycle consists of them.
+/// All whole strides, with times as in the file. `averaged` is true if the mean cycle is built from whole strides.
 pub(super) fn recorded_strides(
     recording: &Recording,
     stances: &Stances,
@@ -149,7 +149,7 @@ pub(super) fn recorded_strides(
     .collect()
 }
 
-/// Force of a channel with the span of a contact, s.
+/// Force of a channel, N, with the start and the end of a contact, s.
 type Span<'a> = (&'a [f64], f64, f64);
 
 /// All contacts that overlap a stride.

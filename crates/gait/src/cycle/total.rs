@@ -77,7 +77,7 @@ fn first_to_last(
         .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// Channel of the total force, from its first contact to its last one.
+/// Force of the channel with the total force, from its first contact to its last contact.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let mut live = recording.live();
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;

@@ -105,7 +105,7 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Maximum of two values for whole contacts: the step-to-step spread as a fraction of the weight, and the relative difference between the
+/// Limit for two quantities of whole contacts: the step-to-step spread as a fraction of the weight, and the relative difference between the
 /// mean impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 

@@ -41,7 +41,7 @@ pub enum ReadError {
     ManyForces { found: usize },
     /// The columns are readings of single sensors, such as the pressures of an insole.
     SingleSensors { sensors: usize },
-    /// The file is a long table of cycles over their phase, one for each subject, task and step, without times.
+    /// The file is a long table without times. It contains one cycle over the phase for each subject, task and step.
     LongTable { cycles: usize },
     /// The file is a long table with cycles of several movements.
     LongTasks { tasks: Vec<String> },
@@ -143,7 +143,7 @@ pub enum ReadError {
     NoChannel { channel: String, channels: String },
     /// The file has neither a force plate nor an analog force channel.
     NoPlate { channels: String },
-    /// The files are not the plates of one trial, one file per plate.
+    /// Several files were given, but they are not the plates of one trial with one plate per file.
     NotPlatesOfOneTrial,
     /// A force plate needs a calibration matrix but has none, and its channels are not in a unit of force.
     PlateUncalibrated { plate: usize, channels: String },

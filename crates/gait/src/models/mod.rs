@@ -2,8 +2,8 @@
 //!
 //! There are two families of models:
 //!
-//! - The *continuous* models describe the force of both feet together as a Fourier series in the step frequency f,
-//!   `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. One cycle is one step, with the duration 1/f.
+//! - The *continuous* models describe the force of both feet together: `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. This is a Fourier series
+//!   in the step frequency f. One cycle is one step, with the duration 1/f.
 //! - The *single-foot* models describe one stance. One cycle is one stride, with the duration 2/f and zero force in the swing phase. The
 //!   force of both feet is the sum of two stances half a stride apart; its period is one step.
 

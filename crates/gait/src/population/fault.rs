@@ -15,7 +15,8 @@ const UNIT: f64 = 6.0;
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
 /// Fraction of the mean force below which a foot is off the ground.
 const LIFTED: f64 = 0.02;
-/// Ratio of a step period to the median step period below which both are plausible. The period of a stride is twice that of a step.
+/// Ratio of two periods above which the shorter one is the period of a step and the longer one is the period of a stride. A stride consists
+/// of two steps.
 const STEPS: f64 = 1.45;
 
 /// Reason why a cycle cannot belong to a population.
@@ -35,16 +36,16 @@ const STEPS: f64 = 1.45;
 pub enum WalkerFault {
     /// The mean force is not positive.
     NoMeanForce,
-    /// The mean force differs from the weight of the mass.
+    /// The mean force differs from the weight that follows from the mass.
     MeanNotWeight {
         /// Mean force, in percent of the weight.
         percent: f64,
     },
     /// The unit of force differs from that of most cycles.
     OtherUnit,
-    /// The cycle is of one foot while most are of both feet, or the reverse.
+    /// The cycle is of one foot, but most cycles are of both feet, or vice versa.
     OtherFeet,
-    /// The cycle is a step while most are strides, or the reverse.
+    /// The cycle is a step, but most cycles are strides, or vice versa.
     OtherCycle,
     /// The movement differs from that of most cycles.
     OtherKind,

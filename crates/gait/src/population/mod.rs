@@ -12,7 +12,7 @@ pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};
 
-/// Cycle of one walker.
+/// Mean cycle of one walker, with a weight.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};

@@ -1,7 +1,7 @@
 //! Meaning of the columns of a table, from their names.
 //!
-//! Names are split into words. For example, `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]` and `left total force[N]` all contain
-//! words for the force, its component and the plate or foot, in different orders.
+//! Names are split into words. Examples of names are `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]` and `left total force[N]`.
+//! All of them contain words for the force, its component, and the plate or foot, in different orders.
 
 use super::vocabulary::{
     CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,

@@ -106,8 +106,8 @@ fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     quiet
 }
 
-/// Share of the force on plate `j` in the readings of plate `i`, if these readings follow the force on `j` while the other plates are
-/// unloaded.
+/// Share of the force on plate `j` in the readings of plate `i`. It is determined from the samples at which all plates except `j` are
+/// unloaded. `None` if the readings do not follow the force on `j`.
 fn found(
     channels: &[Channel],
     unloaded: &[Vec<bool>],

@@ -201,7 +201,7 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Scales the times of a file of one cycle, so that the rows fill the period, or the part of the period that the span covers.
+/// Scales the times of a file of one cycle. The rows then fill the period, or the part of the period that the span covers.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;

@@ -23,7 +23,7 @@ pub(super) const TIME: &str = "time zeit temps tiempo tempo";
 pub(super) const WEAK_TIME: &str = "t timestamp sec secs seconds";
 pub(super) const FRAME: &str =
     "frame frames sample samples field bild index nr no item row point framenumber";
-/// Words for a percentage.
+/// Words that denote a percentage.
 pub(super) const PERCENT: &str = "percent percentage pct perc prozent porcentaje pourcentage";
 pub(super) const CYCLE: &str =
     "gait cycle gc stride gang gangzyklus zyklus ciclo marcha zancada marche";

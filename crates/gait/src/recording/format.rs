@@ -1,4 +1,4 @@
-//! File formats of recordings.
+//! File formats of recordings, and their properties.
 
 use std::fmt;
 
@@ -27,7 +27,7 @@ pub enum Format {
     C3d {
         /// Number format of the computer that wrote the file.
         processor: Processor,
-        /// Storage of the samples.
+        /// Form in which the samples are stored.
         storage: Storage,
     },
     /// Text exported by a program.

@@ -76,7 +76,7 @@ pub struct ReadOptions {
 pub struct Strike {
     /// Time from the first sample, s.
     pub at_s: f64,
-    /// Foot of the strike.
+    /// Foot that strikes the ground.
     pub foot: Foot,
 }
 
@@ -196,7 +196,7 @@ pub struct Recording {
     pub clock: ClockSource,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit.
+    /// Source of the unit of the force columns.
     pub unit_from: UnitSource,
     /// Kind of movement, if stated by the user.
     pub kind: Option<Kind>,

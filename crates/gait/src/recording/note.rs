@@ -267,7 +267,7 @@ pub enum ClockSource {
     GuessedRate,
 }
 
-/// Source of a unit of force.
+/// Source of the unit of force of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, UnitSource, read};
@@ -288,7 +288,7 @@ pub enum UnitSource {
     Guessed,
 }
 
-/// Source of a mass.
+/// Source of the mass of a walker.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};

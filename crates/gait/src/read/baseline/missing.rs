@@ -9,11 +9,11 @@ use std::ops::Range;
 const UNLOADED_S: f64 = 0.1;
 /// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading of the recording.
 const LOW: f64 = 0.3;
-/// Time before or after a run of missing samples, s, and minimum change of the force within this time, N, that means a toe-off or heel
+/// Time before or after a run of missing samples, s, and change of the force, N. A larger change within this time means a toe-off or heel
 /// strike.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Minimum sampling rate, Hz, at which a sample must be similar to the sample before or after it, because an impact lasts 10 ms or more.
+/// Minimum sampling rate, Hz, at which a sample must be similar to one of the adjacent samples, because an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
 /// Minimum difference between a spike and the samples on both sides: as a fraction of the maximum level that lasts longer than a spike, and
 /// in N.

@@ -39,8 +39,8 @@ const CLIPPED: (usize, f64) = (1 << 14, 200.0);
 /// Converts raw readings in newtons, of either sign, to a channel. NaN means a missing sample.
 ///
 /// The sign is chosen so that the load is positive. The unloaded baseline is the most frequent level at the unloaded end of the range of
-/// readings. If there is no such level, the samples of `zero` (first, one past the last), which the file marks as unloaded, are used if
-/// they vary little. A constant channel is marked as idle, and its readings are unchanged.
+/// readings. If there is no such level, it is the mean of the samples in `zero` (first, one past the last), if these vary little. `zero`
+/// contains the samples that the file marks as unloaded. A constant channel is marked as idle, and its readings are unchanged.
 pub(super) fn channel(
     name: String,
     mut raw: Vec<f64>,
@@ -208,8 +208,8 @@ fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
 
 /// Unloaded level and its standard deviation, N, for readings whose load is positive; `None` if the plate was never unloaded.
 ///
-/// At least 4 % of the samples must be at the level. If the level is far from zero, it must also last for a fifth of a second, which is
-/// longer than a constant reading under a loaded foot.
+/// At least 4 % of the samples must be at the level. A level far from zero must also last for a fifth of a second. A constant reading under
+/// a loaded foot does not last so long.
 fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     let (low, high) = ends(thin)?;
     let range = high - low;

@@ -39,7 +39,7 @@ impl<'a> Parameters<'a> {
         found
     }
 
-    /// Reads one record. Returns the position of the next record, which must be larger than that of this record.
+    /// Reads one record. Returns the position of the next record, which must be larger than the position of this record.
     fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
         // A negative length only means that the name is locked.
         let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());

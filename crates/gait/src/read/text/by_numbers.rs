@@ -9,8 +9,8 @@ const SAMPLE: usize = 4096;
 /// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
 const MOST_VALUES: usize = 72;
 
-/// Left and right foot as the feet of the two force columns, if the table is one of insoles: a time, two sets of equally many sensors, and
-/// the two sums of the sets.
+/// Left and right foot as the feet of the two force columns, if the columns are those of insoles: the time, two sets of equally many
+/// sensors, and the sum of each set.
 ///
 /// The insole recordings of PhysioNet have this form, with the left foot first.
 pub(super) fn insole_sides(

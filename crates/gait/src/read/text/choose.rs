@@ -1,4 +1,4 @@
-//! Selection of the time and force columns of a table: by the options of the user, otherwise by the names of the columns, otherwise by the
+//! Selection of the time and force columns of a table. The options of the user have priority, then the names of the columns, then the
 //! numbers in them.
 
 use std::path::Path;

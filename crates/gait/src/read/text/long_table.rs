@@ -108,7 +108,7 @@ impl<'a> LongTable<'a> {
         })
     }
 
-    /// Fields that identify the cycle of a row: those of the columns whose names begin with `first`, or of all identifying columns.
+    /// Fields that identify the cycle of a row. If `first` is given, only the columns whose names begin with this word are used.
     fn identity(&self, fields: &[&'a [u8]], first: Option<&str>) -> Vec<&'a [u8]> {
         let is_meant = |place: &&usize| {
             let name = words(&self.table.names[**place]);

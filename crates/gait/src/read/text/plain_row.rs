@@ -6,8 +6,8 @@ use crate::read::number::short;
 /// Reads the selected fields (numbers from 0, ascending) of the row at the start of `rest`. Returns the length of the row with its line
 /// end.
 ///
-/// `None` if the general reader must parse the row, because a field is not a short number, a field is missing, or there is no line end. The
-/// content of `row` is then undefined.
+/// `None` if the general reader must parse the row. In such a row, a field is not a short number, a field is missing, or there is no line
+/// end. The content of `row` is then undefined.
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],

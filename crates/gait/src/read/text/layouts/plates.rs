@@ -22,7 +22,7 @@ use crate::recording::ForceUnit;
 pub struct PlateFile {
     /// Data that all files of a trial share: time stamp, first sample, number of samples, rate.
     pub trial: Vec<String>,
-    /// Name of the plate.
+    /// Name of the force plate.
     pub plate: String,
 }
 
