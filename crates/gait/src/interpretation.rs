@@ -102,7 +102,7 @@ pub struct Clock {
 pub struct Column {
     /// Name of the column in the file.
     pub name: String,
-    /// Foot of the column, if the file names it.
+    /// Foot of the column, if the file specifies it.
     pub foot: Option<Foot>,
     /// Unloaded reading that was subtracted, N.
     pub baseline_n: f64,
@@ -209,7 +209,7 @@ pub enum StrideReject {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Period {
-    /// Mean duration of a cycle, s.
+    /// Duration of one cycle, s.
     pub seconds: f64,
     /// Source of the duration.
     pub from: PeriodSource,

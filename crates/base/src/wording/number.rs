@@ -54,7 +54,7 @@ const SHOWN: &[(&str, &str, f64)] = &[
 /// Number of inches in a metre.
 const INCHES: f64 = 1.0 / 0.0254;
 
-/// As [`SHOWN`], for units that contain a length, if lengths are displayed in inches.
+/// Rows as in [`SHOWN`] for units that contain a length, if lengths are displayed in inches.
 const SHOWN_IN_INCHES: &[(&str, &str, f64)] = &[
     ("m", "in", INCHES),
     ("m/s", "in/s", INCHES),
@@ -131,7 +131,7 @@ pub fn degrees(language: Language, theta: f64) -> String {
     format!("{text}°").replace('-', "−")
 }
 
-/// A number with a given maximum number of significant digits.
+/// A number as text with a given maximum number of significant digits.
 fn to_digits(language: Language, value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "—".to_string();
@@ -165,7 +165,7 @@ fn localised(language: Language, text: &str) -> String {
     }
 }
 
-/// A number with a fixed number of decimals, for columns of a table.
+/// A number as text with a fixed number of decimals, for columns of a table.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, fixed};

@@ -123,7 +123,7 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
-    /// Notes on the recording, without those on mean force and mass, because these change when the curve is scaled.
+    /// Notes on the recording, except the notes on mean force and mass, which change when the curve is scaled.
     pub fn warnings(&self) -> impl Iterator<Item = &Note> {
         let on_mass = |n: &Note| {
             matches!(
@@ -140,7 +140,7 @@ impl ForceCurve {
         ends(&self.force_n).unwrap_or_default()
     }
 
-    /// Force at the phase `theta`, rad, of any turn, N, by cubic interpolation without overshoot.
+    /// Force, N, at the phase `theta`, rad, which may be in any turn. It is computed by cubic interpolation without overshoot.
     pub fn at(&self, theta: f64) -> f64 {
         let n = self.force_n.len();
         let x = (theta / TAU).rem_euclid(1.0) * n as f64;
@@ -159,7 +159,7 @@ impl ForceCurve {
         slopes(&self.force_n)
     }
 
-    /// Root mean square over the cycle of the step-to-step standard deviation, N.
+    /// Root mean square over the cycle of the step-to-step standard deviation, N; `None` if the deviation is unknown.
     pub fn spread_rms_n(&self) -> Option<f64> {
         let s = self.spread_n.as_ref()?;
         Some((s.iter().map(|x| x * x).sum::<f64>() / s.len().max(1) as f64).sqrt())

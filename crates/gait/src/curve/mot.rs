@@ -1,4 +1,4 @@
-//! A cycle as an OpenSim file of external loads.
+//! Output of a cycle as an OpenSim file of external loads.
 
 use std::fmt::Write as _;
 

@@ -78,7 +78,7 @@ pub enum ReadError {
     TimeStandsStill { at: Quantity },
     /// Samples are missing for most of the time, about three quarters or more.
     MostlyGaps { lost: Quantity, whole: Quantity },
-    /// The file has neither a time column nor a sampling rate.
+    /// The file has no time column, and no sampling rate is known.
     NoRate,
     /// The forces are converter counts without calibration or mass.
     CountsWithoutMass,

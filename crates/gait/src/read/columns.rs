@@ -64,7 +64,7 @@ pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Interprets the name of a column.
+/// Meaning of a column, from its name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
@@ -97,7 +97,7 @@ pub(super) fn role(name: &str) -> Role {
     Role::Other
 }
 
-/// Whether the words exclude a vertical force.
+/// Whether the words show that the column is not a vertical force.
 pub(super) fn is_other(words: &[String]) -> bool {
     words.iter().any(|w| is(w, OTHER))
 }

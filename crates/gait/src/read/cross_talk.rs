@@ -7,7 +7,7 @@ use crate::quantity::share;
 use crate::recording::{Channel, Note};
 use crate::statistics::{ends, mean_and_deviation};
 
-/// Fraction of the maximum force below which a plate is unloaded, and time before and after a contact that is omitted, s.
+/// Fraction of the maximum force below which a plate is unloaded, and time, s, that is omitted before and after each contact.
 const UNLOADED: (f64, f64) = (0.15, 0.06);
 /// Range of shares that count as cross-talk.
 const SHARES: std::ops::RangeInclusive<f64> = 0.012..=0.15;

@@ -23,7 +23,7 @@ use crate::wording::{Language, sentence};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {
-    /// C3D, with the number format of its processor.
+    /// C3D file; its number format depends on the computer that wrote it.
     C3d {
         /// Number format of the computer that wrote the file.
         processor: Processor,
@@ -64,12 +64,12 @@ pub enum Format {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Processor {
-    /// Little endian, IEEE floating-point numbers.
+    /// Little-endian numbers, with floating-point numbers in the IEEE format.
     Intel,
-    /// Little endian words, VAX floating-point numbers.
+    /// Little-endian words, with floating-point numbers in the VAX format.
     #[serde(rename = "DEC")]
     Dec,
-    /// Big endian, IEEE floating-point numbers.
+    /// Big-endian numbers, with floating-point numbers in the IEEE format.
     #[serde(rename = "SGI")]
     Sgi,
 }

@@ -118,7 +118,7 @@ pub struct Row {
 pub struct Channel {
     /// Name of the channel in the file.
     pub name: String,
-    /// Foot of the channel, if the file names it.
+    /// Foot of the channel, if the file specifies it.
     pub foot: Option<Foot>,
     /// Upward force on the body, N. The unloaded baseline is subtracted, and all values are finite.
     pub force_n: Vec<f64>,

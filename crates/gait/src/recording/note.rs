@@ -95,9 +95,9 @@ pub enum Note {
     Clipped { column: String, level: Quantity },
     /// Samples of a column are missing between its contacts. The plate was assumed to be unloaded there.
     MissingIsUnloaded { column: String },
-    /// A column repeats another one and was excluded.
+    /// A column repeats another column and was excluded.
     ColumnRepeats { column: String, original: String },
-    /// Single samples that differ strongly from both neighbours were removed.
+    /// Single samples that differ strongly from the samples before and after them were removed.
     SpikesRemoved {
         column: String,
         count: usize,
@@ -155,7 +155,7 @@ pub enum Note {
     PlateChannelMissing { plate: usize, channel: usize },
     /// A plate was excluded, because its type requires a calibration matrix and the file has none.
     PlateMatrixMissing { plate: usize },
-    /// A plate is tilted relative to the first one.
+    /// A plate is tilted relative to the first plate.
     PlateTilted { plate: usize },
     /// The mass was computed from the mean force of insoles, which are often not calibrated.
     InsoleMass { mass: Quantity },
@@ -340,7 +340,7 @@ pub enum PeriodSource {
     HeelMarkers,
     /// Twice the mean time from a heel strike to the heel strike of the other foot.
     DoubledSteps,
-    /// The time in which the weight of the known mass has the impulse of both feet.
+    /// A known mass M: the duration T for which the impulse of both feet equals M g T.
     Impulse,
     /// A typical duty factor, if the recording contains no stride time.
     UsualDuty,

@@ -110,7 +110,7 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
 }
 
 /// Valley in the middle part of the stance, and the highest samples before and after it. One of these samples is the maximum of the stance.
-/// The other one is searched from the opposite end. `None` if the valley is not deeper than `least`, N.
+/// The other sample is searched from the opposite end of the stance. `None` if the valley is not deeper than `least`, N.
 fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;

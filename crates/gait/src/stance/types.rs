@@ -47,7 +47,7 @@ const LATE: f64 = 0.6;
 pub struct Stance {
     /// Index of the channel of the recording.
     pub channel: usize,
-    /// Foot of the stance, if the file names or implies it.
+    /// Foot of the stance, if the file specifies or implies it.
     pub foot: Option<Foot>,
     /// Time of the heel strike, s from the first sample.
     pub start_s: f64,

@@ -84,7 +84,7 @@ impl<'a> Analog<'a> {
         })
     }
 
-    /// Adds `factor` times a channel (from 0) to `sum`. A sample that is not finite results in NaN.
+    /// Adds `factor` times the samples of a channel (index from 0) to `sum`. A sample that is not finite results in NaN.
     pub fn add(&self, channel: usize, factor: f64, sum: &mut [f64]) {
         let scale = self.scale.get(channel).copied().unwrap_or(1.0) * self.general_scale * factor;
         let offset = self.offset.get(channel).map_or(0.0, |o| {

@@ -33,7 +33,7 @@ struct Series<'a> {
     /// Names of the structs and of the array, joined by points. In a matrix, the name of the series follows.
     name: String,
     array: &'a Array,
-    /// Whether the series of a matrix is named by a number.
+    /// Whether the name of the series in a matrix is only a number.
     is_numbered: bool,
     values: Vec<f64>,
 }
@@ -173,7 +173,7 @@ fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     (0..count).map(one).collect()
 }
 
-/// Names for the series of a matrix: a list in the same struct with the same number of texts.
+/// Names of the series of a matrix: a list of texts in the same struct, with as many texts as series.
 fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     let list = |other: &Array| match &other.content {
         Content::Texts(texts) if count > 1 && texts.len() == count => Some(texts.clone()),
