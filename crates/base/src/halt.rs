@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Default)]
 pub struct Halt {
     asked: Option<Arc<dyn Fn() -> bool + Send + Sync>>,
-    /// State that all copies share.
+    /// Whether the condition was true at any poll; shared by all copies.
     was_heard: Arc<AtomicBool>,
 }
 
@@ -39,8 +39,8 @@ impl Halt {
         }
     }
 
-    /// A condition that stops computations when `asked` returns true, or after a given number of polls. The number of polls does not depend on the
-    /// machine.
+    /// A condition that stops computations when `asked` returns true, or after a given number of polls. For the same input, a computation
+    /// polls equally often on every machine.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;
@@ -58,7 +58,7 @@ impl Halt {
         })
     }
 
-    /// Whether the computation should stop.
+    /// Polls the condition; true if the computation should stop.
     pub fn is_asked(&self) -> bool {
         let is_asked = self.asked.as_ref().is_some_and(|asked| asked());
         if is_asked {
@@ -67,7 +67,7 @@ impl Halt {
         is_asked
     }
 
-    /// Whether a computation was stopped. The result of a computation that was not stopped does not depend on time.
+    /// Whether the condition was true at any poll, so that a computation was stopped. Otherwise the result does not depend on time.
     ///
     /// ```
     /// use gaitcam_base::halt::Halt;

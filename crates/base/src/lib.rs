@@ -1,12 +1,12 @@
 //! Foundations shared by the crates of gaitcam.
 //!
-//! - [`error`]: an error in the input, with its location, a code for programs and its data;
+//! - [`error`]: errors in the input, each with its location, its data and a code for programs;
 //! - [`units`]: quantities with units as users write them, `"3 in"` or `"30 psi/in^3"`;
-//! - [`wording`]: messages from data, in English and Spanish;
-//! - [`text`]: format of numbers and text in files and pages;
+//! - [`wording`]: messages in English and Spanish, from codes and data;
+//! - [`text`]: formatting of numbers and text in files and pages;
 //! - [`halt`]: stop condition of a computation;
 //! - [`random`]: pseudo-random numbers that are the same on every machine;
-//! - [`threads`]: threads on systems that may refuse them.
+//! - [`threads`]: start of threads on systems that may reject them.
 //!
 //! ```
 //! use gaitcam_base::units::{Dimension, parse};

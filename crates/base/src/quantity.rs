@@ -1,9 +1,9 @@
-//! Values with their dimension.
+//! Dimensions of physical quantities, and values with a dimension.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
-/// Exponents of metre, kilogram, second and radian.
+/// Exponents of metre, kilogram, second and radian in a unit.
 pub(crate) type Exponents = [i32; 4];
 
 /// Dimension of a physical quantity.
@@ -55,7 +55,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// Exponents of metre, kilogram, second and radian; SI unit; examples of valid values.
+    /// Exponents of metre, kilogram, second and radian; name of the SI unit; examples of valid values.
     fn row(self) -> (Exponents, &'static str, &'static str) {
         let power = |n: u8, units: [&'static str; 3]| units[usize::from(n.clamp(1, 3)) - 1];
         match self {
@@ -95,7 +95,7 @@ impl Dimension {
         }
     }
 
-    /// Exponents of metre, kilogram, second and radian.
+    /// Exponents of metre, kilogram, second and radian in the SI unit.
     pub(crate) fn exponents(self) -> Exponents {
         self.row().0
     }
@@ -105,7 +105,7 @@ impl Dimension {
         <&str>::from(self).replace('-', " ")
     }
 
-    /// SI unit, as scenes and tables write it.
+    /// SI unit, as written in scenes and tables.
     pub fn si(self) -> &'static str {
         self.row().1
     }
@@ -118,8 +118,8 @@ impl Dimension {
 
 /// A value in SI units with its dimension, used in results and messages.
 ///
-/// It serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`. `wording` displays it in the common
-/// unit, here 13.6 mm.
+/// It serialises as `{"value": 0.0136, "unit": "m"}`. A value that is not finite serialises as `"inf"`, `"-inf"` or `"nan"`. In messages it
+/// is displayed in its common unit, here 13.6 mm.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, Quantity};
@@ -137,27 +137,27 @@ pub struct Quantity {
 }
 
 impl Quantity {
-    /// A value in SI units.
+    /// A quantity from a value in SI units and its dimension.
     pub fn new(value: f64, dimension: Dimension) -> Quantity {
         Quantity { value, dimension }
     }
 
-    /// A length in m.
+    /// A length from a value in m.
     pub fn length(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Length)
     }
 
-    /// An angle in rad.
+    /// An angle from a value in rad.
     pub fn angle(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Angle)
     }
 
-    /// A force in N.
+    /// A force from a value in N.
     pub fn force(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Force)
     }
 
-    /// A time in s.
+    /// A time from a value in s.
     pub fn time(value: f64) -> Quantity {
         Quantity::new(value, Dimension::Time)
     }

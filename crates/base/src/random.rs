@@ -3,7 +3,7 @@
 /// Difference between consecutive states of SplitMix64.
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// SplitMix64: maps a 64-bit number to a pseudo-random one (Steele, Lea, Flood 2014).
+/// SplitMix64: maps a 64-bit number to a pseudo-random 64-bit number (Steele, Lea, Flood 2014).
 ///
 /// ```
 /// // First output of the published generator with seed 0.
@@ -16,12 +16,12 @@ pub fn mixed(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A number in [0, 1) from the top 53 bits.
+/// Number in [0, 1) from the top 53 bits. If the bits are random, the number is uniformly distributed.
 pub fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Sequence of the numbers of SplitMix64.
+/// Sequence of pseudo-random numbers from SplitMix64.
 ///
 /// ```
 /// use gaitcam_base::random::{Sequence, mixed, unit};
@@ -35,12 +35,12 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Sequence of a seed.
+    /// Starts the sequence that belongs to a seed.
     pub fn new(seed: u64) -> Sequence {
         Sequence { state: seed }
     }
 
-    /// Next number in [0, 1).
+    /// Next number of the sequence, uniformly distributed in [0, 1).
     pub fn next_unit(&mut self) -> f64 {
         let bits = mixed(self.state);
         self.state = self.state.wrapping_add(STEP);

@@ -2,7 +2,7 @@
 
 use std::thread::{Builder, Scope};
 
-/// Starts up to `count` threads in a scope, as many as the system permits. Returns their number.
+/// Starts up to `count` threads that run `work` in a scope, as many as the system permits. Returns the number of started threads.
 ///
 /// ```
 /// use gaitcam_base::threads::start;

@@ -11,7 +11,8 @@ pub use crate::quantity::{Dimension, Quantity};
 /// Standard gravity as used in the source papers, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Unit names, their factors to SI and their exponents. The meaning of pound depends on the dimension: see [`parse`].
+/// Units: name, factor to the SI unit, and exponents of metre, kilogram, second and radian. The meaning of pound depends on the dimension:
+/// see [`parse`].
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -55,16 +56,16 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("ratio", 1.0, [0, 0, 0, 0]),
 ];
 
-/// One pound-force in newtons.
+/// One pound-force (lbf) in newtons.
 pub const LBF: f64 = 4.448_221_615_260_5;
 /// One pound (mass) in kilograms.
 const LB: f64 = 0.453_592_37;
 
 /// Parses a quantity of the given dimension; the result is in SI units and radians.
 ///
-/// `"0"` needs no unit, because zero is equal in every unit, and a [`Dimension::Ratio`] needs no unit either. Any other number without a unit is
-/// rejected. `lb` is a mass where a mass is expected, otherwise a force. `inf` and magnitudes above 1e30 are rejected, so products of a few values
-/// stay finite.
+/// `"0"` needs no unit, because zero is equal in every unit. A [`Dimension::Ratio`] needs no unit either. Any other number without a unit
+/// is rejected. `lb` is a mass where a mass is expected, otherwise a force. `inf` and magnitudes above 1e30 are rejected, so products of a
+/// few values are finite.
 ///
 /// # Errors
 ///
@@ -128,7 +129,7 @@ pub fn in_range(value: f64, text: impl ToString) -> Result<f64> {
     Err(UnitsError::OutOfRange { text }.into())
 }
 
-/// Number at the start of a text, including a whole number with a fraction, and the remaining text.
+/// Number at the start of a text, such as `2,5` or `1 3/8`, and the remaining text.
 fn leading_number(text: &str) -> Option<(f64, &str)> {
     let (number, rest) = split_number(text);
     let value: f64 = number.replace(',', ".").parse().ok()?;
@@ -155,14 +156,14 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// `value` divided by the number after a slash, and the remaining text.
+/// `value` divided by the number after a slash at the start of `rest`, and the remaining text.
 fn quotient(value: f64, rest: &str) -> Option<(f64, &str)> {
     let (number, after) = split_number(rest.trim_start().strip_prefix('/')?.trim_start());
     let divisor: f64 = number.replace(',', ".").parse().ok()?;
     (divisor > 0.0).then(|| (value / divisor, after))
 }
 
-/// Text without thousands separators, `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` if it has none.
+/// Text without thousands separators, `1234.5 mm` for `1.234,5 mm` and `1,234.5 mm`; `None` if the text contains none.
 fn without_groups(text: &str) -> Option<String> {
     let mark = |c: char| c == '.' || c == ',';
     let end = text.find(|c: char| !(c.is_ascii_digit() || mark(c) || "+-".contains(c)));
@@ -176,8 +177,8 @@ fn without_groups(text: &str) -> Option<String> {
     groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit; a comma is a decimal mark only between digits and if there
-/// is no other mark.
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only before a digit,
+/// after at least one character, and if there is no other mark.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);

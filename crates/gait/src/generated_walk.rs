@@ -7,8 +7,10 @@ use gaitcam_base::random::Sequence;
 use crate::statistics::{mean, sample_deviation};
 use crate::walk::Walk;
 
-/// Exponent of the long-range correlation of step times: 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal
-/// mechanisms), 0.76 on average for ten young men (Hausdorff et al. 1995, recalled).
+/// Exponent of the long-range correlation of step times.
+///
+/// Published values are 0.83 for one healthy person over nine minutes (Goldberger et al., PhysioNet tutorial on fractal mechanisms) and
+/// 0.76 on average for ten young men (Hausdorff et al. 1995, quoted from memory).
 const EXPONENT: f64 = 0.8;
 
 /// Statistics of the steps of a generated walk.
@@ -27,12 +29,12 @@ pub struct StepStatistics {
     pub step_time_cv: f64,
     /// Coefficient of variation of the amplitude of the force about its mean.
     pub amplitude_cv: f64,
-    /// Seed of the random numbers.
+    /// Seed of the random numbers; equal seeds give equal walks.
     pub seed: u64,
 }
 
 impl Default for StepStatistics {
-    /// 128 strides whose step times vary by 3 % and whose amplitude is constant.
+    /// Defaults: 128 strides, step times that vary by 3 %, and a constant amplitude.
     fn default() -> StepStatistics {
         StepStatistics {
             strides: 128,
@@ -44,9 +46,10 @@ impl Default for StepStatistics {
 }
 
 impl Walk {
-    /// Walk of random steps of a mean duration, s. `force` is the periodic force, N, at a phase in steps. The step times have long-range correlation, the
-    /// amplitudes of the steps are independent, and both have exactly the given coefficients of variation. `None` for fewer than eight strides or
-    /// for a step of no duration.
+    /// Walk whose steps vary at random. `step_s` is the mean duration of a step, s; `force` is the periodic force, N, at a phase in steps.
+    ///
+    /// The step times have a long-range correlation; the amplitudes of the steps are independent. Both have exactly the given coefficients
+    /// of variation. `None` for fewer than eight strides or if the duration of a step is not positive.
     ///
     /// ```
     /// use gaitcam_gait::{StepStatistics, Walk};
@@ -96,7 +99,7 @@ impl Walk {
     }
 }
 
-/// Numbers with mean 1 and a coefficient of variation, from random ones.
+/// Random numbers, shifted and scaled to the mean 1 and a given coefficient of variation.
 fn varied(random: Vec<f64>, cv: f64) -> Vec<f64> {
     let centre = mean(&random);
     let spread = sample_deviation(&random)
@@ -106,7 +109,8 @@ fn varied(random: Vec<f64>, cv: f64) -> Vec<f64> {
     scaled.collect()
 }
 
-/// Fractional Gaussian noise, by the recursion of Hosking (1984): each value is normal about its prediction from all values before it.
+/// Fractional Gaussian noise, by the recursion of Hosking (1984). Each value is normally distributed about its prediction from all previous
+/// values.
 fn correlated(dice: &mut Dice, count: usize) -> Vec<f64> {
     let covariance = |k: usize| {
         let power = |x: f64| libm::pow(x.abs(), 2.0 * EXPONENT);
@@ -139,16 +143,16 @@ fn correlated(dice: &mut Dice, count: usize) -> Vec<f64> {
     values
 }
 
-/// Random numbers of a normal distribution.
+/// Generator of normally distributed random numbers.
 struct Dice(Sequence);
 
 impl Dice {
-    /// Number in (0, 1].
+    /// Random number, uniformly distributed in (0, 1].
     fn uniform(&mut self) -> f64 {
         self.0.next_unit() + 0.5 * f64::EPSILON
     }
 
-    /// Normal number of mean 0 and deviation 1, by Box and Muller.
+    /// Normally distributed random number with mean 0 and standard deviation 1, by the method of Box and Muller.
     fn normal(&mut self) -> f64 {
         let (radius, angle) = (
             (-2.0 * libm::log(self.uniform())).sqrt(),

@@ -1,4 +1,4 @@
-//! Interpretation of a recording: recognised, assumed and excluded parts, and open questions.
+//! Interpretation of a recording: what was recognised, assumed and excluded, and which questions are open.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -10,7 +10,7 @@ use crate::recording::{
 };
 use crate::stance::{Point, RejectReason};
 
-/// Interpretation of a recording.
+/// How a recording was interpreted: file, movement, columns, stride duration, detected stances, assumptions and open questions.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
@@ -25,11 +25,11 @@ use crate::stance::{Point, RejectReason};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interpretation {
-    /// Name of the file.
+    /// Name of the recorded file.
     pub file: String,
-    /// Kind of the file.
+    /// Format of the file.
     pub format: Format,
-    /// Recorded movement; `None` if unknown.
+    /// Kind of recorded movement; `None` if unknown.
     pub kind: Option<Kind>,
     /// Whether the user stated the kind of movement.
     pub kind_given: bool,
@@ -37,11 +37,11 @@ pub struct Interpretation {
     pub clock: Clock,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit.
+    /// Source of the unit of the force columns.
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
-    /// Feet of the cycle.
+    /// Feet whose force the cycle contains.
     pub feet: Feet,
     /// All contacts, used or rejected, in order of time.
     pub contacts: Vec<Contact>,
@@ -51,13 +51,13 @@ pub struct Interpretation {
     pub period: Option<Period>,
     /// Mass, kg, and its source.
     pub mass: Option<(f64, MassSource)>,
-    /// Interval that contains a computed mass in 95 of 100 recordings, kg.
+    /// Interval, kg, that contains the mass in 95 of 100 recordings, if the mass was computed.
     pub mass_interval_kg: Option<(f64, f64)>,
     /// Method by which the cycle was computed.
     pub cycle: Option<CycleSource>,
     /// Notes on assumptions, exclusions and doubtful data.
     pub warnings: Vec<Note>,
-    /// Overlaid stances, with the mean of each foot.
+    /// Single stances for a figure, with the mean of each foot.
     pub overlay: Option<Overlay>,
 }
 
@@ -86,7 +86,7 @@ pub struct Clock {
     pub from: ClockSource,
 }
 
-/// Column of vertical force.
+/// Column of vertical force in the recording.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -102,7 +102,7 @@ pub struct Clock {
 pub struct Column {
     /// Name of the column in the file.
     pub name: String,
-    /// Foot of the column, if the file names it.
+    /// Foot of the column, if the file specifies it.
     pub foot: Option<Foot>,
     /// Unloaded reading that was subtracted, N.
     pub baseline_n: f64,
@@ -110,11 +110,11 @@ pub struct Column {
     pub noise_n: f64,
     /// Reason for the exclusion of the column; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Minimum and maximum force in pieces of equal duration over the whole recording, N; for a figure.
+    /// Minimum and maximum force, N, in time intervals of equal duration over the whole recording; for a figure.
     pub envelope_n: Vec<[f64; 2]>,
 }
 
-/// Contact of a foot.
+/// Contact of a foot with a plate or insole.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
@@ -136,7 +136,7 @@ pub struct Contact {
     pub from_s: f64,
     /// End of the contact, as in the file, s.
     pub to_s: f64,
-    /// Loading peak, valley and push-off peak of a whole stance; `None` for a missing one.
+    /// Loading peak, valley and push-off peak of a whole stance; `None` for a missing point.
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force over a whole stance, N s.
     pub impulse_ns: Option<f64>,
@@ -144,7 +144,7 @@ pub struct Contact {
     pub rejected: Option<RejectReason>,
 }
 
-/// Whole recorded stride, from a heel strike to the next one of the same foot.
+/// Whole recorded stride, from one heel strike to the next heel strike of the same foot.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, StrideReject, force_curve};
@@ -166,11 +166,11 @@ pub struct RecordedStride {
     pub from_s: f64,
     /// Next heel strike of the same foot, as in the file, s.
     pub to_s: f64,
-    /// Loading peak, valley and push-off peak of the first stance; `None` for a missing one.
+    /// Loading peak, valley and push-off peak of the first stance; `None` for a missing point.
     pub landmarks: [Option<Point>; 3],
     /// Integral of the force of both feet over the stride, N s.
     pub impulse_ns: f64,
-    /// Reason why the mean cycle does not contain the stride; `None` if it does.
+    /// Reason why the stride is excluded from the mean cycle; `None` if it is included.
     pub rejected: Option<StrideReject>,
 }
 
@@ -188,13 +188,13 @@ pub struct RecordedStride {
 pub enum StrideReject {
     /// The duration of the stride differs from the median by a quarter or more.
     OddDuration,
-    /// The averaged strides begin with the other foot and share samples with this one.
+    /// The averaged strides begin with the other foot, and they share samples with this stride.
     OtherFoot,
-    /// The mean cycle is built from single stances.
+    /// The mean cycle is built from single stances, not from whole strides.
     StancesAveraged,
 }
 
-/// Stride duration of the recorded walk.
+/// Duration of a cycle (stride) of the recorded walk.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -213,11 +213,11 @@ pub struct Period {
     pub seconds: f64,
     /// Source of the duration.
     pub from: PeriodSource,
-    /// Standard deviation of the single strides, s, if there are several.
+    /// Standard deviation of the durations of single strides, s, if there are several strides.
     pub spread_s: Option<f64>,
 }
 
-/// Stances over their phase: sample `i` of `n` is at the fraction i/(n − 1) of the stance.
+/// Single stances and mean stances over the phase of the stance. Sample `i` of `n` is at the fraction i/(n − 1) of the stance.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, overlay, read, stances};
@@ -232,9 +232,9 @@ pub struct Period {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
-    /// Foot and force, N, of the displayed stances.
+    /// Single stances in the figure: foot and force, N, of each.
     pub stances: Vec<(Option<Foot>, Vec<f64>)>,
-    /// Mean stance of each foot, left first; a single mean for unnamed feet.
+    /// Mean stance of each foot, left foot first; a single mean if the feet are unnamed.
     pub means: Vec<MeanStanceCurve>,
 }
 
@@ -262,12 +262,12 @@ pub struct MeanStanceCurve {
     pub mean_n: Vec<f64>,
     /// Standard deviation from stance to stance, N, for two or more stances.
     pub spread_n: Option<Vec<f64>>,
-    /// Loading peak, valley and push-off peak: means over the stances that have them.
+    /// Loading peak, valley and push-off peak: each is a mean over the stances that have it.
     pub landmarks: [Option<Point>; 3],
 }
 
 impl Interpretation {
-    /// Open questions about kind, time base or mass, each once.
+    /// Open questions about kind of movement, time base or mass, without repetition.
     pub fn doubts(&self) -> Vec<OpenQuestion> {
         Note::doubts(&self.warnings)
     }
@@ -277,7 +277,7 @@ impl Interpretation {
         Note::opening(&self.warnings, question)
     }
 
-    /// Codes of the warnings, each once, in order.
+    /// Codes of the warnings, without repetition, in order.
     pub fn codes(&self) -> Vec<&'static str> {
         let mut all: Vec<&str> = Vec::new();
         for code in self.warnings.iter().map(Note::code) {
@@ -295,12 +295,12 @@ impl Interpretation {
         (used, self.contacts.len() - used)
     }
 
-    /// Mean stances of the overlay, left first.
+    /// Mean stances for a figure, left foot first.
     pub fn means(&self) -> &[MeanStanceCurve] {
         self.overlay.as_ref().map_or(&[], |o| &o.means)
     }
 
-    /// The interpretation as JSON.
+    /// The interpretation as a JSON object.
     pub fn json(&self) -> Value {
         let contacts: Vec<Value> = self.contacts.iter().map(|c| self.contact(c)).collect();
         json!({

@@ -1,7 +1,7 @@
 //! Recordings of the vertical ground reaction force, their mean cycle, and published load models.
 //!
-//! [`read`], [`stances`] and [`cycle`] convert a recording of any laboratory into a [`ForceCurve`]; [`force_curve`] does all steps in one call.
-//! [`model`] returns the [`ForceCurve`] of a published load model.
+//! [`read`], [`stances`] and [`cycle`] convert a recording from any laboratory to a [`ForceCurve`]. [`force_curve`] does these three steps
+//! in one call. [`model`] returns the [`ForceCurve`] of a published load model.
 //!
 //! ```
 //! use gaitcam_gait::{Feet, ReadOptions, force_curve};

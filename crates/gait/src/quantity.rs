@@ -2,7 +2,7 @@
 
 use crate::units::{Dimension, Quantity};
 
-/// Significant digits of a measured quantity.
+/// Number of significant digits of a measured quantity.
 const DIGITS: i32 = 4;
 
 pub(super) fn seconds(value: f64) -> Quantity {
@@ -26,7 +26,7 @@ pub(super) fn share(value: f64) -> Quantity {
     Quantity::share(digits(value, 2))
 }
 
-/// Rounds a ratio to three digits, because calibrations are not more accurate.
+/// Rounds a ratio to three significant digits, because calibrations are not more accurate.
 pub(super) fn short(value: f64) -> f64 {
     digits(value, 3)
 }

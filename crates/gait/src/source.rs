@@ -11,8 +11,10 @@ use crate::read::{is_marked_cycle, marked_cycle, read};
 use crate::recording::{Feet, ReadOptions};
 use crate::stance::stances;
 
-/// Reads a file that is one cycle: a text marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or a span is given. `None`
-/// for other files. With a span, the stance in a recording fills the span; `feet` selects the stances.
+/// Reads a file that is one cycle: a text that is marked as a cycle, such as from [`ForceCurve::to_csv`], or any table if a period or a
+/// span is given. `None` for other files.
+///
+/// If a span is given and the file is a recording, the mean stance fills the span; `feet` selects the stances.
 ///
 /// # Errors
 ///
@@ -52,8 +54,8 @@ fn name(path: &Path) -> &str {
 
 /// Reads one cycle of force from any file that [`read`](crate::read()) accepts.
 ///
-/// A text with the comment `# cycle` or `# critical points` is one cycle as given, regardless of `feet`. In other files, stances are detected and
-/// averaged to a stride.
+/// A text with the comment `# cycle` or `# critical points` is used as one cycle without change, regardless of `feet`. In other files,
+/// stances are detected and averaged to a stride.
 ///
 /// # Errors
 ///

@@ -7,22 +7,22 @@ pub(super) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// Mean and standard deviation of all values.
+/// Mean and standard deviation over all values (divisor n).
 pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     let mean = mean(values);
     let square = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
     (mean, (square / values.len() as f64).sqrt())
 }
 
-/// Standard deviation estimated from a sample; `None` for fewer than two values.
+/// Standard deviation estimated from a sample (divisor n − 1); `None` for fewer than two values.
 pub(super) fn sample_deviation(values: &[f64]) -> Option<f64> {
     let mean = mean(values);
     let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
     (values.len() > 1).then(|| (square / (values.len() as f64 - 1.0)).sqrt())
 }
 
-/// Two-sided quantile of Student's t distribution for 95 %: tabulated up to ten degrees of freedom, otherwise by the Cornish–Fisher expansion (error
-/// below 2e-3).
+/// Two-sided quantile of Student's t distribution for 95 %. It is tabulated up to ten degrees of freedom and computed by the Cornish–Fisher
+/// expansion above (error below 2e-3).
 pub(super) fn student_95(degrees: f64) -> f64 {
     const TABLE: [f64; 10] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
@@ -37,7 +37,7 @@ pub(super) fn student_95(degrees: f64) -> f64 {
     }
 }
 
-/// Middle value, or the mean of the two middle values; `None` without values.
+/// Median: the middle value, or the mean of the two middle values; `None` without values.
 pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_unstable_by(f64::total_cmp);
     let (a, b) = (values.len().checked_sub(1)? / 2, values.len() / 2);
@@ -49,19 +49,19 @@ pub(super) fn ranked(mut values: Vec<f64>, rank: usize) -> Option<f64> {
     (rank < values.len()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
 }
 
-/// Sample of about `most` finite values at equal distances.
+/// Sample of about `most` finite values, taken at equal distances.
 pub(super) fn sample(values: &[f64], most: usize) -> Vec<f64> {
     let step = values.len() / most + 1;
     let thin = values.iter().step_by(step).copied();
     thin.filter(|x| x.is_finite()).collect()
 }
 
-/// The smaller of two numbers, neither of them NaN; one instruction, unlike `f64::min`.
+/// Smaller of two numbers that are not NaN. Unlike `f64::min`, the comparison is one instruction.
 pub(super) fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The larger of two numbers, neither of them NaN; one instruction, unlike `f64::max`.
+/// Larger of two numbers that are not NaN. Unlike `f64::max`, the comparison is one instruction.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }

@@ -4,7 +4,7 @@ use crate::interpretation::{Contact, Interpretation, RecordedStride};
 use crate::recording::Foot;
 use crate::stance::Point;
 
-/// Stance or stride as a row of a table.
+/// Stance or stride as one row of a table.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve, steps_csv};
@@ -24,13 +24,13 @@ use crate::stance::Point;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRow<'a> {
-    /// Name of the column in the file; empty for a stride, which has the force of all columns.
+    /// Name of the column in the file; empty for a stride, because its force is from all columns.
     pub column: &'a str,
     /// Foot of the stance, or foot that begins the stride, if known.
     pub foot: Option<Foot>,
-    /// Start time, as in the file, s.
+    /// Start of the stance or stride, as in the file, s.
     pub start_s: f64,
-    /// End time, as in the file, s.
+    /// End of the stance or stride, as in the file, s.
     pub end_s: f64,
     /// Loading peak, N.
     pub p1_n: Option<f64>,
@@ -38,16 +38,16 @@ pub struct StepRow<'a> {
     pub valley_n: Option<f64>,
     /// Push-off peak, N.
     pub p2_n: Option<f64>,
-    /// Integral of the force, N s.
+    /// Integral of the force over the stance or stride, N s.
     pub impulse_ns: Option<f64>,
     /// Whether the mean cycle contains the stance or stride.
     pub used: bool,
-    /// Code of the reason for its exclusion; empty if it is used.
+    /// Code of the reason for the exclusion; empty if the stance or stride is used.
     pub why: &'static str,
 }
 
 impl Interpretation {
-    /// All contacts in order of time. A rejected contact has no peaks.
+    /// Rows of all contacts in order of time. A rejected contact has no peaks.
     pub fn stance_rows(&self) -> Vec<StepRow<'_>> {
         let row = |c: &Contact| {
             let column = self.columns.get(c.column);
@@ -65,7 +65,7 @@ impl Interpretation {
         self.contacts.iter().map(row).collect()
     }
 
-    /// All whole strides of both feet in order of time, with the peaks of the first stance.
+    /// Rows of all whole strides of both feet in order of time, with the peaks of the first stance.
     pub fn stride_rows(&self) -> Vec<StepRow<'static>> {
         let row = |s: &RecordedStride| StepRow {
             foot: s.foot,
@@ -98,7 +98,7 @@ impl StepRow<'_> {
     }
 }
 
-/// Rows as CSV text; times in s, forces in N, impulses in N s. A missing value is an empty cell.
+/// The rows as CSV text: times in s, forces in N, impulses in N s. A missing value is an empty cell.
 pub fn steps_csv(rows: &[StepRow<'_>]) -> String {
     let mut text = String::from("column,foot,start_s,end_s,p1_n,valley_n,p2_n,impulse,used,why\n");
     for row in rows {

@@ -1,4 +1,4 @@
-//! Consecutive strides of a recording as one force over time, and the variability of the strides.
+//! Consecutive strides of a recording as one force over time, and the statistics of their variability.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -11,21 +11,21 @@ use crate::statistics::{mean, sample_deviation};
 
 /// Minimum number of consecutive strides of a walk.
 pub const FEWEST_STRIDES: usize = 8;
-/// Number of samples of the force for each stride.
+/// Number of force samples per stride.
 const OF_STRIDE: usize = 128;
 /// Number of phases of a stride at which its harmonics are computed.
 const PHASES: usize = 64;
-/// Number of harmonics of the step frequency.
+/// Number of harmonics of the step frequency that are computed.
 const HARMONICS: usize = 4;
-/// Maximum difference, s, between the end of a stride and the start of the next one for consecutive strides.
+/// Maximum difference, s, between the end of a stride and the start of the next one, if the strides are consecutive.
 const SAME_S: f64 = 1e-6;
-/// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace changes.
+/// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace is considered to change.
 const STEADY: f64 = 0.05;
 
 /// Consecutive strides of a recording as one force over time, repeated periodically.
 ///
-/// Unbroken sequences (runs) of eight or more used strides are joined. Each run lasts from a heel strike to a heel strike of the same foot. The parts
-/// between the runs (turns, standing, rejected strides) and shorter runs are omitted.
+/// A run is an unbroken sequence of eight or more used strides. It begins and ends with a heel strike of the same foot. All runs of the
+/// recording are joined. The parts between the runs (turns, standing, rejected strides) and shorter sequences are omitted.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
@@ -41,21 +41,21 @@ const STEADY: f64 = 0.05;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walk {
-    /// Recorded force of both feet at equal steps of time, N, from the first heel strike on: 128 samples per stride.
+    /// Recorded force of both feet, N, at equal steps of time from the first heel strike; 128 samples per stride.
     samples: Arc<[f64]>,
-    /// Factor of the force, relative to the recorded force.
+    /// Factor by which the recorded force is multiplied.
     factor: f64,
-    /// Duration of all strides, s.
+    /// Total duration of all strides, s.
     pub duration_s: f64,
     /// Number of strides of each unbroken run.
     pub runs: Vec<usize>,
-    /// Times of the heel strikes, s, alternating between both feet, two per stride; the first is 0.
+    /// Times of the heel strikes, s. The feet alternate, with two heel strikes per stride; the first time is 0.
     pub steps_s: Vec<f64>,
-    /// Whether one foot was recorded, and the other one is assumed to repeat it half a stride later.
+    /// Whether only one foot was recorded. The other foot is then assumed to repeat its force half a stride later.
     pub is_one_foot: bool,
 }
 
-/// Variability of consecutive strides.
+/// Statistics of the variability of consecutive strides.
 ///
 /// ```
 /// use gaitcam_gait::Walk;
@@ -70,27 +70,28 @@ pub struct Walk {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Variability {
-    /// Number of consecutive strides in all runs.
+    /// Total number of strides in all runs.
     pub strides: usize,
     /// Number of unbroken runs of strides.
     pub runs: usize,
     /// Mean duration of a step, s.
     pub step_time_s: f64,
-    /// Standard deviation of the step time from the mean of its foot, relative to the mean of both feet. If one foot was recorded, half the stride
-    /// time replaces the step time.
+    /// Standard deviation of the step time, relative to the mean step time. Deviations are from the mean step time of the same foot. If
+    /// only one foot was recorded, half the stride time is used instead of the step time.
     pub step_time_cv: f64,
-    /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of the stride.
+    /// Coefficient of variation, over the strides, of the amplitude of the force at the step frequency of each stride.
     pub amplitude_cv: f64,
     /// Coefficients of variation of the amplitudes of the first four harmonics of the step frequency.
     pub harmonics_cv: [f64; HARMONICS],
-    /// Correlation of the deviations of a step time and the next one.
+    /// Correlation coefficient between the deviations of consecutive step times.
     pub autocorrelation: f64,
-    /// Mean stride time of the last quarter of the strides minus that of the first quarter, relative to the mean.
+    /// Relative change of the stride time: mean of the last quarter of the strides minus mean of the first quarter, divided by the overall
+    /// mean.
     pub drift: f64,
 }
 
 impl Interpretation {
-    /// Number of consecutive strides of the longest unbroken run in the mean cycle.
+    /// Number of strides in the longest unbroken run of strides that the mean cycle contains.
     pub fn longest_run(&self) -> usize {
         let used: Vec<_> = self
             .strides
@@ -102,14 +103,16 @@ impl Interpretation {
     }
 }
 
-/// Whether a stride that starts at `start`, s, follows a stride that ends at `end`, s.
+/// Whether a stride that starts at `start`, s, immediately follows a stride that ends at `end`, s.
 fn meets(end: f64, start: f64) -> bool {
     (start - end).abs() < SAME_S
 }
 
 impl Walk {
-    /// Creates a walk from strides in order of time, each with its first heel strike, the heel strike of the other foot and its end, s. `force` gives
-    /// the force, N, for the index of a stride and a time. `None` without eight consecutive strides.
+    /// Creates a walk from strides in order of time. Each stride has three times, s: its first heel strike, the heel strike of the other
+    /// foot, and its end.
+    ///
+    /// `force` returns the force, N, for the index of a stride and a time, s. `None` without eight consecutive strides.
     pub fn of(
         strikes: &[[f64; 3]],
         is_one_foot: bool,
@@ -167,8 +170,10 @@ impl Walk {
         }
     }
 
-    /// Consecutive strides whose mean stride time is nearest to the mean of all strides, blended at the joint of the last and the first stride.
-    /// `None` if the walk has fewer strides.
+    /// Part of the walk with a given number of consecutive strides. Among all such parts, its mean stride time is nearest to the mean of
+    /// the whole walk.
+    ///
+    /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides.
     pub fn typical(&self, strides: usize) -> Option<Walk> {
         let starts = self.strides_s();
         let usual = self.duration_s / self.strides() as f64;
@@ -210,18 +215,18 @@ impl Walk {
         self.samples.len()
     }
 
-    /// Force of both feet at equal steps of time, N, from the first heel strike on: 128 samples for each stride.
+    /// Force of both feet, N, at equal steps of time from the first heel strike; 128 samples per stride.
     pub fn force_n(&self) -> Vec<f64> {
         self.samples.iter().map(|f| self.factor * f).collect()
     }
 
-    /// Heel strikes at which the strides begin, and the end of the last stride, s.
+    /// Times of the heel strikes at which the strides begin, and the end of the last stride, s.
     fn strides_s(&self) -> Vec<f64> {
         let starts = self.steps_s.iter().step_by(2).copied();
         starts.chain([self.duration_s]).collect()
     }
 
-    /// Mean fraction of a stride at which the other foot strikes.
+    /// Mean time from the start of a stride to the heel strike of the other foot, as a fraction of the stride.
     pub fn middle(&self) -> f64 {
         let strides = self.strides_s();
         let middles = self.steps_s.iter().skip(1).step_by(2);
@@ -235,7 +240,7 @@ impl Walk {
         self.variability().drift.abs() > STEADY
     }
 
-    /// Variability of the strides.
+    /// Statistics of the variability of the strides.
     pub fn variability(&self) -> Variability {
         let strides = self.strides_s();
         let times: Vec<f64> = strides.windows(2).map(|s| s[1] - s[0]).collect();
@@ -278,7 +283,7 @@ impl Walk {
         }
     }
 
-    /// Step times, s, alternating between both feet; stride times if one foot was recorded.
+    /// Step times, s, alternating between the feet; stride times if only one foot was recorded.
     fn step_times(&self) -> Vec<f64> {
         let every = if self.is_one_foot { 2 } else { 1 };
         let strikes = self.steps_s.iter().step_by(every).copied();
@@ -286,7 +291,7 @@ impl Walk {
         strikes.windows(2).map(|w| w[1] - w[0]).collect()
     }
 
-    /// Parts of the step times that belong to one run.
+    /// Ranges of `steps` that belong to the same run.
     fn runs_of<'a>(
         &'a self,
         steps: &'a [f64],
@@ -299,7 +304,7 @@ impl Walk {
         })
     }
 
-    /// Amplitudes, N, of the first harmonics of the step frequency over a stride, s.
+    /// Amplitudes, N, of the first harmonics of the step frequency within a stride. `stride` contains the start and the end, s.
     fn harmonics(&self, stride: &[f64]) -> [f64; HARMONICS] {
         let (mut cosine, mut sine) = ([0.0; HARMONICS], [0.0; HARMONICS]);
         for i in 0..PHASES {
@@ -324,7 +329,7 @@ impl Walk {
     }
 }
 
-/// Deviations of the step times of a range from the mean of their foot; the feet alternate.
+/// Deviations of the step times in a range from the mean step time of the same foot. The feet alternate.
 fn about(range: std::ops::Range<usize>, steps: &[f64], feet: usize) -> Vec<f64> {
     let of_foot = |foot: usize| {
         let own: Vec<f64> = steps.iter().skip(foot).step_by(feet).copied().collect();

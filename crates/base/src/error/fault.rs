@@ -1,4 +1,4 @@
-//! Kinds of errors, and an error that contains a fault of any area.
+//! Trait for the error enum of one area (subject), such as tables, and an interface through which an error can contain any of these enums.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use crate::wording::{Catalogue, Language, code};
 
-/// Errors of one area: an enum whose variants contain data. Their messages are in a catalogue as `AREA-variant`, with the suggested change as the
-/// attribute `.help`.
+/// Trait for the error enum of one area, such as tables. The fields of a variant are the data of its message. The message has the key
+/// `AREA-variant` in a catalogue; its attribute `.help` is the suggested change.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Fault};
@@ -38,17 +38,17 @@ use crate::wording::{Catalogue, Language, code};
 /// assert_eq!(error.fault(), Some(&TableError::TooShort { rows: 3 }));
 /// ```
 pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
-    /// Prefix of the message keys of the area.
+    /// Name of the area, which is the prefix of its message keys.
     const AREA: &'static str;
-    /// Prefix of the codes of the area.
+    /// Prefix of the error codes of the area; by default the name of the area.
     const CODES: &'static str = Self::AREA;
     /// Catalogue with the messages of these errors.
     const WORDS: &'static Catalogue;
-    /// Whether the errors are results: the input is valid, but no result satisfies it.
+    /// Whether the errors mean that valid input has no solution, rather than that the input is invalid.
     const IS_ANSWER: bool = false;
 }
 
-/// An error of any area, or one with a separate text.
+/// Interface of every error: of the error enum of an area, or of an error with the caller's own text.
 pub trait AnyFault: Debug + Send + Sync {
     fn code(&self) -> String;
     fn what(&self, language: Language) -> String;
@@ -88,7 +88,7 @@ impl<F: Fault> AnyFault for F {
     }
 }
 
-/// An error without a message in a catalogue.
+/// An error with the caller's own code and English text, without a message in a catalogue.
 #[derive(Debug, PartialEq)]
 pub struct Own {
     pub code: String,

@@ -1,7 +1,7 @@
 //! Errors in the input: description, location and suggested change.
 //!
-//! Each area has an enum of its errors, which implements [`Fault`]. An [`Error`] contains any of them with its location. The messages are in the
-//! catalogue of the crate that contains the enum.
+//! Each area (subject) has an enum of its errors, which implements [`Fault`]. An [`Error`] contains a value of any of these enums, and its
+//! location in the input. The messages are in the catalogue of the crate that defines the enum.
 
 mod fault;
 mod place;
@@ -19,7 +19,7 @@ use fault::{AnyFault, Own};
 pub use place::{Place, Placed};
 pub use units::UnitsError;
 
-/// An error in the input: its location and its kind.
+/// An error in the input, with its location, code, message and suggested change.
 ///
 /// It is displayed as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
 ///
@@ -37,7 +37,7 @@ pub use units::UnitsError;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Error {
-    /// Location of the error.
+    /// Location of the error in the input; `Unplaced` if it is not known.
     pub place: Place,
     fault: Arc<dyn AnyFault>,
 }
@@ -66,7 +66,7 @@ impl<F: Fault> From<F> for Error {
 }
 
 impl Error {
-    /// Creates an error with a code and an English text of the caller.
+    /// Creates an error with the caller's own code and English text.
     pub fn own(code: &str, what: impl Into<String>) -> Self {
         let (code, what) = (code.to_string(), what.into());
         Error {
@@ -75,7 +75,7 @@ impl Error {
         }
     }
 
-    /// Sets the location of the error, unless a more exact location is already known.
+    /// Sets the location of the error. An error that already has a location keeps it.
     #[must_use]
     pub fn at(mut self, place: Place) -> Self {
         if self.place == Place::Unplaced {
@@ -91,22 +91,22 @@ impl Error {
         self
     }
 
-    /// The error as an error of area `F`, if it belongs to this area.
+    /// The error as a value of the enum `F`; `None` if it belongs to another area.
     pub fn fault<F: Fault>(&self) -> Option<&F> {
         self.fault.as_any().downcast_ref()
     }
 
-    /// Code of the error, for scripts and tests: area and variant in kebab-case. Messages may change, codes do not.
+    /// Code of the error, for scripts and tests: area and variant in kebab-case. Messages may change, but codes do not.
     pub fn code(&self) -> String {
         self.fault.code()
     }
 
-    /// Whether the error is a result: the input is valid, but no result satisfies it.
+    /// Whether the error means that valid input has no solution, rather than that the input is invalid.
     pub fn is_answer(&self) -> bool {
         self.fault.is_answer()
     }
 
-    /// Message without the location.
+    /// Message in a language, without the location and the suggested change.
     pub fn what(&self, language: Language) -> String {
         self.fault.what(language)
     }
@@ -116,7 +116,7 @@ impl Error {
         self.fault.help(language)
     }
 
-    /// Location, message and suggested change in one line.
+    /// Location, message and suggested change in a language, in one line.
     pub fn sentence(&self, language: Language) -> String {
         let (place, what) = (self.place.before(language), self.what(language));
         match self.help(language) {
@@ -151,7 +151,10 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The candidate nearest to `word` by edit distance, if the distance is that of a typing error.
+/// The candidate that a misspelt `word` probably means; `None` if no candidate is similar.
+///
+/// A candidate with `word` as a part (between hyphens or underscores) has priority. Otherwise the candidate with the minimum edit distance
+/// is returned. This distance must be at most 1 + a third of the length of the longer word.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let is_part = |c: &&&str| c.split(['-', '_']).any(|part| part == word);

@@ -1,4 +1,4 @@
-//! Location of an error.
+//! Location of an error in the input.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use crate::wording::Language;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
-    /// No location: the caller passed values.
+    /// No location, because the caller passed the values directly.
     Unplaced,
     /// A file as a whole.
     File(PathBuf),
@@ -34,7 +34,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// The location in a language as a prefix of a message, with a colon.
+    /// The location as the prefix of a message, with a colon; empty if there is no location.
     pub fn before(&self, language: Language) -> String {
         let line_word = match language {
             Language::En => "line",
@@ -57,7 +57,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Sets the location of an error. An error that already has a location keeps it.
+/// Methods that set the location of an error. An error that already has a location keeps it.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Place, Placed};
@@ -68,27 +68,27 @@ impl fmt::Display for Place {
 /// assert_eq!(error.clone().at_key("gait.file"), error);
 /// ```
 pub trait Placed: Into<Error> {
-    /// Locates the error in a whole file.
+    /// Sets the location to a file as a whole.
     fn in_file(self, path: &Path) -> Error {
         self.into().at(Place::File(path.to_path_buf()))
     }
 
-    /// Locates the error in a line of a file, counted from 1.
+    /// Sets the location to a line of a file, counted from 1.
     fn at_line(self, path: &Path, line: usize) -> Error {
         self.into().at(Place::Line(path.to_path_buf(), line))
     }
 
-    /// Locates the error at a byte of a file, counted from 0.
+    /// Sets the location to a byte offset in a file, counted from 0.
     fn at_byte(self, path: &Path, offset: usize) -> Error {
         self.into().at(Place::Byte(path.to_path_buf(), offset))
     }
 
-    /// Locates the error at a dotted key of a scene.
+    /// Sets the location to a dotted key of a scene, for example `limits.stroke`.
     fn at_key(self, key: &str) -> Error {
         self.into().at(Place::Key(key.to_string()))
     }
 
-    /// Locates the error at a flag or argument of the command.
+    /// Sets the location to a flag or argument on the command line.
     fn at_argument(self, argument: &str) -> Error {
         self.into().at(Place::Argument(argument.to_string()))
     }

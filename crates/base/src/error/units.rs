@@ -1,4 +1,4 @@
-//! Errors in a quantity with a unit.
+//! Errors in the text of a quantity with a unit.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -27,7 +27,7 @@ pub enum UnitsError {
     Grouped { text: String, plain: String },
     /// The number has no unit.
     NoUnit { text: String, example: String },
-    /// The number is a fraction that may be meant as a percentage.
+    /// The number has no percent sign, so it may be a fraction or a percentage.
     BareShare { text: String, percent: f64 },
     /// The unit belongs to another dimension.
     WrongDimension {
@@ -38,9 +38,9 @@ pub enum UnitsError {
     },
     /// The quantity is so large that products with it overflow.
     OutOfRange { text: String },
-    /// An exponent is not a small integer.
+    /// The exponent of a unit is not an integer from −6 to 6.
     Exponent { factor: String },
-    /// The unit is unknown.
+    /// The name of the unit is unknown.
     UnknownUnit {
         unit: String,
         nearest: Option<String>,

@@ -1,4 +1,4 @@
-//! Texts as cells of CSV.
+//! Conversion of texts to cells of a CSV file, and back.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ pub fn text_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Original text of a cell that [`text_cell`] made.
+/// Original text of a cell that [`text_cell`] returned.
 pub fn cell_text(cell: &str) -> &str {
     let text = cell.strip_prefix('\'');
     text.filter(|text| begins_like_formula(text))
@@ -33,7 +33,7 @@ pub fn quoted(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Trimmed cells of a CSV line, without the quotation marks of [`quoted`].
+/// Cells of a CSV line, without spaces at both ends and without the quotation marks that [`quoted`] adds.
 ///
 /// ```
 /// use gaitcam_base::text::{cells, quoted};
@@ -55,7 +55,8 @@ fn unquoted(cell: &str) -> Cow<'_, str> {
     inner.map_or(Cow::Borrowed(cell), |c| Cow::Owned(c.replace("\"\"", "\"")))
 }
 
-/// Whether a text starts like a formula. Leading apostrophes count too, so that removing one of them restores the text.
+/// Whether a text starts like a formula, possibly after apostrophes. Because apostrophes count, removing one of them always restores the
+/// original text.
 fn begins_like_formula(text: &str) -> bool {
     let begins = |c: char| matches!(c, '=' | '+' | '-' | '@' | '\t' | '\r');
     text.trim_start_matches('\'').starts_with(begins) && text.parse::<f64>().is_err()

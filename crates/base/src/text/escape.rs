@@ -1,6 +1,6 @@
-//! Text inside XML and HTML.
+//! Escaping of text for XML and HTML.
 
-/// Text with escaped characters for element content and attributes.
+/// Text with the special characters of XML escaped, for element content and attributes.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Format of numbers and text in files and pages.
+//! Formatting of numbers and text in files and pages.
 
 mod cell;
 mod escape;

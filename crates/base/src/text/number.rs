@@ -2,7 +2,7 @@
 
 /// Appends `x` rounded to at most `decimals` decimals (12 or fewer), without trailing zeros and without −0.
 ///
-/// Drawings contain tens of thousands of coordinates. This function needs a tenth of the time of `format!`.
+/// Drawings contain tens of thousands of coordinates. This function takes a tenth of the time of `format!`.
 pub fn append(out: &mut String, x: f64, decimals: u32) {
     let scale = 10u64.pow(decimals);
     let scaled = (x * scale as f64).round();
@@ -13,7 +13,7 @@ pub fn append(out: &mut String, x: f64, decimals: u32) {
     append_decimal(out, scaled as i64, decimals);
 }
 
-/// Appends `units` ÷ 10^`decimals`, without trailing zeros.
+/// Appends the decimal number `units` / 10^`decimals`, without trailing zeros.
 pub fn append_decimal(out: &mut String, units: i64, decimals: u32) {
     if units < 0 {
         out.push('-');

@@ -1,10 +1,10 @@
-//! Messages of a crate in both languages.
+//! Messages of a crate in English and Spanish.
 
 use std::sync::OnceLock;
 
 use super::{Language, Messages};
 
-/// A Fluent file, in English and in Spanish.
+/// Content of a Fluent file, in English and in Spanish.
 ///
 /// ```
 /// use gaitcam_base::wording::SENTENCES;
@@ -32,19 +32,19 @@ pub type File = [&'static str; 2];
 pub struct Sentences {
     /// Fluent files with all messages of the crate, in English and in Spanish.
     pub files: &'static [File],
-    /// Fields that quote the user or select a variant of a message. They are not translated.
+    /// Names of fields that quote the user or select a variant of a message. Their values are not translated.
     pub as_typed: &'static [&'static str],
-    /// Areas whose messages are arguments of messages of other areas.
+    /// Areas whose messages can be arguments of messages of other areas.
     pub shared: &'static [&'static str],
-    /// Areas of notes on a result and of reasons. Their quantities have four digits. Quantities of errors have six digits, because users enter them
-    /// again.
+    /// Areas whose messages are notes on a result, or reasons. Quantities in these messages have four significant digits. Quantities in
+    /// errors have six, because users enter them again.
     pub notes: &'static [&'static str],
-    /// Messages whose quantities have six digits, because users enter them again.
+    /// Keys of notes and reasons whose quantities have six significant digits, because users enter them again.
     pub typed_back: &'static [&'static str],
 }
 
 impl Sentences {
-    /// An empty catalogue, for default fields.
+    /// No messages and no special formatting; for the default values of fields.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],
@@ -54,7 +54,7 @@ impl Sentences {
     };
 }
 
-/// Messages of a crate and of the crates below it. A language is indexed at first use.
+/// Messages of a crate and of the crates on which it depends. The messages of a language are indexed at first use.
 ///
 /// ```
 /// use gaitcam_base::wording::{Catalogue, Language, Sentences};
@@ -80,7 +80,7 @@ impl Catalogue {
         }
     }
 
-    /// Messages in a language.
+    /// Messages of the catalogue in a language.
     pub fn of(&self, language: Language) -> &Messages {
         let place = language as usize;
         self.messages[place].get_or_init(|| Messages::new(language, self.crates))

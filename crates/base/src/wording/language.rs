@@ -61,7 +61,7 @@ pub struct InLanguages {
 }
 
 impl InLanguages {
-    /// Texts of a function for all languages.
+    /// Calls a function once per language to create the texts.
     pub fn of(text: impl Fn(Language) -> String) -> InLanguages {
         InLanguages {
             en: text(Language::En),

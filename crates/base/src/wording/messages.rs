@@ -50,7 +50,7 @@ pub struct Messages {
 type Bundle<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
 
 impl Messages {
-    /// Indexes the texts of Fluent files; a message is parsed at first use.
+    /// Indexes the texts of Fluent files. Each message is parsed at its first use.
     ///
     /// # Panics
     ///
@@ -74,12 +74,12 @@ impl Messages {
         }
     }
 
-    /// Fluent text of a message.
+    /// Fluent text of a message; `None` if there is no such key.
     fn text_of(&self, key: &str) -> Option<&'static str> {
         self.texts.get(key).copied()
     }
 
-    /// Parsed messages, including this one and those to which it refers; `None` if there is no such key.
+    /// Parsed messages, which include the message with this key and the messages that it references; `None` if there is no such key.
     fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
         let parsed = self.read();
@@ -96,7 +96,7 @@ impl Messages {
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    /// Parses a message and those to which it refers.
+    /// Parses a message and the messages that it references.
     ///
     /// # Panics
     ///
@@ -122,13 +122,13 @@ impl Messages {
         self.texts.keys().map(|key| (*key).to_string()).collect()
     }
 
-    /// Text of a message with the key `area-variant`. If the key is missing, the key and the data are shown.
+    /// Text of the message with the key `area-variant`. If there is no such message, the text consists of the area and the data.
     pub fn sentence(&self, area: &str, message: &impl Serialize) -> String {
         let data = serde_json::to_value(message).unwrap_or_default();
         self.of_value(area, &data)
     }
 
-    /// Suggested change: the attribute `.help` of the message.
+    /// Suggested change, from the attribute `.help` of the message; `None` if there is no suggestion.
     pub fn help(&self, area: &str, message: &impl Serialize) -> Option<String> {
         let data = serde_json::to_value(message).unwrap_or_default();
         let (variant, fields) = parts(&data)?;
@@ -147,13 +147,14 @@ impl Messages {
         fixed(self.language, value, decimals)
     }
 
-    /// Text of a key without arguments, such as a heading or label.
+    /// Text of a message without arguments, such as a heading or label.
     pub fn text(&self, key: &str) -> String {
         let text = self.value_of(key, "", &Value::Null);
         text.unwrap_or_else(|| key.to_string())
     }
 
-    /// Name of a unit variant (`flat-translating`, `force_min`) in this language, or the typed name.
+    /// Name, in this language, of an enum variant without data (`flat-translating`, `force_min`). The input is returned if there is no such
+    /// name.
     pub fn name(&self, typed: &str) -> String {
         let key = format!("name-{}", typed.replace(['_', '.', ' '], "-"));
         let name = self.value_of(&key, "", &Value::Null);
@@ -171,12 +172,12 @@ impl Messages {
         sentence.unwrap_or_else(missing)
     }
 
-    /// Text of a message with its fields; `None` if there is no such key.
+    /// Text of a message, with its fields inserted; `None` if there is no such key.
     fn value_of(&self, key: &str, area: &str, fields: &Value) -> Option<String> {
         self.pattern_of(key, area, fields, |message| message.value())
     }
 
-    /// Text of one pattern of a message.
+    /// Text of the pattern that `part` selects from a message; `None` if there is no such key or pattern.
     fn pattern_of(
         &self,
         key: &str,
@@ -194,7 +195,7 @@ impl Messages {
         Some(text.into_owned())
     }
 
-    /// Fields of a message as Fluent arguments. A field may be a message.
+    /// Fields of a message as Fluent arguments. The value of a field may be a message.
     fn arguments(&self, key: &str, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
@@ -218,7 +219,7 @@ impl Messages {
         arguments
     }
 
-    /// One or several texts of the user, unchanged.
+    /// One or several texts quoted from the user, unchanged.
     fn typed(&self, area: &str, value: &Value, digits: usize) -> FluentValue<'static> {
         let texts = match value {
             Value::String(_) => std::slice::from_ref(value),
@@ -269,7 +270,7 @@ impl Messages {
     }
 }
 
-/// Number of significant digits for the quantities of a note, so that two different values remain distinct.
+/// Number of significant digits for the quantities of a note: six if two different values might be equal at four digits, otherwise four.
 fn note_digits<'a>(fields: impl Iterator<Item = &'a Value>) -> usize {
     let mut values: Vec<f64> = fields
         .filter_map(|f| f.get("value")?.as_f64())
@@ -309,12 +310,12 @@ fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static 
     })
 }
 
-/// Text after the first line; `None` if there is only one line.
+/// Text after the first line; `None` if the text is a single line.
 fn after_line(text: &'static str) -> Option<&'static str> {
     memchr::memchr(b'\n', text.as_bytes()).map(|end| &text[end + 1..])
 }
 
-/// Keys that a message may reference.
+/// Keys of the messages that a Fluent text may reference.
 fn references(text: &str) -> impl Iterator<Item = &str> {
     text.split('{').skip(1).map(|part| {
         let part = part.trim_start();
@@ -323,7 +324,7 @@ fn references(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Variant and fields of an enum that serde has serialised.
+/// Variant and fields of a serialised enum; `None` for other data.
 fn parts(data: &Value) -> Option<(&str, &Value)> {
     match data {
         Value::String(variant) => Some((variant, &Value::Null)),
@@ -332,7 +333,7 @@ fn parts(data: &Value) -> Option<(&str, &Value)> {
     }
 }
 
-/// Value of a serialised quantity.
+/// Value of a serialised quantity, including `"inf"` and `"-inf"`; NaN for other texts.
 fn finite(value: &Value) -> f64 {
     match value.as_str() {
         Some("inf") => f64::INFINITY,

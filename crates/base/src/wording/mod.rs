@@ -1,16 +1,22 @@
-//! Messages from data: code, data and language determine the text.
+//! Messages in English and Spanish, from codes and data.
 //!
-//! An error, a note or a reason is an enum variant with fields. Its text is in a Fluent file with the key `area-variant`, both parts in kebab-case.
-//! The fields are the arguments of the text. The suggested change of an error is the attribute `.help` of the same message:
+//! An error, a note or a reason is an enum variant with fields. Its text is in a Fluent file with the key `area-variant`, where area and
+//! variant are in kebab-case. The fields are the arguments of the text. The suggested change of an error is the attribute `.help` of the
+//! same message:
 //!
 //! ```text
 //! law-uncovered = the segments cover { $covered } of { $wanted }
 //!     .help = lengthen or add segments until they cover the turn
 //! ```
 //!
-//! Arguments: a [`Quantity`](crate::units::Quantity) is displayed in its common unit with six significant digits (four in a note or reason), a number
-//! with six. A list is joined by commas. A unit variant (a follower, a limit, a law) is displayed by the message `name-…` of the variant. Without
-//! such a message it is displayed as written in scenes. `None` is the word `none`, which selectors can match.
+//! The arguments are displayed as follows:
+//!
+//! - A [`Quantity`](crate::units::Quantity) is displayed in its common unit, with six significant digits (four in a note or reason).
+//! - A number is displayed with six significant digits.
+//! - The items of a list are joined by commas.
+//! - An enum variant without data (a follower, a limit, a law) is displayed by the message `name-…`. Without such a message it is displayed
+//!   as written in scenes.
+//! - `None` is the word `none`, which selectors can match.
 
 mod catalogue;
 mod language;
@@ -25,7 +31,7 @@ pub use number::{
     rounded, walker,
 };
 
-/// Messages of this crate: names of quantities, errors of quantities.
+/// Messages of this crate: names of quantities, and errors in quantities.
 pub const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
@@ -35,5 +41,5 @@ pub const SENTENCES: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// Catalogue of this crate.
+/// Messages of this crate, without those of other crates.
 pub static WORDS: Catalogue = Catalogue::new(&[SENTENCES]);

@@ -16,7 +16,7 @@ use super::Language;
 pub enum LengthUnit {
     /// Millimetres, the default.
     Millimetre,
-    /// Inches; speeds and accelerations of lengths also contain inches.
+    /// Inches, also in units that contain a length, such as in/s.
     Inch,
 }
 
@@ -31,7 +31,7 @@ fn in_inches() -> bool {
     LENGTH_UNIT.get() == Some(&LengthUnit::Inch)
 }
 
-/// SI unit, the displayed unit, and the factor between them.
+/// SI unit, displayed unit, and the factor from the SI unit to the displayed unit.
 const SHOWN: &[(&str, &str, f64)] = &[
     ("m", "mm", 1e3),
     ("rad", "°", 180.0 / std::f64::consts::PI),
@@ -61,7 +61,7 @@ const SHOWN: &[(&str, &str, f64)] = &[
 /// Number of inches in a metre.
 const INCHES: f64 = 1.0 / 0.0254;
 
-/// The rows of [`SHOWN`] for lengths, in inches, and further units that contain lengths.
+/// Rows as in [`SHOWN`] for units that contain a length, if lengths are displayed in inches.
 const SHOWN_IN_INCHES: &[(&str, &str, f64)] = &[
     ("m", "in", INCHES),
     ("m/s", "in/s", INCHES),
@@ -79,10 +79,10 @@ const SHOWN_IN_INCHES: &[(&str, &str, f64)] = &[
 
 /// Maximum number of significant digits for display.
 pub const DIGITS: usize = 4;
-/// Number of significant digits of a number that users enter again, in an error or a suggested change.
+/// Number of significant digits of values in errors and suggested changes, because users enter these values again.
 pub(super) const EXACT: usize = 6;
 
-/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0; Spanish has a decimal comma.
+/// A number for display with at most four significant digits and no trailing zeros. `−0` becomes 0; the Spanish text has a decimal comma.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, number};
@@ -138,7 +138,7 @@ pub fn degrees(language: Language, theta: f64) -> String {
     format!("{text}°").replace('-', "−")
 }
 
-/// A number with a given maximum number of significant digits.
+/// A number as text with a given maximum number of significant digits.
 fn to_digits(language: Language, value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "—".to_string();
@@ -172,7 +172,7 @@ fn localised(language: Language, text: &str) -> String {
     }
 }
 
-/// A number with a fixed number of decimals, for columns of a table.
+/// A number as text with a fixed number of decimals, for columns of a table.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, fixed};
@@ -184,7 +184,7 @@ pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
     localised(language, if zero { &text[1..] } else { &text })
 }
 
-/// Name of a walker for display. The name of a walker of a load model is the step frequency.
+/// Name of a walker for display. A step frequency, which is the name of a walker of a load model, has the decimal mark of the language.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, walker};
@@ -206,7 +206,7 @@ fn short(text: &str) -> &str {
     }
 }
 
-/// Displayed unit for an SI unit, and the factor to it.
+/// Displayed unit for an SI unit, and the factor by which the value is multiplied.
 pub fn people(si: &str) -> (&str, f64) {
     let inches = if in_inches() { SHOWN_IN_INCHES } else { &[] };
     inches

@@ -1,11 +1,11 @@
-//! A cycle as a CSV file.
+//! Output of a cycle as a CSV file.
 
 use std::fmt::Write as _;
 
 use super::ForceCurve;
 
 impl ForceCurve {
-    /// The cycle as CSV text. [`one_cycle`](crate::one_cycle) reads it as the same cycle.
+    /// The cycle as CSV text, which [`one_cycle`](crate::one_cycle) reads back as the same cycle.
     ///
     /// `comments` become comment lines. A line break inside a comment starts another comment line.
     pub fn to_csv(&self, comments: &[&str]) -> String {
@@ -32,7 +32,7 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
     Ok(())
 }
 
-/// Writes the comments that mark a cycle and state the properties that its samples do not contain.
+/// Writes the comments that mark the text as one cycle and give the properties that the samples do not contain.
 pub(super) fn write_head(
     out: &mut String,
     curve: &ForceCurve,

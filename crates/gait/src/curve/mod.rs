@@ -49,16 +49,16 @@ pub struct ForceCurve {
     pub mass_kg: Option<f64>,
     /// Root mean square of the sensor noise that remains in the samples, N, if known.
     pub noise_n: Option<f64>,
-    /// Consecutive strides of the recording, on the same scale.
+    /// Consecutive strides of the recording as a force over time, if there are enough; scaled like the samples of the cycle.
     #[serde(skip)]
     pub walk: Option<Walk>,
-    /// Number of steps of a walker in the cycle, if a file states it.
+    /// Number of steps of a walker in the cycle, if the file gives it.
     #[serde(skip)]
     pub steps: Option<usize>,
-    /// Notes on a file that contains one cycle, or a part of one.
+    /// Notes on the reading of a file that contains one cycle or a part of a cycle.
     #[serde(skip)]
     pub notes: Vec<Note>,
-    /// Interpretation of the averaged recording.
+    /// Interpretation of the recording from which the cycle was averaged.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
     /// Walkers whose mean is the curve, if there are several.
@@ -123,7 +123,7 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
-    /// Notes on the recording, without those on mean force and mass, because these change when the curve is scaled.
+    /// Notes on the recording, except the notes on mean force and mass, which change when the curve is scaled.
     pub fn warnings(&self) -> impl Iterator<Item = &Note> {
         let on_mass = |n: &Note| {
             matches!(
@@ -140,7 +140,7 @@ impl ForceCurve {
         ends(&self.force_n).unwrap_or_default()
     }
 
-    /// Force at the phase `theta`, rad, of any turn, N, by cubic interpolation without overshoot.
+    /// Force, N, at the phase `theta`, rad, which may be in any turn. It is computed by cubic interpolation without overshoot.
     pub fn at(&self, theta: f64) -> f64 {
         let n = self.force_n.len();
         let x = (theta / TAU).rem_euclid(1.0) * n as f64;
@@ -159,7 +159,7 @@ impl ForceCurve {
         slopes(&self.force_n)
     }
 
-    /// Root mean square over the cycle of the step-to-step standard deviation, N.
+    /// Root mean square over the cycle of the step-to-step standard deviation, N; `None` if the deviation is unknown.
     pub fn spread_rms_n(&self) -> Option<f64> {
         let s = self.spread_n.as_ref()?;
         Some((s.iter().map(|x| x * x).sum::<f64>() / s.len().max(1) as f64).sqrt())
@@ -177,7 +177,7 @@ impl ForceCurve {
         }
     }
 
-    /// The cycle with its start at another phase, rad: sample 0 of the result is the force at `phase`.
+    /// The cycle with another start: sample 0 of the result is the force at `phase`, rad.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();

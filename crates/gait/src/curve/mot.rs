@@ -1,4 +1,4 @@
-//! A cycle as an OpenSim file of external loads.
+//! Output of a cycle as an OpenSim file of external loads.
 
 use std::fmt::Write as _;
 
@@ -22,10 +22,12 @@ const COLUMNS: [&str; 9] = [
 const VERTICAL: usize = 1;
 
 impl ForceCurve {
-    /// The cycle as `.mot` text in the layout of OpenSim's ExternalLoads. [`one_cycle`](crate::one_cycle) reads it as the same cycle.
+    /// The cycle as `.mot` text in the layout of OpenSim's ExternalLoads, which [`one_cycle`](crate::one_cycle) reads back as the same
+    /// cycle.
     ///
-    /// The vertical force is `ground_force_vy`, or the vertical force of a `foot`. The last row repeats the first one at the end of the period. The
-    /// other components, the point of application and the torques are zero, because a curve does not contain them.
+    /// The column of the vertical force is `ground_force_vy`; if `foot` is given, its name also contains the foot. The last row repeats the
+    /// first one at the end of the period. The other components, the point of application and the torques are zero, because a curve does
+    /// not contain them.
     pub fn to_mot(&self, foot: Option<Foot>, comments: &[&str]) -> String {
         let mut out = String::with_capacity(64 * self.force_n.len());
         // Writing to a String does not fail.

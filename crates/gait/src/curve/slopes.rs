@@ -1,13 +1,13 @@
-//! Slopes of the interpolation between samples.
+//! Slopes for the cubic interpolation between samples.
 //!
-//! The slope per sample at the middle of five samples is the fourth-order centred difference. It is used unchanged where the second differences
-//! change slowly, as at a smooth maximum; there the cubics are of fourth order. Elsewhere it is limited to three times the smaller adjacent step, so
-//! that a sharp heel strike is not overshot (bound of Fritsch and Carlson). At a local extreme of the samples it is limited to half of this value,
-//! with either sign.
+//! The slope at a sample is computed from five samples with the fourth-order centred difference. Where the second differences change
+//! slowly, as at a smooth maximum, this slope is not limited, and the interpolation is of fourth order. Elsewhere its magnitude is limited
+//! to three times the smaller of the adjacent differences (bound of Fritsch and Carlson). The interpolation then does not overshoot at a
+//! sharp heel strike. At a local extreme of the samples, the limit is half of this value, and the slope may have either sign.
 
 use crate::statistics::{larger, smaller};
 
-/// Slopes at all samples of a period (four or more), and at its end.
+/// Slopes, per sample, at all samples of a period (four or more) and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
     let n = f.len();
     let mut out = Vec::with_capacity(n + 1);
@@ -20,15 +20,15 @@ pub fn slopes(f: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Slope at one sample of a period, with a cyclic index.
+/// Slope, per sample, at one sample of a period; indices are cyclic.
 pub fn slope_at(f: &[f64], i: usize) -> f64 {
     let n = f.len();
     limited([n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]))
 }
 
-/// Maximum ratio of the second differences of five samples for which the centred difference is unchanged. The second differences must also have the
-/// same sign. With second differences p, q, r, the centred difference is the previous step plus q/2 + (p − r)/12. Under this condition it lies
-/// between both steps.
+/// Maximum ratio of the second differences of five samples for which the slope is not limited. The second differences must also have the
+/// same sign. With second differences p, q, r, the centred difference is the preceding difference of the samples plus q/2 + (p − r)/12.
+/// Under both conditions it is between the preceding and the following difference.
 const STEADY: f64 = 6.0;
 
 /// Limits the slope by selections instead of branches, so that the compiler vectorises the loop.

@@ -1,4 +1,4 @@
-//! Means on phase: of cycles, and of stances.
+//! Means of cycles and of stances at equal phases.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -7,12 +7,12 @@ use crate::recording::{Channel, Recording};
 use crate::stance::Stance;
 use crate::statistics::mean;
 
-/// Maximum time for which the force of a foot is below the contact threshold before heel strike and after toe-off, s.
+/// Maximum time before heel strike and after toe-off, s, in which the force of a foot is above zero but below the contact threshold.
 const TAIL_S: f64 = 0.06;
 /// Fraction of a stance by which a mean stance extends beyond both ends, to include the force below the threshold.
 pub(super) const MARGIN: f64 = 0.12;
 
-/// Fraction of a stride near its ends that is blended with the adjacent strides.
+/// Fraction of a stride at each end that is blended with the adjacent strides.
 pub(crate) const BLEND: f64 = 0.04;
 
 /// Force between samples, N, by linear interpolation.
@@ -26,10 +26,10 @@ pub(super) fn at(force: &[f64], place: f64) -> f64 {
     a + x * (b - a)
 }
 
-/// Maximum number of strides that a stance may cover; in walking a stance is shorter than a stride.
+/// Maximum duration of a stance in strides; in walking a stance is shorter than a stride.
 const MOST_TURNS: usize = 5;
 
-/// Running mean and sum of squared deviations per phase (Welford), so that cycles need not be stored.
+/// Running mean and running sum of squared deviations at each phase (Welford's method), so that cycles need not be stored.
 pub(super) struct Mean {
     count: f64,
     mean: Vec<f64>,
@@ -54,7 +54,7 @@ impl Mean {
         }
     }
 
-    /// Mean, and for two or more cycles the standard deviation.
+    /// Mean at each phase, and for two or more cycles the standard deviation.
     pub fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
         let degrees = self.count - 1.0;
         let spread =
@@ -63,9 +63,9 @@ impl Mean {
     }
 }
 
-/// Span of a contact including the force below the threshold on both sides, down to the unloaded level, s.
+/// Start and end of a contact, s, including the force below the threshold on both sides, down to the unloaded level.
 ///
-/// The threshold detects the contact, but the small force outside it is part of the gait.
+/// The threshold detects the contact, but the small force before and after it is part of the gait.
 pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f64) -> (f64, f64) {
     let force = &channel.force_n;
     let last = force.len().saturating_sub(1);
@@ -122,12 +122,12 @@ pub(crate) fn periodic(
     }
 }
 
-/// Mean of several stances over the phase of the stance.
+/// Mean of several stances at equal phases of the stance.
 pub(super) struct MeanStance {
     pub count: usize,
     pub duration_s: f64,
     pub impulse_ns: f64,
-    /// Force at equal steps from `margin` stances before heel strike to `margin` stances after toe-off.
+    /// Force, N, at equal steps from heel strike to toe-off and beyond both by the fraction `margin` of a stance.
     pub force: Vec<f64>,
     pub margin: f64,
     pub spread: Option<Vec<f64>>,
@@ -139,7 +139,7 @@ pub(super) fn mean_mass(stances: &[&Stance]) -> Option<f64> {
     masses.map(|m| mean(&m))
 }
 
-/// Averages stances. If each stance has a mass, they are averaged in body weights and scaled to the mean mass.
+/// Averages stances. If every stance has a mass, the forces are averaged in body weights and scaled to the mean mass.
 pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
     let usual = mean_mass(stances);
     let mut mean = Mean::new();
@@ -165,7 +165,8 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance], margin: f6
     }
 }
 
-/// Fills `row` with one stance at equal phases, extended by `margin` stances at both ends and scaled to the `usual` mass.
+/// Fills `row` with one stance at equal phases, scaled to the `usual` mass, kg. The row extends beyond both ends of the stance by the
+/// fraction `margin` of the stance.
 pub(super) fn stance_row(
     recording: &Recording,
     stance: &Stance,
@@ -194,7 +195,7 @@ pub(super) fn stance_row(
     }
 }
 
-/// Adds a stance to a stride of `period` s, starting at phase `shift`.
+/// Adds a mean stance to a stride with the duration `period`, s. The stance starts at the fraction `shift` of the stride.
 pub(super) fn place(
     stance: &MeanStance,
     period: f64,

@@ -1,23 +1,28 @@
-//! Mean total force of a walker while the force of both feet is recorded. Over a stride it equals the weight. A recording of one stride is sufficient
-//! even without a whole stance. Otherwise two consecutive stances show the total force over two half strides. The first half stride lasts from the
-//! previous toe-off to the toe-off of the first foot. The second lasts from the heel strike of the second foot to the next heel strike. Their mean
-//! force hardly depends on the stride time, which only determines their outer ends. The impulse of both stances divided by the stride time depends on
-//! it.
+//! Mean total force of a walker, N, over the time in which the forces of both feet are recorded.
+//!
+//! Over a whole stride, the mean total force equals the weight. If the plates are loaded for a whole stride, their total force is averaged
+//! over the stride. Otherwise, two consecutive stances give the total force over two half strides:
+//!
+//! - from the previous toe-off of the second foot to the toe-off of the first foot;
+//! - from the heel strike of the second foot to the next heel strike of the first foot.
+//!
+//! The stride time determines only the start of the first interval and the end of the second. An error in the stride time therefore hardly
+//! changes the mean force.
 
 use super::average::whole_span;
 use crate::recording::Recording;
 use crate::stance::{Footfall, Stances, footfalls, same_foot};
 use crate::statistics::mean;
 
-/// Maximum difference between the impulses of two stances, as a fraction of their sum.
+/// Maximum difference between the impulses of the two stances, as a fraction of their sum.
 const UNEVEN: f64 = 0.05;
 
-/// Minimum total force, as a fraction of its mean, while the force of both feet is recorded.
+/// Minimum total force while the force of both feet is recorded, as a fraction of the mean total force.
 const LOADED: f64 = 0.3;
 /// Fraction of a stride that may be missing at the ends of a recording.
 const LACKING: f64 = 0.02;
 
-/// Mean force of all plates, N, over whole strides of a recording whose force is never far below its mean; `None` for other recordings.
+/// Mean force of all plates, N, over whole strides; `None` if the total force is sometimes far below its mean.
 fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     let plates: Vec<&[f64]> = recording.live().map(|(_, c)| &c.force_n[..]).collect();
     let samples = plates.iter().map(|p| p.len()).min()?;
@@ -34,8 +39,8 @@ fn mean_of_plates(recording: &Recording, period_s: f64) -> Option<f64> {
     Some(mean(&strides.map(mean).collect::<Vec<f64>>()))
 }
 
-/// Mean total force, N, for a stride time; `None` without two consecutive whole stances with similar impulse. Two half strides of a limping walker
-/// are not equivalent to a stride.
+/// Mean total force, N, for a given stride time, s; `None` without two consecutive whole stances with similar impulses. The impulses must
+/// be similar, because two half strides of a limping walker are not equivalent to a stride.
 pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64) -> Option<f64> {
     if recording.has_rows() || recording.runs() {
         return None;
@@ -69,7 +74,7 @@ pub(super) fn mean_total(recording: &Recording, stances: &Stances, period_s: f64
     (force.is_finite() && force > 0.0).then_some(force)
 }
 
-/// Integral of the force of a contact within a span, N s.
+/// Integral of the force of a contact over a time span, N s.
 fn impulse(recording: &Recording, fall: &Footfall, from_s: f64, to_s: f64) -> f64 {
     let channel = &recording.channels[fall.channel];
     let rate = recording.rate_hz;

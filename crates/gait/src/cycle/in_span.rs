@@ -1,4 +1,4 @@
-//! A recorded stance that fills a part of the turn.
+//! One cycle from a recorded stance that fills only a part of the turn.
 
 use std::f64::consts::TAU;
 
@@ -14,13 +14,14 @@ use crate::statistics::mean;
 /// Fraction of the recording above which a stance counts as the whole recording.
 const WHOLE: f64 = 0.97;
 
-/// Relative difference between a stance and the span below which the stance is not stretched.
+/// Relative difference between the durations of stance and span below which the stance is not stretched.
 const NEARLY: f64 = 0.05;
 
-/// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest. `None` without a whole stance, or if the only stance is
-/// the whole recording.
+/// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest. `None` without a whole stance, or if the only
+/// stance is the whole recording.
 ///
-/// Without a `period`, s, the duration of the stance is unchanged. Only the side of `feet` is used, because one foot is in the span.
+/// Without a `period`, s, the duration of the stance is unchanged. `feet` only selects the stances of one side, because the span contains
+/// one stance.
 ///
 /// # Errors
 ///

@@ -7,9 +7,9 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Number of pieces of a channel in a figure; each is drawn by its minimum and maximum force.
+/// Number of time intervals of a channel in a figure; each interval is drawn by its minimum and maximum force.
 const PIECES: usize = 700;
-/// Maximum number of single stances in a figure; the means include all stances.
+/// Maximum number of single stances in a figure; the means are computed from all stances.
 const DRAWN: usize = 60;
 
 impl Interpretation {
@@ -70,7 +70,7 @@ impl Column {
     }
 }
 
-/// Minimum and maximum of pieces of equal length, so that every peak is visible.
+/// Minimum and maximum force, N, in intervals of equal duration, so that every peak is visible.
 fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
     let length = force.len().div_ceil(pieces).max(1);
     let pieces = force.chunks(length).filter_map(ends);

@@ -19,7 +19,7 @@ const ONE_WALKER: f64 = 0.1;
 /// Maximum distance of the second heel strike of a stride from the middle of the stride, as a fraction of the cycle.
 const LIMP: f64 = 0.1;
 
-/// The mean cycle of one recording, before averaging.
+/// The mean cycle of one recording, before the joint average.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -35,7 +35,7 @@ const LIMP: f64 = 0.1;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<'a> {
-    /// Mean force cycle of the trial.
+    /// Mean cycle of the trial.
     pub cycle: &'a Cycle,
     /// Open questions about the recording.
     pub open: &'a [OpenQuestion],
@@ -61,19 +61,19 @@ pub struct Trial<'a> {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LeftOut {
-    /// Kind, time base or mass are not certain.
+    /// A question about the kind of movement, the time base or the mass is open.
     Open {
-        /// Open questions of the trial.
+        /// Open questions about the recording of the trial.
         questions: Vec<OpenQuestion>,
     },
-    /// Most recordings show another movement.
+    /// The movement differs from the movement of most recordings.
     OtherKind {
-        /// Movement of this recording.
+        /// Kind of movement in this recording.
         movement: Kind,
-        /// Movement of most recordings.
+        /// Kind of movement in most recordings.
         most: Kind,
     },
-    /// Most recordings have another speed.
+    /// The speed differs from the speed of most recordings.
     OtherSpeed {
         /// Duration of the stride in this recording.
         period: Quantity,
@@ -82,13 +82,13 @@ pub enum LeftOut {
         /// Maximum stride duration in the mean.
         high: Quantity,
     },
-    /// The recording is already a mean cycle, while others are not.
+    /// The recording is already a mean cycle, but other recordings are not.
     MeanAlready,
     /// The recording contains no cycle.
     NoCycle,
 }
 
-/// Mean over several recordings.
+/// Mean cycle of several recordings.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
@@ -106,33 +106,35 @@ pub struct JointMean {
     pub curve: ForceCurve,
     /// Reason for the exclusion of each trial, in the given order; `None` if the trial is included.
     pub left_out: Vec<Option<LeftOut>>,
-    /// Cycle of each included trial, N, in the phase of the mean and with the same scaling.
+    /// Force of each included trial, N, at the phases of the mean cycle, with the same scaling as the mean cycle.
     pub trials_n: Vec<Vec<f64>>,
     /// Number of cycles in the mean.
     pub cycles: usize,
-    /// Movement of the mean.
+    /// Kind of movement (walking, running, …) of the averaged recordings.
     pub kind: Kind,
     /// Standard deviation of the duration of a cycle, s, if there are several cycles.
     pub period_spread_s: Option<f64>,
-    /// Coefficient of repeatability, N, as in [`Cycle`].
+    /// Coefficient of repeatability, N, defined as in [`Cycle`]; `None` for a single cycle.
     pub repeatability_n: Option<f64>,
     /// Mean mass over the cycles, kg.
     pub mass_kg: f64,
     /// Source of the masses; `None` if the source differs between recordings.
     pub mass_from: Option<MassSource>,
-    /// Notes for the user.
+    /// Notes on the joint mean.
     pub notes: Vec<Note>,
 }
 
 impl JointMean {
-    /// Number of recordings in the mean.
+    /// Number of recordings included in the mean.
     pub fn trials(&self) -> usize {
         self.left_out.iter().filter(|l| l.is_none()).count()
     }
 }
 
-/// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions. The weight of a trial is its number of
-/// cycles. If the masses belong to several walkers, forces are averaged in body weights and scaled to the mean mass.
+/// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions.
+///
+/// The weight of a trial is its number of cycles. If the masses belong to several walkers, the forces are averaged in body weights and
+/// scaled to the mean mass.
 ///
 /// # Errors
 ///
@@ -166,7 +168,7 @@ pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
     average(&kept(trials, &left_out), most, left_out)
 }
 
-/// Cycles without a reason for exclusion.
+/// Cycles that have no reason for exclusion so far.
 fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle> {
     let all = trials.iter().zip(left_out);
     all.filter(|(_, out)| out.is_none())
@@ -174,7 +176,7 @@ fn kept<'a>(trials: &[Trial<'a>], left_out: &[Option<LeftOut>]) -> Vec<&'a Cycle
         .collect()
 }
 
-/// Excludes further cycles for which `reason` returns a reason.
+/// Excludes each further cycle for which `reason` returns a reason.
 fn leave_out(
     trials: &[Trial],
     left_out: &mut [Option<LeftOut>],
@@ -240,7 +242,7 @@ fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Resul
     })
 }
 
-/// Standard deviation of all values of several groups with known counts, deviations and means; `None` for a single value.
+/// Standard deviation over all values of several groups, from the count, deviation and mean of each group; `None` for a single value.
 fn pooled(
     counts: &[f64],
     deviation: &dyn Fn(usize) -> f64,
@@ -255,7 +257,7 @@ fn pooled(
     (degrees > 0.0).then(|| (squares.sum::<f64>() / degrees).sqrt())
 }
 
-/// Number of cycles in a mean cycle. For a stride built from single stances, the smaller number of both feet.
+/// Number of cycles in a mean cycle. If a stride was built from single stances, this is the smaller number of stances of the two feet.
 fn cycles(cycle: &Cycle) -> usize {
     match cycle.source {
         CycleSource::WholeStrides { strides, .. } | CycleSource::TotalForce { strides } => strides,
@@ -266,8 +268,9 @@ fn cycles(cycle: &Cycle) -> usize {
     .max(1)
 }
 
-/// Forces and deviations (0 if unknown) of the cycles, starting at the same moment of the stride. A cycle that begins with the left heel strike is
-/// shifted to the right one. A total force, which has no heel strike, is shifted to the best agreement with the others.
+/// Forces and standard deviations, N (0 if unknown), of the cycles, starting at the same moment of the stride. A cycle that begins with the
+/// left heel strike is shifted to begin with the right one. A total force has no heel strikes, so it is shifted to agree best with the
+/// others.
 fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());
@@ -304,7 +307,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     }
 }
 
-/// Shift, among the given ones, for which a periodic row is most similar to another row.
+/// The shift, among the given shifts in samples, for which a periodic row is most similar to another row.
 fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
     let likeness = |shift: usize| -> f64 {
         let later = row.iter().cycle().skip(shift);

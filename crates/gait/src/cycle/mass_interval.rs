@@ -1,4 +1,4 @@
-//! Interval of a mass that is computed from the mean force. It covers the uncertainty of steps, time base and unloaded levels.
+//! Confidence interval of a mass that is computed from the mean force. It covers the uncertainty of steps, stride time and unloaded levels.
 
 use super::Average;
 use super::single::by_side;
@@ -8,13 +8,14 @@ use crate::stance::{Stance, Stances};
 use crate::statistics::{mean, sample_deviation, student_95};
 use crate::units::G;
 
-/// Usual relative standard deviation of the mean force from stride to stride, with its weight in degrees of freedom.
+/// Usual relative standard deviation of the mean force from stride to stride or from stance to stance, and its weight in degrees of
+/// freedom.
 const OF_STRIDES: f64 = 0.015;
 const OF_STANCES: f64 = 0.03;
 const USUAL_DEGREES: f64 = 4.0;
 /// Relative standard deviation of half the difference between the feet of a walker.
 const OF_FEET: f64 = 0.06;
-/// Relative standard uncertainty of a stride time from the usual duty factor.
+/// Relative standard uncertainty of a stride time that was computed from the usual duty factor.
 const OF_DUTY: f64 = 0.05;
 /// Standard uncertainty of an unloaded level: as a fraction of its noise, and its minimum, N.
 const OF_LEVEL: (f64, f64) = (0.3, 0.4);
@@ -38,7 +39,7 @@ pub(super) fn mass_interval(
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
-/// Relative half width that results from the steps.
+/// Relative half width of the interval that results from the variation of the steps.
 fn of_steps(
     recording: &Recording,
     stances: &Stances,
@@ -68,7 +69,8 @@ fn of_steps(
     }
 }
 
-/// Relative half width of the mean of some values, from their deviation combined with the usual one.
+/// Relative half width of the 95 % interval of a mean. It is computed from a weighted mean of the variance of the values and the usual
+/// variance.
 fn of_mean(values: &[f64], usual: f64) -> f64 {
     let degrees = (values.len() as f64 - 1.0).max(0.0);
     let own = sample_deviation(values).unwrap_or(0.0) / mean(values).abs().max(f64::MIN_POSITIVE);
@@ -77,7 +79,8 @@ fn of_mean(values: &[f64], usual: f64) -> f64 {
     student_95(all) * (square / values.len().max(1) as f64).sqrt()
 }
 
-/// Relative half width that results from the stride time. The mean over whole strides does not depend on the stride time.
+/// Relative half width of the interval that results from the stride time. It is zero for a mean over whole strides, which does not depend
+/// on the stride time.
 fn of_clock(average: &Average) -> f64 {
     let period = average.period;
     match average.source {
@@ -90,7 +93,7 @@ fn of_clock(average: &Average) -> f64 {
     }
 }
 
-/// Relative half width that results from the unloaded levels of the plates.
+/// Relative half width of the interval that results from the unloaded levels of the plates.
 fn of_levels(recording: &Recording, mass_kg: f64) -> f64 {
     let of = |noise_n: f64| (OF_LEVEL.0 * noise_n).max(OF_LEVEL.1);
     let squares = recording.live().map(|(_, c)| of(c.noise_n).powi(2));

@@ -1,7 +1,7 @@
-//! Mean cycle of a recording over its phase, with its step-to-step spread.
+//! Mean cycle of a recording, with its step-to-step spread at each phase.
 //!
-//! If the plates (or insoles) cover whole strides, both feet are summed and the strides are averaged. Otherwise a stride is built from single
-//! stances: the mean left stance and the mean right stance, half a stride apart.
+//! If the plates (or insoles) cover whole strides, both feet are summed and the strides are averaged. Otherwise a stride is built from
+//! single stances: the mean left stance and the mean right stance, half a stride apart.
 
 mod average;
 mod balance;
@@ -61,16 +61,16 @@ pub use plausibility::implausible;
 pub struct Cycle {
     /// Mean cycle. Its period is a stride; its spread is the standard deviation from step to step.
     pub curve: ForceCurve,
-    /// Number of averaged cycles: whole strides, or stances if a stride was built from them.
+    /// Number of averaged cycles. If a stride was built from single stances, the number of stances.
     pub averaged: usize,
     /// Method by which the cycle was computed.
     pub source: CycleSource,
     /// Duration of the cycle, and its source.
     pub period: Period,
-    /// Coefficient of repeatability, N: in 95 of 100 cases, the difference between two cycles of this walker is smaller. It is 1.96 √2 times the
-    /// standard deviation (root mean square over the phases). `None` for a single cycle.
+    /// Coefficient of repeatability, N: in 95 of 100 cases, two cycles of this walker differ by less than this value. It is 1.96 √2 times
+    /// the standard deviation (root mean square over the phases). `None` for a single cycle.
     pub repeatability_n: Option<f64>,
-    /// Mass, kg: given, or the mean force over the stride divided by g.
+    /// Mass, kg: the given mass, or the mean force over the stride divided by g.
     pub mass_kg: f64,
     /// Source of the mass.
     pub mass_from: MassSource,
@@ -78,11 +78,11 @@ pub struct Cycle {
     pub mass_interval_kg: Option<(f64, f64)>,
     /// All whole strides of both feet, used or not, in order of time.
     pub strides: Vec<RecordedStride>,
-    /// Movement of the cycle.
+    /// Kind of movement (walking, running, …) in the cycle.
     pub kind: Kind,
-    /// Mean force over the cycle as a fraction of the weight carried by the feet of the cycle; 1 for a correct mass.
+    /// Mean force over the cycle, as a fraction of the weight that the feet of the cycle carry; 1 for a correct mass.
     pub mean_of_weight: f64,
-    /// Whether mean force and mass are consistent for one walker.
+    /// Whether mean force and mass are consistent with a single walker.
     pub mass_fits: bool,
     /// Notes on values that are implausible for the movement.
     pub notes: Vec<Note>,
@@ -95,14 +95,14 @@ struct Average {
     spread_n: Option<Vec<f64>>,
     averaged: usize,
     source: CycleSource,
-    /// Note on the contacts that are excluded from the mean.
+    /// Note on contacts that are excluded from the mean.
     note: Option<Note>,
-    /// Consecutive strides of both feet.
+    /// Consecutive strides of both feet, if there are enough.
     walk: Option<Walk>,
 }
 
 impl Average {
-    /// Mean of whole cycles, with their durations, s.
+    /// Mean of whole cycles with the given durations, s.
     fn of_cycles(cycles: Mean, durations: &[f64], from: PeriodSource, source: CycleSource) -> Self {
         let (force_n, spread_n) = cycles.finish();
         Average {
@@ -120,7 +120,7 @@ impl Average {
         }
     }
 
-    /// A stride built from mean stances, each placed at its start phase.
+    /// A stride that consists of mean stances, each at its start phase.
     fn of_stances(
         period: Period,
         stances: &[(&MeanStance, f64)],
@@ -147,7 +147,7 @@ impl Average {
 
 /// Averages the stances of a recording to one cycle.
 ///
-/// `feet`: sum of both feet, one foot (all stances treated alike), or one side.
+/// `feet` selects the sum of both feet, one foot (the mean of all stances), or the left or right foot.
 ///
 /// # Errors
 ///
@@ -207,7 +207,7 @@ fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Ave
     total_of_plates(recording, stances).filter(|total| total.averaged > 2 * whole)
 }
 
-/// Root mean square noise, N, of a mean over a number of cycles; each foot is on the ground for a part of the stride.
+/// Root mean square noise, N, of a mean over a number of cycles. A foot contributes noise only while it is on the ground.
 fn noise(recording: &Recording, stances: &Stances, cycles: usize, feet: Feet) -> f64 {
     let squares: Vec<f64> = recording.live().map(|(_, c)| c.noise_n.powi(2)).collect();
     let durations: Vec<f64> = stances.used.iter().map(Stance::duration_s).collect();

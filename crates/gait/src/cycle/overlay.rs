@@ -1,4 +1,4 @@
-//! Stances over their phase with the mean and band of each foot, for a figure.
+//! Single stances over the phase of the stance, with mean and standard deviation of each foot, for a figure.
 
 use super::average::{mean_mass, mean_stance, stance_row};
 use crate::interpretation::{MeanStanceCurve, Overlay};
@@ -6,8 +6,8 @@ use crate::recording::{Foot, Recording};
 use crate::stance::{Point, Stance, Stances};
 use crate::statistics::mean as average;
 
-/// Overlay of the used stances; `None` if no stances are used. At most `most` stances are returned, evenly distributed over the recording. The means
-/// exclude outliers. If the stances have different masses, forces are scaled to the mean mass.
+/// Overlay of the used stances; `None` if no stances are used. It contains at most `most` stances, evenly distributed over the recording.
+/// The means exclude outliers. If the stances have different masses, forces are scaled to the mean mass.
 pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<Overlay> {
     let all: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     if all.is_empty() {
@@ -31,7 +31,7 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
     })
 }
 
-/// Number of samples of a drawn stance.
+/// Number of samples of a stance in the figure.
 const ROW: usize = 256;
 
 fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {

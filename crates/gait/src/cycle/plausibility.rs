@@ -26,7 +26,7 @@ pub(super) struct Ranges {
     pub duty: Range<f64>,
     /// Range of the maximum force of a stance, in body weights.
     pub peak_bw: Range<f64>,
-    /// Typical duty factor.
+    /// Typical duty factor of the movement.
     pub usual_duty: f64,
     /// Typical ratio of stride and stance durations.
     pub stride_of_stance: Range<f64>,
@@ -34,7 +34,8 @@ pub(super) struct Ranges {
     pub step_of_stance: Range<f64>,
 }
 
-/// Ranges of walking (wider for children) and of running. If `slow`, the user stated walking, so longer strides are permitted.
+/// Ranges of walking (wider for children) or of running. If `slow`, the user stated that the movement is walking, so longer strides are
+/// plausible.
 pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     if kind == Kind::Running {
         return Ranges {
@@ -59,12 +60,12 @@ pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
     }
 }
 
-/// Mean force of a cycle divided by the weight carried by its feet; 1 for a correct mass, `None` without a mass.
+/// Mean force of a cycle divided by the weight that its feet carry; 1 for a correct mass, `None` without a mass.
 pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }
 
-/// Reason why mean force and mass are inconsistent for one walker; `None` if they are consistent.
+/// Reason why mean force and mass are inconsistent with a single walker; `None` if they are consistent.
 pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     let ratio = mean_of_weight(curve, feet)?;
     let mass_kg = curve.mass_kg?;
@@ -84,7 +85,7 @@ pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
 
 /// Notes on a stride time, duty factor or peak force outside the ranges of the movement.
 ///
-/// `stance_s` is the mean duration of a stance, `peak_n` the mean of the maximum force of a stance, N.
+/// `stance_s` is the mean duration of a stance, s. `peak_n` is the mean of the maximum forces of the stances, N.
 pub(super) fn out_of_range(
     ranges: &Ranges,
     period_s: f64,

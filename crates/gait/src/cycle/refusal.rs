@@ -9,10 +9,10 @@ use crate::stance::{RejectReason, Stances};
 use crate::statistics::mean;
 use crate::units::Quantity;
 
-/// Range of maximum readings that suggest newtons per kilogram, although the header states newtons.
+/// Range of maximum readings that suggest the unit newtons per kilogram, although the header states newtons.
 const PER_KILOGRAM: std::ops::Range<f64> = 5.0..40.0;
 
-/// Reason, from the rejected contacts and the header.
+/// Reason why the recording contains no cycle, from its rejected contacts and its header.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {
@@ -85,7 +85,7 @@ fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError>
     }
 }
 
-/// The most frequent reason for rejected contacts.
+/// The most frequent reason why contacts were rejected.
 fn usual_reason(stances: &Stances) -> RejectReason {
     let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
     reasons.sort_unstable();

@@ -1,4 +1,4 @@
-//! A stride built from single stances: both feet half a stride apart, or one foot with its swing phase.
+//! A stride built from single stances: the stances of both feet half a stride apart, or the stance of one foot with its swing phase.
 
 use super::Average;
 use super::average::{MARGIN, at, mean_stance, whole_span};
@@ -10,7 +10,7 @@ use crate::recording::{CycleSource, Foot, Recording};
 use crate::stance::{Stance, Stances, same_foot};
 use crate::walk::Walk;
 
-/// A stride of both feet built from single stances half a stride apart.
+/// A stride of both feet, built from single stances half a stride apart.
 pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Ranges) -> Average {
     let all: Vec<&Stance> = stances.used.iter().collect();
     let (left, right) = by_side(&all, recording);
@@ -49,8 +49,8 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     }
 }
 
-/// Strides of one recorded foot; each stance is repeated by the other foot half a stride later. `None` for several channels or tables of stances,
-/// whose rows are not consecutive.
+/// Strides of one recorded foot, if the other foot repeats each stance half a stride later. `None` for several channels, or for a table of
+/// stances, whose rows are not consecutive.
 fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Option<Walk> {
     if recording.has_rows() || recording.live().count() != 1 {
         return None;
@@ -86,14 +86,16 @@ fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Op
     })
 }
 
-/// Stances without outliers; all stances if every one is an outlier.
+/// Stances that are not outliers; all stances if every stance is an outlier.
 fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
     if alike.is_empty() { stances } else { alike }
 }
 
-/// Stances of the left and of the right foot; of two unnamed feet if no side is known. Without sides, consecutive stances are assigned to alternating
-/// feet. The rows of a table of stances are not consecutive.
+/// Stances of the left and of the right foot. If no side is known, the stances are assigned to two unnamed feet by their times.
+///
+/// Both lists are empty if the times are not conclusive. They are also empty for a table of stances without sides, whose rows are not
+/// consecutive.
 pub(super) fn by_side<'a>(
     stances: &[&'a Stance],
     recording: &Recording,
@@ -126,7 +128,7 @@ pub(super) fn by_side<'a>(
     sides
 }
 
-/// Stances of one foot, or of both, without outliers.
+/// Stances of one foot, or of both feet, without outliers.
 ///
 /// # Errors
 ///
@@ -147,7 +149,7 @@ pub(super) fn stances_of(stances: &Stances, foot: Option<Foot>) -> Result<Vec<&S
     }
 }
 
-/// Force of one foot over a stride; zero in the swing phase.
+/// Mean force of one foot over a stride; zero in the swing phase.
 pub(super) fn one_foot(
     recording: &Recording,
     stances: &Stances,

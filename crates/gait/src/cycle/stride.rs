@@ -9,13 +9,14 @@ use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::{mean, median};
 use crate::walk::Walk;
 
-/// Time from a heel strike to the next one of the same foot, with all contacts that have a force in this time.
+/// Stride from a heel strike to the next one of the same foot, with all contacts that overlap it.
 #[derive(Debug, Clone)]
 pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Time from the previous heel strike to `start_s`, s. The total force is known in this time, which is the maximum width of the blend at the ends.
+    /// Time from the previous heel strike to `start_s`, s. It limits the blend at the ends of the stride, because the total force is known
+    /// during this time.
     before_s: f64,
     /// Contacts that overlap the stride.
     contacts: Vec<Footfall>,
@@ -26,8 +27,9 @@ pub(super) const ODD_STRIDE: f64 = 0.25;
 
 /// Strides for which every footfall is recorded.
 ///
-/// In four consecutive footfalls, each overlaps the next one. The stride is the time from the second to the fourth heel strike. The first footfall
-/// contributes to its first double support and may be incomplete before it. The fourth footfall starts the next stride.
+/// A stride needs four consecutive footfalls, each of which overlaps the next one. The stride lasts from the second to the fourth heel
+/// strike. The first footfall contributes to the first double support of the stride; its earlier part may be missing. The fourth footfall
+/// starts the next stride.
 pub(super) fn whole_strides(recording: &Recording, stances: &Stances) -> Vec<Stride> {
     use RejectReason::{CrossTalk, CutAtEnd, CutAtStart, TooShort};
     let mut falls = footfalls(recording, stances);
@@ -78,7 +80,7 @@ pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
     }
 }
 
-/// Strides of usual duration that begin with the same foot, and this foot.
+/// Strides of usual duration that begin with the same foot, and the foot with which they begin.
 fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     let (foot, reasons) = judged(strides);
     let all = strides.iter().zip(reasons);
@@ -86,9 +88,9 @@ fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
     (kept.map(|(stride, _)| stride).collect(), foot)
 }
 
-/// The foot that begins the averaged strides, and the reason for the exclusion of each other stride.
+/// The foot with which the averaged strides begin, and the reason for the exclusion of each other stride.
 ///
-/// Strides from left to left and from right to right share samples, so only one kind is averaged.
+/// Strides from left to left and from right to right share samples, so only strides of one foot are averaged.
 fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
     let usual = median(durations).unwrap_or(0.0);
@@ -117,7 +119,7 @@ fn judged(strides: &[Stride]) -> (Option<Foot>, Vec<Option<StrideReject>>) {
     (best, reasons.collect())
 }
 
-/// All whole strides with times as in the file. `averaged` states whether the mean cycle consists of them.
+/// All whole strides, with times as in the file. `averaged` is true if the mean cycle is built from whole strides.
 pub(super) fn recorded_strides(
     recording: &Recording,
     stances: &Stances,
@@ -147,10 +149,10 @@ pub(super) fn recorded_strides(
     .collect()
 }
 
-/// Force of a channel with the span of a contact, s.
+/// Force of a channel, N, with the start and the end of a contact, s.
 type Span<'a> = (&'a [f64], f64, f64);
 
-/// The contacts of a stride.
+/// All contacts that overlap a stride.
 fn loaded_spans<'a>(recording: &'a Recording, stride: &Stride) -> Vec<Span<'a>> {
     let span = |f: &Footfall| {
         let channel = &recording.channels[f.channel];

@@ -8,11 +8,12 @@ use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
-/// Relative standard uncertainty of a stride time from one stride or one doubled step: root mean square deviation from all strides of the same walks.
+/// Relative standard uncertainty of a stride time that results from one stride or from one doubled step. It was measured as the root mean
+/// square deviation from all strides of the same walks.
 const OF_ONE: f64 = 0.02;
 
 impl Period {
-    /// Standard uncertainty, s, of a duration from one stride or one step; `None` for other sources.
+    /// Standard uncertainty, s, of a duration that results from a single stride or step; `None` for other sources.
     pub fn uncertainty_s(&self) -> Option<f64> {
         use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
         let measured = matches!(
@@ -39,8 +40,14 @@ impl Period {
     }
 }
 
-/// Duration of a stride, and its source. The sources in order of preference: consecutive heel strikes of one foot, heel strikes marked in the file,
-/// heel markers. Then follow doubled steps, a known mass (impulse of both feet = M g T), and a typical duty factor.
+/// Duration of a stride, and its source. The first available source of this list is used:
+///
+/// - consecutive heel strikes of one foot;
+/// - heel strikes marked in the file;
+/// - heel markers;
+/// - doubled steps;
+/// - a known mass (impulse of both feet = M g T);
+/// - a typical duty factor.
 pub(super) fn stride_time(
     recording: &Recording,
     stances: &Stances,

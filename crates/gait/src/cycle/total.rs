@@ -1,4 +1,4 @@
-//! Walking on one plate with both feet, as on a treadmill with one belt. The total force is never zero.
+//! Strides of a person who walks on one plate with both feet, as on a treadmill with one belt. The total force is never zero.
 
 use super::Average;
 use super::average::{BLEND, Mean, at, periodic};
@@ -19,16 +19,17 @@ const FEWEST_STEPS: usize = 5;
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// Step duration, s, above which the relative variation of the total force of a walker is below the second value.
+/// Step duration, s, and relative variation of the total force. The steps of a recording that exceeds both values are not those of a
+/// walker.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
-/// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a periodic
-/// total force.
+/// Averages the strides of a channel that is loaded throughout, or from the moment at which the walker steps on the plate; `None` without a
+/// periodic total force.
 ///
-/// A step is the time between two rises of the force, smoothed over half a step, through its mean. A stride is two steps, so that a difference
-/// between the feet remains. The first foot is unknown.
+/// The force is smoothed over half a step. A step is the time between two moments at which the smoothed force rises through its mean. A
+/// stride is two steps, so that a difference between the feet remains visible. It is unknown which foot is the first.
 ///
-/// If `stated`, the user states that the column is the total of both feet; it may then fall to zero.
+/// If `stated`, the user states that the column is the total of both feet. This total may fall to zero.
 pub(super) fn total_stride(
     recording: &Recording,
     stances: &Stances,
@@ -76,7 +77,7 @@ fn first_to_last(
         .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// Channel of the total force, from its first contact to its last one.
+/// Force of the channel with the total force, from its first contact to its last contact.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let mut live = recording.live();
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;
@@ -85,7 +86,7 @@ fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [
     channel.force_n.get(sample(from)..sample(to))
 }
 
-/// Longest load that is longer than the contact of one foot.
+/// Force during the longest load that cannot be a contact of one foot.
 fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let long = |r: &&Rejected| {
         let lasting = matches!(
@@ -165,10 +166,11 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     })
 }
 
-/// Fraction of the steps of a recording with another speed above which there is a note.
+/// Fraction of the duration of a recording without regular steps above which a note is added.
 const OTHER_SPEED: f64 = 0.15;
 
-/// Note if regular steps do not fill the whole duration, s, except one step at either end. Steps at another speed are missed or irregular.
+/// Note if the regular steps do not fill the duration, s, except for one step at either end. The other steps were not detected, are
+/// irregular, or have another speed.
 fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     let regular = || steps.iter().filter(|s| (*s / usual - 1.0).abs() < ODD_STEP);
     // Two steps in one also have this speed: the rise between them was too small to be detected.
@@ -184,14 +186,15 @@ fn other_speeds(steps: &[f64], usual: f64, duration_s: f64) -> Option<Note> {
     })
 }
 
-/// Maximum duration of a total force that is searched for repetition, s, and sampling rate of the search, Hz.
+/// Maximum duration of a total force that is searched for repetition, s, and sampling rate for this search, Hz.
 const LOOKED_AT: (f64, f64) = (60.0, 100.0);
 /// Minimum autocorrelation of a total force at a lag of one step.
 const REPEATS: f64 = 0.3;
-/// Relative autocorrelation above which a shorter lag is the step. The best lag is then a multiple of the step.
+/// Fraction of the maximum autocorrelation above which a shorter lag counts as the step. The lag of the maximum is then a multiple of the
+/// step.
 const NEARLY: f64 = 0.8;
 
-/// Duration of a step, s: the lag of the maximum autocorrelation; `None` if the force is not periodic.
+/// Duration of a step, s, from the lag of the maximum autocorrelation; `None` if the force is not periodic.
 fn step_by_repetition(
     force: &[f64],
     mean: f64,

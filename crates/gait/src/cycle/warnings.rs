@@ -65,8 +65,8 @@ pub(super) fn warnings(
     notes
 }
 
-/// Note on the number of similar stances, if less than two thirds of the stances of a steady walk are similar. It is then uncertain whether the
-/// stances are whole.
+/// Note on the number of similar stances, if less than two thirds of the stances of a steady walk are similar. The stances that are used
+/// may then be partial contacts.
 fn few_alike(stances: &Stances) -> Option<Note> {
     let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
     let used = stances.used.len();
@@ -105,15 +105,16 @@ fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     notes
 }
 
-/// Permitted relative difference between the weights of stances, and between the mean impulses of the feet.
+/// Limit for two quantities of whole contacts: the step-to-step spread as a fraction of the weight, and the relative difference between the
+/// mean impulses of the feet.
 const DIFFERENCE: f64 = 0.2;
 
-/// Permitted relative deviation of impulse or peak among a few stances.
+/// Permitted relative deviation of the impulse or the peak force, if there are only a few stances.
 const OFF: f64 = 0.1;
-/// Number of stances that counts as few.
+/// Maximum number of stances that counts as few.
 const FEW: usize = 6;
 
-/// Maximum relative deviation of the impulse or the maximum force of a stance from the median.
+/// Maximum relative deviation of the impulse or the peak force of a stance from the median.
 fn off_fellows(used: &[&Stance]) -> f64 {
     let worst = |of: fn(&Stance) -> f64| {
         let all: Vec<f64> = used.iter().map(|s| of(s)).collect();
@@ -153,11 +154,11 @@ fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note
     })
 }
 
-/// Checks that the stride confirms an assumed time base.
+/// Checks that the stride is plausible for an assumed time base.
 ///
 /// # Errors
 ///
-/// The stride contradicts the assumption.
+/// The stride is not plausible.
 pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
     let guessed = recording.notes.iter().find_map(|n| match n {
         Note::TimeUnitGuessed { step, .. } => Some(*step),

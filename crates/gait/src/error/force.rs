@@ -34,9 +34,9 @@ pub enum ForceError {
     UnknownFeet { word: String },
     /// The kind of movement is unknown.
     UnknownKind { word: String },
-    /// The open question is unknown.
+    /// The word does not name a question that the user may accept: `kind`, `clock` or `mass`.
     UnknownDoubt { word: String },
-    /// No recording contains a cycle for a joint mean.
+    /// No recording contains a cycle that the joint mean can include.
     NoJointMean { trials: usize },
     /// The unit of force is unknown.
     UnknownUnit { word: String },
@@ -83,7 +83,7 @@ pub enum ForceError {
         found: usize,
         reason: &'static str,
     },
-    /// No channel has a load, but one has readings in the range of newtons per kilogram.
+    /// No channel has a load, but the readings of one channel are in the range of newtons per kilogram.
     ForceTooLow { duration: Quantity, peak: Quantity },
     /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },
@@ -97,9 +97,9 @@ pub enum ForceError {
     WalkerColumnMissing { column: &'static str },
     /// A value in a table of walkers is not a number.
     WalkerValue { column: String, value: String },
-    /// Every stance belongs to the other foot.
+    /// All stances belong to the other foot.
     NoStanceOfFoot { foot: &'static str },
-    /// The file does not name the feet.
+    /// A side was requested, but the foot of the stances is unknown.
     FeetNotNamed { foot: &'static str },
 }
 

@@ -31,7 +31,7 @@ pub enum ReadError {
     /// The given mass is not positive.
     MassNotPositive { mass: Quantity },
 
-    /// The file contains no table of numbers; `start` is its first text.
+    /// The file contains no table of numbers; `start` is the start of its text.
     NoTable { start: String },
     /// The header contains a force column, but there are no rows of numbers.
     HeaderWithoutRows { column: String },
@@ -41,7 +41,7 @@ pub enum ReadError {
     ManyForces { found: usize },
     /// The columns are readings of single sensors, such as the pressures of an insole.
     SingleSensors { sensors: usize },
-    /// The file is a long table of cycles over their phase, one for each subject, task and step, without times.
+    /// The file is a long table without times. It contains one cycle over the phase for each subject, task and step.
     LongTable { cycles: usize },
     /// The file is a long table with cycles of several movements.
     LongTasks { tasks: Vec<String> },
@@ -60,7 +60,7 @@ pub enum ReadError {
         near: String,
         columns: Vec<String>,
     },
-    /// A column without a name was requested by something other than its number.
+    /// The columns have no names, and the requested column is not a number from 1 to `count`.
     NoColumnNumber { column: String, count: usize },
     /// The unit of a force column is not a unit of force.
     NoForceUnit { column: String, unit: String },
@@ -76,9 +76,9 @@ pub enum ReadError {
     FewSamples { samples: usize },
     /// The time does not increase.
     TimeStandsStill { at: Quantity },
-    /// Samples are missing for most of the time.
+    /// Samples are missing for most of the time, about three quarters or more.
     MostlyGaps { lost: Quantity, whole: Quantity },
-    /// The file has neither a time column nor a sampling rate.
+    /// The file has no time column, and no sampling rate is known.
     NoRate,
     /// The forces are converter counts without calibration or mass.
     CountsWithoutMass,
@@ -120,9 +120,9 @@ pub enum ReadError {
         announced: usize,
         found: usize,
     },
-    /// The only time column of a cycle is its phase, and the duration of the cycle is not given.
+    /// The file of one cycle gives only the phase, and the duration of the cycle is not given.
     PhaseWithoutPeriod { column: String },
-    /// The phase of a cycle is the phase of a stance, and the part of the turn that it covers is not given.
+    /// The file gives the phase of a stance, but the part of the turn that the stance covers is not given.
     PhaseOfStance { column: String },
     /// A C3D file is given as a file of one cycle.
     CycleInC3d,
@@ -143,7 +143,7 @@ pub enum ReadError {
     NoChannel { channel: String, channels: String },
     /// The file has neither a force plate nor an analog force channel.
     NoPlate { channels: String },
-    /// The files are not the plates of one trial, one file per plate.
+    /// Several files were given, but they are not the plates of one trial with one plate per file.
     NotPlatesOfOneTrial,
     /// A force plate needs a calibration matrix but has none, and its channels are not in a unit of force.
     PlateUncalibrated { plate: usize, channels: String },
@@ -187,7 +187,7 @@ pub enum FileKind {
     Binary,
 }
 
-/// Required column of a cycle.
+/// Column that a file of one cycle requires: time or force.
 ///
 /// ```
 /// use gaitcam_gait::error::{CycleColumn, ReadError};

@@ -1,8 +1,8 @@
-//! Published load models: formula, source and reliability of each.
+//! Published load models, each with its formula, source and reliability.
 
 use strum::IntoStaticStr;
 
-/// Reliability of the coefficients of a load model.
+/// Reliability of the coefficients of a load model, by the way in which they were obtained.
 ///
 /// ```
 /// use gaitcam_gait::{Status, catalogue};
@@ -14,11 +14,11 @@ use strum::IntoStaticStr;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Status {
-    /// The coefficients were read in the original text or source line.
+    /// The coefficients were read in the publication or in the source code of the model.
     Seen,
-    /// The coefficients are quoted from memory; verify them before quoting.
+    /// The coefficients are quoted from memory and should be verified before they are cited.
     Recalled,
-    /// Some coefficients were read, others are quoted from memory; `ModelInfo::source` has the details.
+    /// Some coefficients were read, others are quoted from memory; `ModelInfo::source` describes which.
     Mixed,
 }
 
@@ -44,9 +44,9 @@ pub struct ModelInfo {
     pub name: &'static str,
     /// Formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
     pub formula: &'static str,
-    /// Publication of the model.
+    /// Publication that describes the model.
     pub source: &'static str,
-    /// Whether the publication was read.
+    /// Reliability of the coefficients.
     pub status: Status,
     /// Minimum and maximum step frequency for which gaitcam uses the model, Hz.
     pub frequency_hz: (f64, f64),
@@ -145,7 +145,7 @@ pub(super) const CATALOGUE: &[ModelInfo] = &[
     },
 ];
 
-/// All load models, with formula, source and reliability.
+/// All load models, each with formula, source and reliability.
 pub fn catalogue() -> &'static [ModelInfo] {
     CATALOGUE
 }

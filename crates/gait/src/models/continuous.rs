@@ -1,8 +1,8 @@
-//! Published models of the force of both feet together: Fourier series in the step frequency.
+//! Published models of the force of both feet together, as Fourier series whose coefficients depend on the step frequency.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Amplitude and phase, rad, of each harmonic of a model; phases are added.
+/// Amplitude, as a fraction of the weight, and phase, rad, of each harmonic of a model. The phase is added to the argument of the sine.
 pub(super) type Harmonics = Vec<(f64, f64)>;
 
 /// Amplitudes and phases of the continuous models at the step frequency `f`, Hz.
@@ -44,7 +44,8 @@ pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
     }
 }
 
-/// Phases 0, −π/2, π, π/2 of SCI P354. All four harmonics are cosines of the time since a quarter step, so their maxima coincide there.
+/// Phases 0, −π/2, π, π/2 of SCI P354. With these phases, all four harmonics are cosines of the time after a quarter of the step, so their
+/// maxima coincide at this time.
 fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
     let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
     amplitudes.into_iter().zip(phases).collect()

@@ -1,4 +1,4 @@
-//! A force given as a finite Fourier series; it is exact without samples.
+//! A force given as a finite Fourier series. It is evaluated exactly, without interpolation between samples.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use crate::error::{ForceError, Result};
 use crate::quantity::seconds;
 use crate::recording::Feet;
 
-/// F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), the force of both feet together.
+/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)).
 ///
 /// ```
 /// use gaitcam_gait::{Feet, of_harmonics};
@@ -23,7 +23,7 @@ use crate::recording::Feet;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FourierForce {
     name: String,
-    /// (aᵢ, pᵢ): load factor and phase, rad, of each harmonic.
+    /// Load factor and phase, rad, of each harmonic: (aᵢ, pᵢ).
     harmonics: Vec<(f64, f64)>,
     step_frequency_hz: f64,
     body_weight_n: f64,
@@ -31,7 +31,7 @@ pub struct FourierForce {
 }
 
 impl FourierForce {
-    /// Force from Fourier coefficients at a step frequency.
+    /// Creates the force from its Fourier coefficients at a step frequency, Hz.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ impl FourierForce {
         period(self.step_frequency_hz, self.feet)
     }
 
-    /// (Cosine, sine) amplitudes of the harmonics 1, 2, … of the cycle, N.
+    /// Amplitudes, N, of the cosine and the sine of the harmonics 1, 2, … of the cycle.
     pub fn waves(&self) -> Vec<(f64, f64)> {
         let wave = |&(a, p): &(f64, f64)| {
             let (sin, cos) = libm::sincos(p);
@@ -77,7 +77,7 @@ impl FourierForce {
         self.harmonics.iter().map(wave).collect()
     }
 
-    /// The cycle as samples.
+    /// The cycle as a curve of equally spaced samples.
     pub fn curve(&self) -> ForceCurve {
         let at = |x: f64| {
             let waves = self.harmonics.iter().zip(1..);

@@ -1,8 +1,11 @@
 //! Published models of the vertical walking force.
 //!
-//! There are two families. The *continuous* models describe the force of both feet together as a Fourier series in the step frequency f,
-//! `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. One cycle is one step, 1/f. The *single-foot* models describe one stance. One cycle is one stride, 2/f,
-//! with zero force in the swing phase. The force of both feet is the sum of two stances half a stride apart, which is periodic with a step.
+//! There are two families of models:
+//!
+//! - The *continuous* models describe the force of both feet together: `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. This is a Fourier series
+//!   in the step frequency f. One cycle is one step, with the duration 1/f.
+//! - The *single-foot* models describe one stance. One cycle is one stride, with the duration 2/f and zero force in the swing phase. The
+//!   force of both feet is the sum of two stances half a stride apart; its period is one step.
 
 mod catalogue;
 mod continuous;
@@ -21,10 +24,10 @@ use crate::recording::Feet;
 pub use catalogue::{ModelInfo, Status, catalogue};
 pub use fourier::FourierForce;
 
-/// One cycle of a load model by name.
+/// One cycle of the load model with a given name.
 ///
-/// `step_frequency_hz` may be omitted only for `iso-22675`. `body_weight_n` is G (for `iso-22675` the load F1cmax). Continuous models exist only for
-/// both feet. For a single-foot model, left, right and one give the same curve.
+/// `step_frequency_hz` may be omitted only for `iso-22675`. `body_weight_n` is the weight G, N (for `iso-22675` the load F1cmax).
+/// Continuous models exist only for both feet. For a single-foot model, the curve is the same for the left, the right and one foot.
 ///
 /// # Errors
 ///
@@ -71,8 +74,9 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)). Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ)
-/// of factor and phase, rad.
+/// One cycle of a force of both feet, given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)).
+///
+/// Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ) of load factor and phase, rad.
 ///
 /// # Errors
 ///
@@ -100,19 +104,19 @@ fn check_weight(body_weight_n: f64) -> Result<()> {
     Err(ForceError::WeightNotPositive { weight }.into())
 }
 
-/// Relative tolerance of a computed frequency at the limits of the range of a model.
+/// Relative tolerance for frequencies at the ends of the range of a model, because of rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Name of a force that is given by load factors in the scene, not by a published model.
+/// Name of a force whose load factors are given in the scene instead of being taken from a published model.
 const OWN: &str = "gait.harmonics";
 
-/// Duration of a cycle, s; for one foot a stride of two steps.
+/// Duration of a cycle, s: one step for both feet, a stride of two steps for one foot.
 fn period(f: f64, feet: Feet) -> f64 {
     let steps = 1.0 / feet.share();
     steps / f
 }
 
-/// Title of a cycle with the key of the model; it does not depend on the language.
+/// Title of a cycle, which contains the key of the model and does not depend on the language.
 fn title(name: &str, f: f64, body_weight_n: f64, feet: Feet) -> String {
     let feet = feet.name();
     format!("{name} {f} Hz, {body_weight_n} N, feet = \"{feet}\"")

@@ -9,13 +9,14 @@ use crate::units::G;
 
 /// Permitted range of the mean force of both feet, as fractions of the weight.
 const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
-/// Ratio of two weights below which both are plausible; units of force differ by more.
+/// Ratio of two weights below which both weights are plausible. Two units of force differ by a larger factor.
 const UNIT: f64 = 6.0;
 /// Permitted range of the mean force of one foot, as fractions of the weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
 /// Fraction of the mean force below which a foot is off the ground.
 const LIFTED: f64 = 0.02;
-/// Ratio of step periods to their median below which they are plausible; a stride has two steps.
+/// Ratio of two periods above which the shorter one is the period of a step and the longer one is the period of a stride. A stride consists
+/// of two steps.
 const STEPS: f64 = 1.45;
 
 /// Reason why a cycle cannot belong to a population.
@@ -35,16 +36,16 @@ const STEPS: f64 = 1.45;
 pub enum WalkerFault {
     /// The mean force is not positive.
     NoMeanForce,
-    /// The mean force differs from the weight of the mass.
+    /// The mean force differs from the weight that follows from the mass.
     MeanNotWeight {
         /// Mean force, in percent of the weight.
         percent: f64,
     },
     /// The unit of force differs from that of most cycles.
     OtherUnit,
-    /// The cycle is of one foot while most are of both feet, or the reverse.
+    /// The cycle is of one foot, but most cycles are of both feet, or vice versa.
     OtherFeet,
-    /// The cycle is a step while most are strides, or the reverse.
+    /// The cycle is a step, but most cycles are strides, or vice versa.
     OtherCycle,
     /// The movement differs from that of most cycles.
     OtherKind,
@@ -56,19 +57,19 @@ pub fn faults(all: &[Walker]) -> Vec<Option<WalkerFault>> {
     all.iter().map(|walker| crowd.fault(walker)).collect()
 }
 
-/// Properties of most walkers of a population.
+/// Properties of the majority of the walkers in a population.
 struct Crowd {
-    /// Median of the mean forces, N.
+    /// Median of the mean forces of all cycles, N.
     force: f64,
-    /// Median period of most cycles, s.
+    /// Median period, s, of the cycles that have the most frequent number of steps (see `halves`).
     period: f64,
-    /// Whether most walkers of known mass have the total force of both feet.
+    /// Whether most cycles with a known mass are of both feet.
     both_feet: bool,
-    /// Whether most cycles are of one foot, determined by the mean force or, without a mass, by a force that reaches zero.
+    /// Whether most cycles are of one foot. Without a mass, a cycle counts as one foot if its force reaches zero.
     one_foot: bool,
-    /// Whether most cycles consist of two similar halves.
+    /// Whether most cycles consist of two similar halves, as a stride of two steps does.
     halves: bool,
-    /// Number of walkers of each kind of movement, if known.
+    /// Number of walkers for each kind of movement; walkers without a known kind are not counted.
     kinds: HashMap<&'static str, usize>,
 }
 
@@ -136,7 +137,7 @@ fn is_written(walker: &Walker) -> bool {
     walker.curve.mass_kg.is_none() && kind(walker).is_none()
 }
 
-/// Whether the force reaches zero, as for one foot.
+/// Whether the force falls almost to zero, as it does for one foot.
 fn lifts(walker: &Walker) -> bool {
     let least = walker
         .curve
@@ -153,7 +154,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     all.get(all.len() / 2).copied().unwrap_or_default()
 }
 
-/// Whether the two halves of a cycle are similar, as the two steps of a stride, rather than opposite.
+/// Whether the two halves of a cycle are similar, like the two steps of a stride, rather than of opposite sign about the mean.
 fn is_of_halves(walker: &Walker) -> bool {
     let (force, mean) = (&walker.curve.force_n, walker.curve.mean_n());
     let half = force.len() / 2;

@@ -1,4 +1,4 @@
-//! Several walkers as one target: cycles with weights, and their mean.
+//! Several walkers for whom one cam is designed: cycles with weights, and the mean of these cycles.
 
 mod fault;
 mod table;
@@ -12,7 +12,7 @@ pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};
 
-/// Cycle of one walker.
+/// Mean cycle of one walker, with a weight.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -23,11 +23,11 @@ use crate::error::{ForceError, Result};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walker {
-    /// Name of the walker; cycles with the same name belong to one walker.
+    /// Name of the walker; all cycles with this name belong to the walker.
     pub name: String,
-    /// Mean cycle of the walker's force.
+    /// Mean cycle of the force of the walker.
     pub curve: ForceCurve,
-    /// Weight of the walker in a mean, in any unit.
+    /// Weight of the walker in a mean; only the ratio to the weights of other walkers matters.
     pub weight: f64,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
@@ -63,7 +63,7 @@ impl Walker {
 pub struct Population {
     /// All cycles of all walkers.
     pub walkers: Vec<Walker>,
-    /// Weight of each cycle in a mean; the sum is 1. The cycles of a walker share the weight of the walker.
+    /// Weight of each cycle in a mean; the sum of all weights is 1. The cycles of a walker share the weight of the walker.
     pub shares: Vec<f64>,
 }
 
@@ -93,8 +93,9 @@ impl Population {
 }
 
 impl ForceCurve {
-    /// Mean cycle of several walkers. Forces are averaged as fractions of the weight and scaled to the mean weight and mean cadence. The result
-    /// contains the walkers. For a single walker the result is the cycle itself.
+    /// Mean cycle of several walkers. Forces are averaged as fractions of the weight, then scaled to the mean weight and the mean cadence.
+    ///
+    /// The resulting curve contains the walkers. For a single walker, the result is the cycle of this walker.
     ///
     /// # Errors
     ///

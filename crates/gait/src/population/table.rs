@@ -1,7 +1,7 @@
-//! Table of a population: one cycle per row.
+//! Table of a population, with one cycle per row.
 //!
-//! `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`: force at equal steps of the cycle, N; the last value repeats the first one.
-//! `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
+//! The columns are `walker,speed_m_per_s,mass_kg,period_s,f_000,…,f_100`. The `f` columns contain the force, N, at equal steps of the
+//! cycle; the last value repeats the first one. `speed_m_per_s`, `mass_kg` and `weight` may be missing or empty.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -15,19 +15,19 @@ use gaitcam_base::text::{cell_text, cells, quoted, text_cell};
 /// Minimum number of steps per cycle in a written table.
 const STEPS: usize = 100;
 
-/// Indices of the columns.
+/// Indices of the columns of a table of walkers.
 struct Columns {
     walker: usize,
     period: usize,
     speed: Option<usize>,
     mass: Option<usize>,
     weight: Option<usize>,
-    /// Indices of the force columns, in order.
+    /// Indices of the force columns, in the order of the phase.
     force: Vec<usize>,
     names: Vec<String>,
 }
 
-/// Whether a file is a table of walkers, determined by the names of its columns.
+/// Whether a file is a table of walkers, according to the names of its columns.
 pub fn is_table(bytes: &[u8]) -> bool {
     let head = bytes.split(|b| *b == b'\n').find(|l| !l.starts_with(b"#"));
     let head = String::from_utf8_lossy(head.unwrap_or_default()).to_lowercase();
@@ -60,7 +60,7 @@ pub struct WalkerRow {
     pub walker: Result<Walker>,
 }
 
-/// Reads a table of walkers in which every row has a cycle.
+/// Reads a table of walkers in which every row must contain a cycle.
 ///
 /// # Errors
 ///
@@ -166,7 +166,7 @@ fn walker(columns: &Columns, cells: &[&str], comma: bool) -> Result<Walker> {
     })
 }
 
-/// Table of walkers as CSV text. The number of steps is the maximum number of samples of a cycle.
+/// Table of walkers as CSV text. All rows have the same number of steps: the maximum number of samples of a cycle.
 pub fn write_table(walkers: &[Walker]) -> String {
     let samples = walkers.iter().map(|w| w.curve.force_n.len());
     let steps = samples.fold(STEPS, usize::max);

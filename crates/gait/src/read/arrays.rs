@@ -5,8 +5,9 @@ use crate::curve::ForceCurve;
 use crate::error::{ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 
-/// One cycle from times, s, and forces, N. The first sample may be repeated at the end. Without a `period`, s, the cycle ends one step after its last
-/// sample.
+/// One cycle from times, s, and forces, N.
+///
+/// The first sample may be repeated at the end. Without a `period`, s, the cycle ends one step after its last sample.
 ///
 /// # Errors
 ///

@@ -1,5 +1,7 @@
-//! Meaning of the columns of a table, from their names. Names are split into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
-//! `left total force[N]` all contain force, component and plate or foot in some order.
+//! Meaning of the columns of a table, from their names.
+//!
+//! Names are split into words. Examples of names are `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]` and `left total force[N]`.
+//! All of them contain words for the force, its component, and the plate or foot, in different orders.
 
 use super::vocabulary::{
     CYCLE, FRAME, LEFT, OTHER, PERCENT, PHASE, RIGHT, SIDE, STANCE, STRONG_FORCE, TIME, VERTICAL,
@@ -7,7 +9,7 @@ use super::vocabulary::{
 };
 use crate::recording::{Axis, Foot};
 
-/// Meaning of a column.
+/// Meaning of a column of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Role {
     Time,
@@ -15,7 +17,7 @@ pub(super) enum Role {
     Phase {
         of_stance: bool,
     },
-    /// Running number of the sample or frame.
+    /// Counter of the samples or frames.
     Frame,
     Force {
         axis: Axis,
@@ -62,7 +64,7 @@ pub(super) fn bracketed(name: &str) -> impl Iterator<Item = &str> {
     opened.filter_map(|rest| Some(rest[..rest.find([']', ')'])?].trim()))
 }
 
-/// Interprets the name of a column.
+/// Meaning of a column, from its name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
     let has = |list: &str| words.iter().any(|w| is(w, list));
@@ -95,12 +97,12 @@ pub(super) fn role(name: &str) -> Role {
     Role::Other
 }
 
-/// Whether the words exclude a vertical force.
+/// Whether the words show that the column is not a vertical force.
 pub(super) fn is_other(words: &[String]) -> bool {
     words.iter().any(|w| is(w, OTHER))
 }
 
-/// Whether a word specifies the foot, plate or direction of a force column.
+/// Whether a word only specifies the foot, plate or direction of a force column.
 pub(super) fn is_of_channel(word: &str) -> bool {
     let lists = [
         LEFT,
@@ -116,14 +118,14 @@ pub(super) fn is_of_channel(word: &str) -> bool {
     number || axis_letter(word).is_some() || lists.iter().any(|list| is(word, list))
 }
 
-/// Whether a name states that the force is vertical, total or normal.
+/// Whether the name of a column denotes a vertical, total or normal force.
 pub(super) fn says_vertical(name: &str) -> bool {
     let lists = [VERTICAL, VERTICAL_FORCE, WHOLE];
     let says = |w: &String| lists.iter().any(|list| is(w, list));
     words(name).iter().any(says)
 }
 
-/// Side that a name states.
+/// Foot (left or right) that the words of a name denote; `None` if the words denote neither foot or both.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     match (has(LEFT), has(RIGHT)) {
@@ -142,7 +144,7 @@ fn axis_letter(word: &str) -> Option<Axis> {
     }
 }
 
-/// Component of the force, if the words denote a force.
+/// Component of the force, if the words denote a force; `None` otherwise.
 fn force_axis(words: &[String]) -> Option<Axis> {
     let has = |list: &str| words.iter().any(|w| is(w, list));
     let is_force = |w: &String| is(w, STRONG_FORCE) || is(w, WEAK_FORCE);

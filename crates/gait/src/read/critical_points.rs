@@ -1,4 +1,4 @@
-//! A cycle from its critical points, with a horizontal tangent at each point and without overshoot between them.
+//! A cycle from its critical points. The curve has a horizontal tangent at each point and does not overshoot between the points.
 
 use crate::curve::{ForceCurve, SAMPLES};
 use crate::error::{ReadError, Result};
@@ -24,9 +24,9 @@ pub(super) fn critical(
     through(name, points, period)
 }
 
-/// Piecewise cubic through points of one period, sampled at equal phases.
+/// Piecewise cubic through the points of one period, sampled at equal phases.
 ///
-/// The slopes follow Fritsch and Butland (monotone between points, zero at extrema) and are periodic.
+/// The slopes are periodic and follow Fritsch and Butland: the curve is monotone between points, and the slope is zero at extrema.
 pub(super) fn through(name: &str, mut points: Vec<(f64, f64)>, period: f64) -> Result<ForceCurve> {
     let (last, first) = (points[points.len() - 1], points[0]);
     if last.0 > period * (1.0 + 1e-9) {

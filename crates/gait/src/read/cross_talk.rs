@@ -1,26 +1,26 @@
 //! Cross-talk: a small share of the force on one plate that also appears in the readings of another plate.
 //!
-//! While a plate is unloaded, its readings follow the force on the other plate: level + share · force. Least squares determine both; the share is
-//! subtracted.
+//! While a plate is unloaded, its readings depend on the force on the other plate: reading = level + share · force. The level and the share
+//! are determined by least squares, and the share of the force is subtracted.
 
 use crate::quantity::share;
 use crate::recording::{Channel, Note};
 use crate::statistics::{ends, mean_and_deviation};
 
-/// Fraction of the maximum force below which a plate is unloaded, and time about a contact that is omitted, s.
+/// Fraction of the maximum force below which a plate is unloaded, and time, s, that is omitted before and after each contact.
 const UNLOADED: (f64, f64) = (0.15, 0.06);
 /// Range of shares that count as cross-talk.
 const SHARES: std::ops::RangeInclusive<f64> = 0.012..=0.15;
-/// Minimum fraction of the variation that the share explains.
+/// Minimum fraction of the variance of the readings that the cross-talk explains.
 const EXPLAINED: f64 = 0.3;
 const SHORTEST_S: f64 = 0.5;
-/// Minimum variation of the disturbing force, as a fraction of its maximum: the variation in single support.
+/// Minimum variation of the disturbing force, as a fraction of its maximum. It corresponds to the variation in single support.
 const VARIES: f64 = 0.03;
-/// Maximum number of plates whose pairs are examined.
+/// Maximum number of plates for which all pairs are examined.
 const MOST_PLATES: usize = 12;
 const MOST_READINGS: usize = 1 << 15;
 
-/// Share of the force on a disturbing plate in the readings of another plate, and the remaining unloaded level.
+/// Share of the force on a disturbing plate in the readings of another plate, and the unloaded level of the other plate.
 struct Share {
     of: usize,
     share: f64,
@@ -28,7 +28,7 @@ struct Share {
     readings: usize,
 }
 
-/// Subtracts cross-talk from channels. A note states each share.
+/// Subtracts cross-talk from the channels, and adds a note with each share.
 pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Note>) {
     let live: Vec<usize> = (0..channels.len())
         .filter(|&i| channels[i].idle.is_none())
@@ -91,7 +91,7 @@ pub(super) fn remove(channels: &mut [Channel], rate_hz: f64, notes: &mut Vec<Not
     }
 }
 
-/// Samples at which a plate is unloaded.
+/// Samples at which a plate is certainly unloaded.
 fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     let force = &channel.force_n;
     let top = ends(force).map_or(0.0, |(_, top)| top);
@@ -106,7 +106,8 @@ fn unloaded(channel: &Channel, rate_hz: f64) -> Vec<bool> {
     quiet
 }
 
-/// Share of plate `j` in the readings of plate `i`, if the readings follow the force on `j` while the other plates are unloaded.
+/// Share of the force on plate `j` in the readings of plate `i`. It is determined from the samples at which all plates except `j` are
+/// unloaded. `None` if the readings do not follow the force on `j`.
 fn found(
     channels: &[Channel],
     unloaded: &[Vec<bool>],

@@ -1,7 +1,7 @@
-//! Texts that contain exactly one cycle: equally or unequally spaced samples, or the critical points of a curve.
+//! Texts that contain exactly one cycle: samples at equal or unequal distances, or the critical points of a curve.
 //!
-//! A comment line marks such a text, `# cycle` or `# critical points`, and a comment gives the period, `period_s = 0.5`. The table below has a time
-//! column and a force column, and optionally a column of the spread.
+//! A comment line marks such a text, `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
+//! table below the comments has a time column and a force column, and optionally a column with the spread of the force.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -17,10 +17,10 @@ use crate::error::{Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::{Note, ReadOptions};
 
-/// Number of lines at the start of a text in which the mark is searched.
+/// Number of lines at the start of a text that are searched for the mark.
 const HEAD: usize = 40;
 
-/// Kind of content of a text, from its mark.
+/// Kind of content of a text, according to its mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Cycle,
@@ -188,8 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration according to the times in a file, if it differs from the given period by more than a sample. With a span, the fraction of the period that
-/// the span covers is compared.
+/// Duration of the samples according to the times in a file, s, if it differs by more than a sample from the given period. If a span is
+/// given, it is compared with the part of the period that the span covers.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;
@@ -201,7 +201,7 @@ fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     (!fits && length > 0.0).then_some(length)
 }
 
-/// Scales the times of a file that is one cycle: its rows fill the period, or the fraction that the span covers.
+/// Scales the times of a file of one cycle. The rows then fill the period, or the part of the period that the span covers.
 fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
         return times;
@@ -219,7 +219,7 @@ fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
     times.iter().map(|t| (t - first) * factor).collect()
 }
 
-/// A force over a fraction of the turn, with zero force in the rest.
+/// A force over a fraction of the turn; the force is zero in the rest of the turn.
 fn spanned(
     name: &str,
     times: &[f64],

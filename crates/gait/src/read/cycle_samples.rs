@@ -1,4 +1,4 @@
-//! Samples of a file of one cycle: its force, its spread, and its times or phases.
+//! Samples of a file of one cycle: force, spread, and times or phases.
 
 use std::f64::consts::TAU;
 
@@ -8,11 +8,11 @@ use super::vertical::keep_vertical;
 use crate::error::{CycleColumn, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, ReadOptions};
 
-/// Value above which a phase is in percent of the cycle.
+/// Value above which phases are in percent of the cycle instead of fractions.
 pub(super) const LARGEST_PART: f64 = 1.5;
 
-/// Samples of a cycle in the units of the file, with the seconds per unit of their times. The first column is the force, a second one its spread.
-/// Every row must be complete.
+/// Samples of a cycle in the units of the file, with the seconds per unit of the times. The first column is the force; a second column is
+/// the spread of the force. Every row must be complete.
 pub(super) fn samples(file: &TextFile, table: &Table) -> Result<(Samples, Option<f64>)> {
     let options = file.options;
     let names = &table.names;
@@ -60,7 +60,7 @@ fn is_spread(name: &str) -> bool {
     words(name).first().is_some_and(word)
 }
 
-/// Samples with the seconds per unit of their times.
+/// Samples of the file, with the seconds per unit of the times.
 ///
 /// # Errors
 ///
@@ -94,7 +94,7 @@ pub(super) fn one_force(
     Ok((samples, unit))
 }
 
-/// Times from phases in percent or in fractions of a cycle.
+/// Times, s, from phases in percent or in fractions of a cycle.
 pub(super) fn of_phase(
     column: String,
     phases: Vec<f64>,

@@ -4,33 +4,33 @@ use super::number::value;
 use crate::recording::OpenQuestion;
 use crate::units::G;
 
-/// Values found above a table.
+/// Values from the lines above a table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Keys {
     pub rate_hz: Option<f64>,
     pub mass_kg: Option<f64>,
-    /// Root mean square of the noise, N.
+    /// Root mean square of the noise of the force, N.
     pub noise_n: Option<f64>,
     /// Number of rows announced in the header.
     pub rows: Option<usize>,
     /// Number of steps of a walker in the cycle.
     pub steps: Option<usize>,
-    /// Open questions about the recording whose mean cycle the table contains.
+    /// Open questions about the recording from which the mean cycle in the table was computed.
     pub open: Vec<OpenQuestion>,
 }
 
-/// Words that denote a sampling rate, lower case.
+/// Words (lower case) that denote a sampling rate.
 const RATE: &str = "rate freq abtast hz frecuencia fréquence sampling";
-/// Whole keys of a sampling rate, lower case.
+/// Complete keys (lower case) that denote a sampling rate.
 const RATES: [&str; 3] = ["fs", "sf", "fsample"];
-/// Words (lower case) that mark a rate as something other than the sampling rate.
+/// Words (lower case) that show that a rate is not the sampling rate.
 const NOT_SAMPLING: &str = "heart factor cutoff cut-off cut_off filter pass";
 /// Words that denote a mass or weight.
 const MASS: &str = "mass gewicht weight masse peso poids masa";
 
 /// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
 ///
-/// A line that contains only a number below a line `Devices` is the rate of a Nexus export.
+/// In a Nexus export, the rate is a line that contains only a number, below a line `Devices`.
 pub(super) fn read(head: &[String], comma: bool) -> Keys {
     let mut keys = Keys::default();
     for (i, line) in head.iter().enumerate() {
@@ -75,7 +75,7 @@ fn trimmed(line: &str) -> &str {
     line.trim_matches(|c: char| c.is_whitespace() || ",;\"".contains(c))
 }
 
-/// Key and value of a line, separated by `=`, `:`, a separator, or the last space.
+/// Key and value of a line, separated by `=`, `:`, a field separator, or the last space.
 fn split(line: &str) -> Option<(&str, &str)> {
     for mark in ["=", ":", "\t", ";", ","] {
         if let Some((key, value)) = line.split_once(mark) {

@@ -1,7 +1,7 @@
 //! Readers that convert the bytes of a file to a [`Recording`].
 //!
-//! The kind of file is recognised by its bytes, not by its name. Counts in a file are not trusted: memory is reserved only for data that the file can
-//! contain.
+//! The kind of file is recognised by its bytes, not by its name. Counts in a file may be wrong, so memory is reserved only for data that
+//! the file can contain.
 
 mod arrays;
 mod baseline;

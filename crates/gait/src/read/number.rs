@@ -1,11 +1,11 @@
-//! Numbers of recordings, parsed from bytes.
+//! Parsing of the numbers in a recording from bytes.
 
 /// Content of a field in a delimited text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
-    /// A finite number, as written.
+    /// A finite number, with the value that the text denotes.
     Number(f64),
-    /// An empty field, or a word for a missing value: `NaN`, `-`, `n/a`, `1.#QNAN`.
+    /// A missing value: an empty field, or a word such as `NaN`, `-`, `n/a`, `1.#QNAN`.
     Missing,
     /// Any other text, such as a name.
     Text,
@@ -14,17 +14,17 @@ pub(super) enum Field {
 /// Maximum length of a numeric field; a longer field is text.
 const LONGEST: usize = 64;
 
-/// Powers of ten up to the decimal places that [`short`] accepts.
+/// Powers of ten up to the maximum number of decimals that [`short`] accepts.
 const TEN: [f64; DIGITS + 1] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
 ];
 
-/// Maximum number of digits that form an exact integer in f64.
+/// Maximum number of digits of a decimal integer that f64 always represents exactly.
 const DIGITS: usize = 15;
 
 /// Reads one field, ignoring spaces and quotes around it.
 ///
-/// If `comma`, `,` is the decimal mark and `.` groups thousands.
+/// If `comma` is true, `,` is the decimal mark and `.` groups thousands.
 pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
     let b = trim(bytes);
     match b.first() {
@@ -42,8 +42,8 @@ pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
     }
 }
 
-/// Number with at most 15 digits and without exponent at the start of the bytes, and its length. It is the quotient of two exact numbers and
-/// therefore correctly rounded.
+/// Number at the start of the bytes, with at most 15 digits and without exponent, and its length in bytes. It is the quotient of two exact
+/// numbers and therefore correctly rounded.
 #[inline]
 pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     let mark = if comma { b',' } else { b'.' };
@@ -69,7 +69,7 @@ pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     Some((if first == b'-' { -size } else { size }, at))
 }
 
-/// Number in a field; NaN if it contains no number.
+/// Value of a field; NaN if the field is not a number.
 pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     match field(bytes, comma) {
         Field::Number(x) => x,
@@ -85,10 +85,11 @@ pub(super) fn trim(b: &[u8]) -> &[u8] {
     &b[start..end]
 }
 
-/// Marks that group thousands, in addition to point and comma: apostrophe, space, and their typographic forms.
+/// Characters that group thousands, in addition to point and comma: apostrophe, space, and their typographic forms.
 const GROUPS: [&str; 5] = ["\u{2019}", "\u{202f}", "\u{a0}", "'", " "];
 
-/// Reads numbers with exponents, many digits or grouped thousands, and unusual words for missing values.
+/// Reads the fields that the fast reader does not: numbers with exponents, many digits or grouped thousands, and unusual words for missing
+/// values.
 fn long(b: &[u8], comma: bool) -> Field {
     let Ok(text) = std::str::from_utf8(b) else {
         return Field::Text;

@@ -1,4 +1,4 @@
-//! Time base: rate from a time column, resampling of uneven samples, gaps.
+//! Time base: rate from a time column, resampling of unevenly spaced samples, and gaps.
 
 use crate::error::{ReadError, Result};
 use crate::quantity::seconds;
@@ -9,19 +9,19 @@ use crate::statistics::ranked;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TimeBase {
     pub rate_hz: f64,
-    /// Time of the first sample, s.
+    /// Time of the first sample, as in the file, s.
     pub start_s: f64,
     /// Source of the time base.
     pub source: ClockSource,
-    /// Times in samples since the first, if they are too uneven to be treated as uniform.
+    /// Times of the samples, in samples from the first one, if they are too uneven to be treated as uniform.
     uneven: Option<Vec<f64>>,
-    /// Spans without samples, s from the first sample.
+    /// Spans without samples: start and end, s from the first sample.
     pub gaps_s: Vec<(f64, f64)>,
-    /// Single missing samples: their number, and the time of the first one, s from the first sample.
+    /// Number of single missing samples, and time of the first of them, s from the first sample.
     pub missed: Option<(usize, f64)>,
 }
 
-/// Maximum deviation of a sample from its uniform position, in steps, without resampling.
+/// Maximum deviation of a sample from its uniform time, in steps, that is accepted without resampling.
 const SLACK: f64 = 0.75;
 
 /// Ratio of a step to the usual step above which it is a gap.
@@ -40,7 +40,7 @@ impl TimeBase {
         }
     }
 
-    /// The time base with the first sample at another time, as in the file, s.
+    /// The time base with another time of the first sample, s, as in the file.
     #[must_use]
     pub fn starting_at(self, start_s: f64) -> Self {
         TimeBase { start_s, ..self }
@@ -48,7 +48,7 @@ impl TimeBase {
 
     /// Time base from non-decreasing times in seconds. The rate is (n − 1)/duration, because single steps are rounded.
     ///
-    /// If there are gaps, the rate is that of the samples outside the gaps.
+    /// If there are gaps, the rate is computed only from the samples outside the gaps.
     ///
     /// # Errors
     ///
@@ -99,12 +99,12 @@ impl TimeBase {
         })
     }
 
-    /// Whether resampling is necessary.
+    /// Whether the samples must be resampled at uniform times.
     pub fn is_uneven(&self) -> bool {
         self.uneven.is_some()
     }
 
-    /// Values at uniform times, by linear interpolation. Missing values stay missing.
+    /// Values at uniform times, by linear interpolation. Values next to missing values are missing too.
     pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
         let Some(at) = &self.uneven else {
             return values;
@@ -116,8 +116,8 @@ impl TimeBase {
     }
 }
 
-/// Linear interpolation between two or more samples at non-decreasing positions. At a sample the value of the sample is returned, because its
-/// neighbours may be missing.
+/// Linear interpolation between two or more samples at non-decreasing positions. At the position of a sample, its value is returned
+/// exactly, because adjacent values may be missing.
 pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     let mut i = 0;
     move |place| {
@@ -134,7 +134,8 @@ pub(super) fn polyline(at: &[f64], values: &[f64]) -> impl FnMut(f64) -> f64 {
     }
 }
 
-/// Number and position of steps that are twice as long as all the others; `None` if the steps are too unequal.
+/// Number of steps that are twice as long as the others, and the time in the middle of the first such step. `None` if the other steps are
+/// too unequal.
 fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     let steps = || times.windows(2).map(|w| (w[1] - w[0]) / usual);
     let even = |s: &f64| (0.75..1.25).contains(s);
@@ -149,7 +150,7 @@ fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
     Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
 }
 
-/// Median step of a thinned set of adjacent times; the mean if rounding makes the median zero.
+/// Median step between adjacent times of a thinned set. If rounding makes the median zero, the mean step.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
     let neighbours = times.windows(2).step_by(thin);

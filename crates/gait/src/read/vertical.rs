@@ -11,16 +11,16 @@ use crate::recording::{
 };
 use crate::statistics::{ends, sample};
 
-/// Maximum plausible ground reaction force in walking, N.
+/// Maximum plausible ground reaction force of a walker, N.
 const HARDEST_N: f64 = 8000.0;
-/// Minimum plausible maximum of a walking force, N.
+/// Minimum plausible peak of the force of a walker, N.
 const SOFTEST_N: f64 = 60.0;
 
-/// Maximum relative difference between a copy and its original (root mean squares).
+/// Maximum relative root mean square difference between a channel and its copy.
 const COPY: f64 = 0.003;
 const FILTERED: f64 = 0.05;
 
-/// A raw force column with the meaning of its name.
+/// A raw force column, with the component, foot and unit that its name denotes.
 #[derive(Debug)]
 pub(super) struct RawForce {
     pub name: String,
@@ -36,9 +36,9 @@ pub(super) struct Facts {
     /// Whether the forces are those of pressure insoles.
     pub insole: bool,
     pub samples: usize,
-    /// Mass in the file, kg.
+    /// Mass of the walker that the file gives, kg.
     pub mass_kg: Option<f64>,
-    /// Samples marked as unloaded in the file (first, one past the last).
+    /// Samples that the file marks as unloaded (first, one past the last).
     pub zero: Option<(usize, usize)>,
     pub notes: Vec<Note>,
 }
@@ -111,7 +111,7 @@ pub(super) fn recording(
     })
 }
 
-/// Excludes channels that repeat an earlier one: a copy, or the same readings after filtering.
+/// Excludes channels that repeat an earlier channel: copies, or the same readings after filtering.
 fn leave_copies(channels: &mut Vec<Channel>, notes: &mut Vec<Note>) {
     let mut kept: Vec<Channel> = Vec::with_capacity(channels.len());
     for channel in channels.drain(..) {
@@ -142,7 +142,7 @@ fn is_copy(channel: &Channel, original: &Channel) -> bool {
     a.len() == b.len() && differences < least * least * all
 }
 
-/// Whether the columns are named as in OpenSim's examples: the right foot is `ground_force`, the left foot `1_ground_force`.
+/// Whether the columns have the names of OpenSim's examples: `ground_force` for the right foot, `1_ground_force` for the left foot.
 fn is_opensim_pair(raw: &[RawForce]) -> bool {
     raw.len() == 2 && raw.iter().all(|r| r.foot.is_none()) && {
         let is = |name: &str| raw.iter().any(|r| r.name.to_lowercase().starts_with(name));
@@ -150,7 +150,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
     }
 }
 
-/// Keeps one component: the one named vertical, otherwise the one with the largest load.
+/// Keeps only the columns of one component: the component that is named vertical, otherwise the component with the largest load.
 pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     // If plates have named components, a name without a component may be the name of a muscle (`L GRF`).
     if raw.iter().any(|r| r.axis != Axis::Vertical) {
@@ -179,13 +179,13 @@ pub(super) fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     raw.retain(|r| r.axis == keep);
 }
 
-/// Sum over the plates of the range of a component about its median.
+/// Sum over all plates of the range of one component about its resting level.
 fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
     let columns = raw.iter().filter(|r| r.axis == axis);
     columns.map(|r| swing(&r.values)).sum()
 }
 
-/// Range of the values about their resting level, ignoring single outliers: 98th percentile.
+/// Maximum deviation of the values from their resting level. The upper and the lower 1 % of the values are ignored as outliers.
 fn swing(values: &[f64]) -> f64 {
     let mut thin = sample(values, 8192);
     let Some((low, high)) = ends(&thin) else {
@@ -200,7 +200,8 @@ fn swing(values: &[f64]) -> f64 {
     reach(0.99).max(reach(0.01))
 }
 
-/// Unit of the columns: the unit given by the user, otherwise a plausible unit in the file, otherwise the unit that the magnitude suggests.
+/// Unit of the columns and its source. The unit given by the user has priority, then a plausible unit in the file, then the unit that fits
+/// the magnitude of the readings.
 fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (ForceUnit, UnitSource) {
     if let Some(unit) = options.unit {
         return (unit, UnitSource::User);

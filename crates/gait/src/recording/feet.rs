@@ -5,7 +5,7 @@ use strum::{EnumString, IntoStaticStr};
 
 use crate::error::{Error, ForceError};
 
-/// Side of the body.
+/// Side of the body to which a foot belongs.
 ///
 /// ```
 /// use gaitcam_gait::Foot;
@@ -29,7 +29,7 @@ impl Foot {
         self.into()
     }
 
-    /// Foot of the other side.
+    /// The foot on the other side of the body.
     #[must_use]
     pub fn other(self) -> Foot {
         match self {
@@ -56,18 +56,18 @@ pub enum Feet {
     /// Sum of both feet, as applied to a floor or footbridge.
     #[default]
     Both,
-    /// One foot; the mean of both if the source contains both.
+    /// One foot, left or right; the mean of both feet if the source contains both.
     One,
     /// Only the left foot.
     Left,
     /// Only the right foot.
     Right,
-    /// Sum of both feet, which the recording contains in one column.
+    /// Sum of both feet, from a column that contains the total force.
     Total,
 }
 
 impl Feet {
-    /// All values, in the order of the help text.
+    /// All values, in the order in which the help text lists them.
     pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
 
     /// Mean fraction of the weight that these feet carry over a stride.
@@ -78,7 +78,7 @@ impl Feet {
         }
     }
 
-    /// Foot of a force of one side.
+    /// The foot, if the force belongs to a known side; otherwise `None`.
     pub fn foot(self) -> Option<Foot> {
         match self {
             Feet::Left => Some(Foot::Left),

@@ -1,4 +1,4 @@
-//! File formats of recordings.
+//! File formats of recordings, and their properties.
 
 use std::fmt;
 
@@ -23,11 +23,11 @@ use crate::wording::{Language, sentence};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Format {
-    /// C3D, with the number format of its processor.
+    /// C3D file; its number format depends on the computer that wrote it.
     C3d {
-        /// Number format of the processor that wrote the file.
+        /// Number format of the computer that wrote the file.
         processor: Processor,
-        /// Storage of the samples.
+        /// Form in which the samples are stored.
         storage: Storage,
     },
     /// Text exported by a program.
@@ -35,7 +35,7 @@ pub enum Format {
         /// Name of the program, with the file ending if it identifies the kind of export.
         program: &'static str,
     },
-    /// Table with one stance per row.
+    /// Table with one whole stance per row.
     StanceTable,
     /// Delimited text with a header.
     Text {
@@ -64,12 +64,12 @@ pub enum Format {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Processor {
-    /// Little endian, IEEE floating-point numbers.
+    /// Little-endian numbers, with floating-point numbers in the IEEE format.
     Intel,
-    /// Little endian words, VAX floating-point numbers.
+    /// Little-endian words, with floating-point numbers in the VAX format.
     #[serde(rename = "DEC")]
     Dec,
-    /// Big endian, IEEE floating-point numbers.
+    /// Big-endian numbers, with floating-point numbers in the IEEE format.
     #[serde(rename = "SGI")]
     Sgi,
 }

@@ -1,16 +1,16 @@
-//! Paths of the two heel markers of a motion-capture recording. They determine the side of a stance and the stride time.
+//! Paths of the two heel markers of a motion-capture recording. The side of a stance and the stride time are determined from them.
 
 use super::Foot;
 use crate::statistics::median;
 
 /// Ratio of the heel speeds above which the slower heel belongs to the standing foot.
 const SLOWER: f64 = 1.2;
-/// Range about the middle of a stance, as fractions, in which the heel is on the ground and the other foot swings.
+/// Range about the middle of a stance, as fractions of the stance, in which the heel is on the ground and the other foot swings.
 const MIDDLE: (f64, f64) = (0.3, 0.6);
-/// Minimum distance between the heels in a step, as a fraction of the typical maximum distance.
+/// Minimum distance between the heels in a step, as a fraction of the typical maximum distance in the recording.
 const REACH: f64 = 0.5;
 
-/// Position in any unit of length.
+/// Coordinates of a marker, in any unit of length.
 type Position = [f64; 3];
 
 /// Paths of both heels with a common time base.
@@ -26,17 +26,17 @@ type Position = [f64; 3];
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heels {
-    /// Number of positions per second. The first position is at the first sample of the force.
+    /// Number of positions per second, 1/s. The first position is at the time of the first force sample.
     pub rate_hz: f64,
     /// Positions of the left heel, in the axes and the unit of length of the file; NaN for frames in which the marker was not visible.
     pub left: Vec<[f64; 3]>,
-    /// Positions of the right heel, as for the left heel.
+    /// Positions of the right heel, in the same form as those of the left heel.
     pub right: Vec<[f64; 3]>,
 }
 
 impl Heels {
-    /// Standing foot between two times, s: the foot whose heel is slower about the middle. `None` if the markers are not visible, or if both feet
-    /// stand or both move.
+    /// Standing foot between two times, s: the foot whose heel moves more slowly about the middle of this interval. `None` if the markers
+    /// are not visible, or if both feet stand or both move.
     pub fn standing(&self, start_s: f64, end_s: f64) -> Option<Foot> {
         let at = |x: f64| ((start_s + x * (end_s - start_s)) * self.rate_hz) as usize;
         let (from, to) = (at(MIDDLE.0), at(MIDDLE.1) + 1);
@@ -48,10 +48,11 @@ impl Heels {
         (SLOWER * right < left).then_some(Foot::Right)
     }
 
-    /// Durations of strides, s: times between the moments at which the same heel is farthest ahead of the other one.
+    /// Durations of strides, s. A stride is the time between two consecutive moments at which the same heel is farthest ahead of the other
+    /// heel.
     ///
-    /// The method follows Zeni, Richards and Higginson (2008), with the other heel in place of the pelvis. The distance of the heels is also valid on
-    /// a treadmill, and systematic errors of the moment cancel in the difference.
+    /// The method follows Zeni, Richards and Higginson (2008), with the other heel instead of the pelvis. The distance between the heels is
+    /// also valid on a treadmill. A systematic error of the moments has no effect, because it cancels in the difference of two moments.
     pub fn strides_s(&self) -> Vec<f64> {
         let pairs = self.left.iter().zip(&self.right);
         let apart: Vec<Position> = pairs.map(|(l, r)| [0, 1, 2].map(|k| l[k] - r[k])).collect();
@@ -76,7 +77,7 @@ fn dot(a: Position, b: Position) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Mean displacement of a marker between positions; `None` if the marker is visible in less than half of them.
+/// Mean displacement of a marker between consecutive positions; `None` if the marker is visible in less than half of them.
 fn step(path: &[Position]) -> Option<f64> {
     let steps = path.windows(2).map(|w| {
         let way = [0, 1, 2].map(|k| w[1][k] - w[0][k]);
@@ -87,8 +88,8 @@ fn step(path: &[Position]) -> Option<f64> {
     enough.then(|| seen.iter().sum::<f64>() / seen.len() as f64)
 }
 
-/// Direction of the maximum mean square of vectors: the first eigenvector of their second moments, by power iteration. It is the walking direction,
-/// because the feet are close together sideways.
+/// Direction in which the mean square of the vectors is a maximum: the first eigenvector of their second moments, by power iteration. For
+/// the vectors between the heels, it is the walking direction, because the feet are close together sideways.
 fn principal_axis(all: &[Position]) -> Position {
     let seen = || all.iter().filter(|d| dot(**d, **d).is_finite());
     let longest = seen().max_by(|a, b| dot(**a, **a).total_cmp(&dot(**b, **b)));
@@ -109,8 +110,8 @@ fn principal_axis(all: &[Position]) -> Position {
     axis
 }
 
-/// Positions and heights of the extremes between changes of sign, each from the parabola through three samples. Extremes at an end of the recording
-/// are excluded.
+/// Positions and heights of the extremes between changes of sign. Each extreme is the vertex of the parabola through three samples.
+/// Extremes at an end of the recording are excluded.
 fn lobes(ahead: &[f64]) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     let mut from = 0;

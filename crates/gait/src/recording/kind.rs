@@ -5,7 +5,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 use crate::error::{Error, ForceError, Result};
 
-/// Kind of movement in a recording.
+/// Kind of movement in a recording, such as walking or running.
 ///
 /// ```
 /// use gaitcam_gait::Kind;
@@ -20,22 +20,22 @@ use crate::error::{Error, ForceError, Result};
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_kind)]
 #[non_exhaustive]
 pub enum Kind {
-    /// Duty factor of 52 to 75 %; one foot is always on the ground.
+    /// Walking: the duty factor is 52 to 75 %, and at least one foot is always on the ground.
     Walking,
-    /// Duty factor below one half, with a flight phase.
+    /// Running: the duty factor is below one half, and there is a flight phase.
     Running,
-    /// The force on the plates stays almost equal to the weight.
+    /// Standing: the force on the plates is almost equal to the weight all the time.
     Standing,
-    /// Both feet leave the ground at the same time.
+    /// Jumping: both feet leave the ground at the same time.
     Jumping,
-    /// The load increases from that of the feet alone to the weight, or the reverse.
+    /// Rising from a seat or sitting down: the load increases from that of the feet alone to the weight, or decreases accordingly.
     SitToStand,
-    /// Any other movement; no mean cycle is computed.
+    /// Any other movement, for which no mean cycle is computed.
     Other,
 }
 
 impl Kind {
-    /// All kinds, in the order of declaration.
+    /// All kinds of movement, in the order of declaration.
     pub const ALL: &'static [Kind] = <Kind as VariantArray>::VARIANTS;
 
     /// Name of the kind in scenes, options and JSON.
@@ -62,13 +62,13 @@ fn unknown_kind(word: &str) -> Error {
 #[derive(EnumString, IntoStaticStr, VariantNames)]
 #[strum(serialize_all = "kebab-case", parse_err_ty = Error, parse_err_fn = unknown_question)]
 pub enum OpenQuestion {
-    /// The kind of movement.
+    /// Whether the kind of movement is correct.
     Kind,
-    /// The duration of a stride.
+    /// Whether the duration of a stride is correct.
     Clock,
-    /// The mass of the walker, which scales the forces.
+    /// Whether the mass of the walker is correct; it scales the forces.
     Mass,
-    /// Whether the readings are clipped below the peaks of the force; such a recording cannot be accepted.
+    /// Whether the readings are clipped below the peaks of the force. A recording with this question cannot be accepted.
     Clipped,
 }
 
@@ -78,7 +78,7 @@ impl OpenQuestion {
         self.into()
     }
 
-    /// Whether a user may accept the recording as it is.
+    /// Whether the user may accept a recording in which this question is open.
     pub fn is_acceptable(self) -> bool {
         self != OpenQuestion::Clipped
     }

@@ -1,4 +1,4 @@
-//! A recording: channels of vertical force with one uniform time base.
+//! A recording: channels of vertical force with a common, uniform time base.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -22,7 +22,7 @@ pub use note::{
 };
 pub use unit::ForceUnit;
 
-/// Options of the user; they override the file.
+/// Options of the user for reading a recording. They have priority over the content of the file.
 ///
 /// ```
 /// use gaitcam_gait::{ForceUnit, ReadOptions, read};
@@ -39,25 +39,25 @@ pub use unit::ForceUnit;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ReadOptions {
-    /// Name (or number from 1) of the time column.
+    /// Name (or number, counted from 1) of the time column.
     pub time: Option<String>,
-    /// Names (or numbers from 1) of the vertical force columns.
+    /// Names (or numbers, counted from 1) of the vertical force columns.
     pub force: Vec<String>,
     /// Unit of the force columns.
     pub unit: Option<ForceUnit>,
-    /// Sampling rate, 1/s; necessary if the file does not contain it.
+    /// Sampling rate, 1/s; required if the file does not contain it.
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
-    /// Movement in the recording; recognised from the recording if `None`.
+    /// Kind of movement in the recording; if `None`, it is recognised from the forces.
     pub kind: Option<Kind>,
-    /// Duration of the cycle, s, if the file is exactly one cycle.
+    /// Duration of the cycle, s, if the file contains exactly one cycle.
     pub period_s: Option<f64>,
-    /// Angle of the turn that the file covers, rad; the force is zero in the rest.
+    /// Angle of the turn, rad, that the file covers; the force is zero in the rest of the turn.
     pub span_rad: Option<f64>,
     /// Root mean square noise of the readings, N; estimated from unloaded samples if not given.
     pub noise_n: Option<f64>,
-    /// Content of the table of subjects for a table of stances (see [`metadata_name`](super::metadata_name)).
+    /// Content of the table of subjects that belongs to a table of stances (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,
 }
 
@@ -76,11 +76,11 @@ pub struct ReadOptions {
 pub struct Strike {
     /// Time from the first sample, s.
     pub at_s: f64,
-    /// Foot of the strike.
+    /// Foot that strikes the ground.
     pub foot: Foot,
 }
 
-/// Stance in a table with one stance per row, as a range of samples of its channel.
+/// Stance in a table with one stance per row, as a range of samples in its channel.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -95,7 +95,7 @@ pub struct Strike {
 pub struct Row {
     /// Index of the first sample.
     pub from: usize,
-    /// Index after the last sample.
+    /// Index of the last sample plus 1.
     pub to: usize,
     /// Mass of the subject, kg, if known.
     pub mass_kg: Option<f64>,
@@ -118,19 +118,19 @@ pub struct Row {
 pub struct Channel {
     /// Name of the channel in the file.
     pub name: String,
-    /// Foot of the channel, if the file names it.
+    /// Foot of the channel, if the file specifies it.
     pub foot: Option<Foot>,
-    /// Upward force on the body, N, with the unloaded baseline subtracted; always finite.
+    /// Upward force on the body, N. The unloaded baseline is subtracted, and all values are finite.
     pub force_n: Vec<f64>,
-    /// Unloaded reading that was subtracted, N (sign as in `force_n`).
+    /// Unloaded reading that was subtracted, N, with the same sign as `force_n`.
     pub baseline_n: f64,
     /// Standard deviation of the unloaded reading, N.
     pub noise_n: f64,
-    /// Ranges of missing samples (first, one past the last), which were interpolated linearly.
+    /// Ranges of missing samples (first, one past the last). The samples in these ranges were interpolated linearly.
     pub missing: Vec<(usize, usize)>,
     /// Reason for the exclusion of the channel; `None` if it is included.
     pub idle: Option<Idle>,
-    /// Stances of a table with one stance per row; otherwise empty.
+    /// Stances of a table with one stance per row; empty for other recordings.
     pub rows: Vec<Row>,
 }
 
@@ -152,16 +152,16 @@ pub struct Channel {
 pub enum Idle {
     /// The readings are nearly constant, close to zero.
     NeverLoaded,
-    /// The readings are nearly constant, or most have the same large value.
+    /// The readings are nearly constant and not close to zero, or most have the same large value.
     Constant {
-        /// Level of the readings.
+        /// Level of the constant readings.
         level: Quantity,
     },
     /// More than half of the samples are missing.
     MostlyEmpty {
         /// Number of missing samples.
         missing: usize,
-        /// Number of all samples.
+        /// Total number of samples.
         samples: usize,
     },
     /// The channel has no samples.
@@ -190,13 +190,13 @@ pub struct Recording {
     pub rate_hz: f64,
     /// Time of the first sample, as in the file, s.
     pub start_s: f64,
-    /// Time from the first sample to the last one, s.
+    /// Duration from the first sample to the last one, s.
     pub duration_s: f64,
     /// Source of the time base.
     pub clock: ClockSource,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit.
+    /// Source of the unit of the force columns.
     pub unit_from: UnitSource,
     /// Kind of movement, if stated by the user.
     pub kind: Option<Kind>,
@@ -208,16 +208,17 @@ pub struct Recording {
     pub channels: Vec<Channel>,
     /// Foot strikes marked in the file, in order of time.
     pub strikes: Vec<Strike>,
-    /// Paths of the heel markers, if the file has both.
+    /// Paths of both heel markers, if the file contains both.
     pub heels: Option<Heels>,
-    /// Spans without samples, s.
+    /// Spans without samples: start and end, s.
     pub gaps_s: Vec<(f64, f64)>,
     /// Notes on assumptions, exclusions and doubtful data.
     pub notes: Vec<Note>,
 }
 
 impl Recording {
-    /// Adds the plates of another file of the same trial, read with the same options. The shorter file determines the end.
+    /// Adds the plates of another file of the same trial, which must have been read with the same options. The recording ends where the
+    /// shorter file ends.
     pub fn add_plates(&mut self, other: Recording) {
         let low = |n: &Note| matches!(n, Note::LowForce { .. });
         let is_low = |notes: &[Note]| notes.iter().any(low);
@@ -250,7 +251,7 @@ impl Recording {
         all.filter(|(_, channel)| channel.idle.is_none())
     }
 
-    /// Whether the recording is a table of single stances.
+    /// Whether the recording is a table with one stance per row.
     pub fn has_rows(&self) -> bool {
         self.channels.iter().any(|c| !c.rows.is_empty())
     }

@@ -1,4 +1,4 @@
-//! Notes on a recording: assumptions, exclusions and implausible values.
+//! Notes on a recording: assumptions, exclusions, and implausible values.
 
 use std::fmt;
 
@@ -28,11 +28,11 @@ pub enum Axis {
     Y,
     /// Third component of the force on a plate.
     Z,
-    /// Component that is named vertical, or the only component.
+    /// Component that is named vertical, or the only component in the file.
     Vertical,
 }
 
-/// Note on the reading or averaging of a recording.
+/// Note on an assumption, an exclusion or an implausible value in a recording or its mean cycle.
 ///
 /// ```
 /// use gaitcam_gait::{Note, OpenQuestion};
@@ -52,26 +52,26 @@ pub enum Note {
     RowsDiffer { announced: usize, found: usize },
     /// The number of frames announced in the header is larger than the number in the file.
     FramesMissing { announced: usize, found: usize },
-    /// The given period differs from the duration according to the times in the file.
+    /// The given period differs from the duration that follows from the times in the file.
     ClockDiffers { clock: Quantity, period: Quantity },
     /// Lines that are not rows of numbers were skipped.
     LinesSkipped { first_line: usize },
-    /// Two columns without names are sums of sensors and were interpreted as left and right insole.
+    /// Two columns without names are sums of sensors. They were interpreted as the left and the right insole.
     InsoleColumns { left: usize, right: usize },
-    /// The file has columns of an insole and of a plate; the columns of the plate were used.
+    /// The file has columns of insoles and of plates. The columns of the plates were used.
     InsoleBesidePlate {
         plate: Vec<String>,
         insole: Vec<String>,
     },
     /// Each row of the table is one stance.
     StancePerRow { rows: usize },
-    /// The table of subjects contains the mass of only some stances.
+    /// The table of subjects contains the masses of only some stances.
     MassesMissing { known: usize, rows: usize },
     /// The durations of the stances are unknown, because all have the same number of samples.
     DurationsLost { samples: usize, assumed: Quantity },
     /// A table of stances has no sampling rate. A rate was assumed for which the stances have a typical duration.
     RateGuessed { rate: Quantity, stance: Quantity },
-    /// The given rate replaces the time column.
+    /// The sampling rate given by the user replaces the time column.
     RateOverridesTimes { rate: Quantity, column: Quantity },
     /// The time column has no unit. Its steps were interpreted as milliseconds, microseconds or nanoseconds.
     TimeUnitGuessed { step: f64, unit: &'static str },
@@ -79,52 +79,52 @@ pub enum Note {
     SamplesMissing { count: usize, first: Quantity },
     /// Header and time column have different rates; the time column is used.
     RatesDiffer { header: Quantity, column: Quantity },
-    /// Samples were resampled at uniform times.
+    /// The samples were not at uniform times and were resampled.
     UnevenSamples,
     /// The unit of force was determined from the magnitude of the readings.
     UnitGuessed { peak: f64, unit: ForceUnit },
-    /// The unit in the file is impossible.
+    /// The unit in the file is impossible for the readings.
     UnitLabelRejected {
         label: ForceUnit,
         peak: f64,
         unit: ForceUnit,
     },
-    /// No force is large enough for a step.
+    /// No force in the recording is large enough for a step.
     LowForce { peak: Quantity },
     /// The readings of a column are clipped at a level below the peaks of the force.
     Clipped { column: String, level: Quantity },
     /// Samples of a column are missing between its contacts. The plate was assumed to be unloaded there.
     MissingIsUnloaded { column: String },
-    /// A column repeats another one and was excluded.
+    /// A column repeats another column and was excluded.
     ColumnRepeats { column: String, original: String },
-    /// Single samples that differ strongly from both neighbours were removed.
+    /// Single samples that differ strongly from the samples before and after them were removed.
     SpikesRemoved {
         column: String,
         count: usize,
         first: Quantity,
     },
-    /// Readings of a loaded column are zero for some hundredths of a second, which means lost samples.
+    /// Readings of a loaded column are zero for some hundredths of a second, because samples were lost.
     DropOuts {
         column: String,
         count: usize,
         first: Quantity,
     },
-    /// The stances of a recording fill the span of the turn.
+    /// The stances of a recording fill only a span of the turn.
     StanceFillsSpan {
         /// Number of stances that the span contains.
         stances: usize,
-        /// Start of the first stance.
+        /// Start of the first stance in the span.
         from: Quantity,
-        /// End of the first stance.
+        /// End of the first stance in the span.
         to: Quantity,
     },
-    /// A share of the force on another plate was subtracted.
+    /// A share of the force on another plate was subtracted, because it is cross-talk.
     CrossTalkRemoved {
-        /// Name of the column with cross-talk.
+        /// Name of the column that contained the cross-talk.
         column: String,
         /// Name of the column of the other plate.
         of: String,
-        /// Share of the force on the other plate.
+        /// Subtracted share of the force on the other plate.
         share: Quantity,
     },
     /// The unloaded reading during the walk differs from the reading at both ends of the recording.
@@ -135,17 +135,17 @@ pub enum Note {
     },
     /// The unloaded reading of a column drifts by some newtons per second; the drift was subtracted.
     DriftRemoved { column: String, rise: Quantity },
-    /// The stride durations vary: there is more than one speed, or no steady walk.
+    /// The stride durations vary, so the walk is not steady or has more than one speed.
     StrideVaries { period: Quantity, spread: Quantity },
-    /// The stride time results from only one step or one stride.
+    /// The stride time was determined from a single step or stride.
     StrideFromOne {
         period: Quantity,
         error: Quantity,
         stroke: Quantity,
     },
-    /// Two components have similar magnitudes; the larger one was interpreted as vertical.
+    /// Two components have similar magnitudes. The larger component was interpreted as vertical.
     VerticalGuessed { vertical: Axis, other: Axis },
-    /// `ground_force` was interpreted as the right foot and `1_ground_force` as the left foot, as in OpenSim's examples.
+    /// `ground_force` was interpreted as the right foot and `1_ground_force` as the left foot, as in the examples of OpenSim.
     FeetGuessed,
     /// The file does not describe force plates; channels were selected by their labels.
     NoPlates,
@@ -155,13 +155,13 @@ pub enum Note {
     PlateChannelMissing { plate: usize, channel: usize },
     /// A plate was excluded, because its type requires a calibration matrix and the file has none.
     PlateMatrixMissing { plate: usize },
-    /// A plate is tilted relative to the first one.
+    /// A plate is tilted relative to the first plate.
     PlateTilted { plate: usize },
-    /// The mass follows from the mean force of insoles, which are often not calibrated.
+    /// The mass was computed from the mean force of insoles, which are often not calibrated.
     InsoleMass { mass: Quantity },
-    /// The stances of one foot represent both feet.
+    /// The stances of one foot were used for both feet.
     OneFootForBoth { stances: usize },
-    /// The recording has no stride time; a typical duty factor was assumed.
+    /// The stride time cannot be determined from the recording; a typical duty factor was assumed.
     StrideAssumed { period: Quantity, duty: Quantity },
     /// The stride time is outside the range of the movement.
     StrideImplausible {
@@ -175,7 +175,7 @@ pub enum Note {
         low: Quantity,
         high: Quantity,
     },
-    /// The peak force is outside the range of the movement, in body weights.
+    /// The peak force, in body weights, is outside the range of the movement.
     PeakImplausible { ratio: f64, low: f64, high: f64 },
     /// The mean force over the cycle differs from the weight.
     MeanForceNotWeight {
@@ -183,35 +183,35 @@ pub enum Note {
         mass: Quantity,
         share: WeightShare,
     },
-    /// The mass is outside the range of people.
+    /// The mass is outside the range of human masses.
     MassImplausible { mean: Quantity, mass: Quantity },
-    /// The unit of force was not stated, and with the assumed unit the mass is implausible for an adult.
+    /// The unit of force was assumed, and with this unit the mass is implausible for an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
-    /// The time column counts in steps of one without a unit: milliseconds or samples.
+    /// The time column increases by one from row to row and has no unit. It may contain milliseconds or sample numbers.
     CountOrMilliseconds { stride: Quantity },
-    /// The contacts do not agree with the requested movement.
+    /// The contacts do not agree with the requested kind of movement.
     KindDiffers {
         typed: &'static str,
         movement: &'static str,
     },
-    /// The speed changes. The mean includes only stances whose durations are in one range.
+    /// The speed changes. The mean includes only stances whose durations are in a common range.
     SpeedChanges {
         used: usize,
         stances: usize,
         low: Quantity,
         high: Quantity,
     },
-    /// The file is the mean cycle of a recording about which a question is open.
+    /// The file contains the mean cycle of a recording about which a question is open.
     LeftOpen { question: OpenQuestion },
-    /// Most contacts of a steady walk are partial, or include both feet.
+    /// Most contacts of a steady walk are partial contacts, or contacts of both feet.
     FewAlike { used: usize, stances: usize },
-    /// The stances or feet differ more than those of one walker with whole contacts.
+    /// The stances, or the feet, differ more than for one walker with whole contacts.
     StancesDiffer { share: Quantity, most: Quantity },
-    /// The mean cycle is computed from the total of both feet in one column.
+    /// The mean cycle was computed from a column that contains the total of both feet.
     TotalColumn,
-    /// Feet cross plates, so the forces of all plates were added.
+    /// Feet cross from one plate to another, so the forces of all plates were added.
     PlatesSummed { plates: usize },
-    /// The readings are converter counts, which were scaled by the mass.
+    /// The readings are converter counts. They were scaled to newtons with the mass of the walker.
     CountsScaled { mass: Quantity },
     /// Recordings of walkers with different masses were averaged in body weights.
     SeveralMasses {
@@ -221,7 +221,7 @@ pub enum Note {
     },
 }
 
-/// Fraction of the weight that the feet of a cycle carry in the mean over a stride.
+/// Fraction of the weight that the feet of a cycle carry on average over a stride.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, WeightShare};
@@ -233,9 +233,9 @@ pub enum Note {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WeightShare {
-    /// Both feet carry the whole weight.
+    /// Both feet together carry the whole weight.
     Whole,
-    /// One foot carries half of the weight.
+    /// One foot carries half of the weight on average.
     Half,
 }
 
@@ -255,19 +255,19 @@ pub enum WeightShare {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum ClockSource {
-    /// Rate given by the user.
+    /// The sampling rate was given by the user.
     User,
-    /// A time column in seconds or with a stated unit.
+    /// A time column in seconds, or in a unit that the file gives.
     Times,
-    /// A time column with an assumed unit.
+    /// A time column whose unit was assumed.
     GuessedTimes,
-    /// Rate in the file.
+    /// The sampling rate in the file.
     Header,
-    /// A sampling rate determined from the recording.
+    /// A sampling rate that was determined from the recording.
     GuessedRate,
 }
 
-/// Source of a unit of force.
+/// Source of the unit of force of a recording.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, UnitSource, read};
@@ -280,15 +280,15 @@ pub enum ClockSource {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitSource {
-    /// Unit given by the user.
+    /// The unit was given by the user.
     User,
-    /// Unit stated in the file.
+    /// The unit is in the file.
     File,
-    /// Unit determined from the magnitude of the readings.
+    /// The unit was determined from the magnitude of the readings.
     Guessed,
 }
 
-/// Source of a mass.
+/// Source of the mass of a walker.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};
@@ -305,13 +305,13 @@ pub enum UnitSource {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum MassSource {
-    /// Mass given by the user.
+    /// The mass was given by the user.
     User,
-    /// Mass stated in the file.
+    /// The mass is in the file.
     File,
-    /// Mean over the table of subjects.
+    /// Mean mass of the subjects in the table of subjects.
     Subjects,
-    /// Mean force over the stride, divided by g.
+    /// Mean force over the stride divided by g.
     MeanForce,
 }
 
@@ -334,22 +334,22 @@ pub enum MassSource {
 pub enum PeriodSource {
     /// Consecutive heel strikes of one foot.
     HeelStrikes,
-    /// Consecutive marked strikes of one foot.
+    /// Consecutive heel strikes of one foot that are marked in the file.
     MarkedStrikes,
     /// The heel markers of a motion-capture recording.
     HeelMarkers,
-    /// Twice the mean step between the feet.
+    /// Twice the mean time from a heel strike to the heel strike of the other foot.
     DoubledSteps,
-    /// Impulse that carries the known mass over a stride.
+    /// A known mass M: the duration T for which the impulse of both feet equals M g T.
     Impulse,
-    /// A typical duty factor, if the recording has no stride time.
+    /// A typical duty factor, if the recording contains no stride time.
     UsualDuty,
-    /// Times at which the total force of both feet rises through its mean.
+    /// Moments at which the total force of both feet rises through its mean.
     TotalForce,
 }
 
 impl PeriodSource {
-    /// Code of the source in JSON.
+    /// Code of the source, as used in JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -375,19 +375,19 @@ impl PeriodSource {
 pub enum CycleSource {
     /// Whole strides of both feet, between heel strikes of one foot.
     WholeStrides { strides: usize, from: Option<Foot> },
-    /// Single stances of the right and the left foot, half a stride apart.
+    /// Single stances of the right and the left foot, placed half a stride apart.
     RightAndLeft {
         right: usize,
         left: usize,
         period: PeriodSource,
     },
-    /// Single stances of two unnamed feet, half a stride apart.
+    /// Single stances of two unnamed feet, placed half a stride apart.
     TwoFeet {
         one: usize,
         other: usize,
         period: PeriodSource,
     },
-    /// Single stances, used for either foot.
+    /// Single stances of one or unknown feet, used for both feet.
     AnyFoot {
         stances: usize,
         period: PeriodSource,
@@ -397,12 +397,12 @@ pub enum CycleSource {
         stances: usize,
         period: PeriodSource,
     },
-    /// Strides of the total force of both feet.
+    /// Strides of the total force of both feet in one column.
     TotalForce { strides: usize },
 }
 
 impl Note {
-    /// Code of the method in JSON and in tables.
+    /// Code of the note, as used in JSON and in tables.
     pub fn code(&self) -> &'static str {
         self.into()
     }

@@ -1,14 +1,14 @@
-//! Open questions that follow from the notes on a recording, and the keys that settle them.
+//! Open questions that follow from the notes on a recording, and the keys with which a user answers them.
 
 use super::{Note, OpenQuestion};
 
 impl Note {
-    /// Question that the note raises; `None` if it raises no question.
+    /// The open question that follows from the note; `None` if there is none.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         Some(self.question()?.0)
     }
 
-    /// Questions that several notes raise, each once.
+    /// The open questions that follow from several notes, without repetition.
     pub fn doubts(notes: &[Note]) -> Vec<OpenQuestion> {
         let mut all: Vec<OpenQuestion> = notes.iter().filter_map(Note::doubt).collect();
         all.sort_unstable();
@@ -16,13 +16,13 @@ impl Note {
         all
     }
 
-    /// Notes that raise a question.
+    /// The notes from which a question follows.
     pub fn opening(notes: &[Note], question: OpenQuestion) -> Vec<Note> {
         let opens = |n: &&Note| n.doubt() == Some(question);
         notes.iter().filter(opens).cloned().collect()
     }
 
-    /// Keys of the section `gait` that answer the question, the most likely first.
+    /// Keys of the section `gait` that answer the question. The most likely key is the first.
     pub fn settled_by(&self) -> &'static [&'static str] {
         self.question().map_or(&[], |(_, keys)| keys)
     }

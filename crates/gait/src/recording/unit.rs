@@ -1,4 +1,4 @@
-//! Units of force in files.
+//! Units of force in the columns of files.
 
 use serde::Serialize;
 use strum::{EnumString, IntoStaticStr};

@@ -1,4 +1,4 @@
-//! Classification of contacts: whole stances, and the reasons for which others are rejected.
+//! Classification of contacts as whole stances or as rejected contacts, with the reason for the rejection.
 
 use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -9,31 +9,31 @@ use crate::units::G;
 
 /// Maximum duration of a contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// Ratio of a contact's duration to the typical duration above which it includes more than one step.
+/// Ratio of the duration of a contact to the typical duration, above which the contact includes more than one step.
 const LONG: f64 = 1.5;
-/// The same ratio for a contact whose force has more peaks than that of one foot.
+/// The limit of `LONG` for a contact whose force has more peaks than the force of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
-/// Minimum duration of a contact of both feet with three or more peaks, s.
+/// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
 /// Fraction of a whole contact below which an incomplete contact is not a stance.
 const FRAGMENT: f64 = 0.25;
 /// Maximum duration of missing samples that are interpolated, s.
 const BRIDGED_S: f64 = 0.05;
-/// Fraction of the force on another plate below which a contact is cross-talk.
+/// Ratio of the force of a contact to the force on another plate, below which the contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
-/// Fraction of the shorter of two contacts with load on both plates above which both belong to the same foot. In walking, both feet are on the ground
-/// for less than a third of a stance at either end.
+/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, two feet
+/// are on the ground for less than a third of a stance at either end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
 /// Number of previous and of following contacts with which a contact is compared.
 const FELLOWS: usize = 4;
-/// Fraction of the maximum force above which a contact may be a whole step.
+/// Fraction of the maximum force of the recording above which a contact may be a whole step.
 const MAIN: f64 = 0.5;
 
 /// Typical values of the whole contacts of the recording.
 pub(super) struct Usual {
-    /// Indices and durations, s, of the main contacts in order of time.
+    /// Indices and durations, s, of the main contacts (likely whole steps), in order of time.
     main: Vec<(usize, f64)>,
     peak_n: Option<f64>,
     weight_n: Option<f64>,
@@ -63,19 +63,20 @@ impl Usual {
         }
     }
 
-    /// Whether two contacts together are not longer than adjacent stances, or than any stance.
+    /// Whether two overlapping contacts are together short enough to be one stance. They are compared with adjacent stances, or otherwise
+    /// with a fixed limit.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
         together_s < usual.map_or(WHOLE_S, |s| 1.2 * s)
     }
 
-    /// Typical duration of the contacts near an index, s.
+    /// Typical duration, s, of the contacts near the contact with index `place`.
     fn duration_s(&self, place: usize) -> Option<f64> {
         low_median(self.about(place).map(|m| m.1).collect())
     }
 
-    /// The main contacts near an index, in order of time.
+    /// The main contacts near the contact with index `place`, in order of time.
     fn about(&self, place: usize) -> impl Iterator<Item = &(usize, f64)> {
         let at = self.main.partition_point(|(i, _)| *i < place);
         let from = at.saturating_sub(FELLOWS);
@@ -84,7 +85,7 @@ impl Usual {
     }
 }
 
-/// Whether the contacts are steps of a very slow walker: three or more similar contacts longer than the limit for standing.
+/// Whether the contacts are steps of a very slow walker: at least three similar contacts that are longer than the limit for standing.
 fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     let long: Vec<&Contact> = contacts
         .iter()
@@ -98,13 +99,14 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// The lower of the two middle values. One long contact of two is then not treated as typical.
+/// Median; for an even number of values, the lower of the two middle values. Of two contacts, the longer one is then not treated as
+/// typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)
 }
 
-/// A contact together with the others.
+/// A contact with its index, its shape, and its relation to other plates.
 pub(super) struct Judged<'a> {
     pub place: usize,
     pub contact: &'a Contact,
@@ -146,7 +148,7 @@ pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<Re
     weak.then_some(RejectReason::PartialContact)
 }
 
-/// Whether a contact is longer than one step.
+/// Reason for the rejection of a contact that is longer than one step; `None` for other contacts.
 fn too_long(
     duration: f64,
     shape: &Shape,
@@ -179,7 +181,7 @@ fn too_long(
 /// Relation of a contact to the load on the other plates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beside {
-    /// There is no load, or the other foot is on its plate at either end of the contact.
+    /// There is no load on other plates. Or there is a load of the other foot at the start or the end of the contact.
     Apart,
     /// The load on another plate belongs to the same foot.
     Shared,
@@ -189,7 +191,7 @@ pub(super) enum Beside {
 
 /// Relation of each contact to simultaneous contacts on other plates: one foot on two plates, or cross-talk between the amplifiers.
 ///
-/// Insoles cannot share a foot; belts can.
+/// A foot can be on two belts, but not on two insoles.
 pub(super) fn beside(contacts: &[Contact], shapes: &[Shape], usual: &Usual) -> Vec<Beside> {
     let mut found = vec![Beside::Apart; contacts.len()];
     for (i, a) in contacts.iter().enumerate() {

@@ -1,23 +1,23 @@
-//! Contacts: spans in which the force of a channel exceeds the threshold, before classification.
+//! Contacts before classification: spans in which the force of a channel exceeds the contact threshold.
 
 use super::types::RejectReason;
 use crate::recording::Channel;
 
-/// Contact threshold, N, as in the README of the recordings.
+/// Contact threshold, N; the value is from the README of the recordings of this project.
 const CONTACT_N: f64 = 20.0;
-/// Fraction of the contact threshold below which a contact ends, so that noise does not split a stance.
+/// Fraction of the contact threshold below which a contact ends. Because it is less than 1, noise does not split a stance.
 const HYSTERESIS: f64 = 0.5;
-/// Minimum distance between threshold and unloaded reading, in standard deviations of the noise.
+/// Minimum distance between contact threshold and unloaded reading, in standard deviations of the noise.
 const NOISE_MARGIN: f64 = 6.0;
 /// Minimum duration of a step, s.
 pub(super) const TOUCH_S: f64 = 0.1;
 /// Minimum duration of standing, s.
 pub(super) const STANDING_S: f64 = 1.8;
-/// Maximum duration of a step of very slow walkers, s.
+/// Maximum duration of a step of a very slow walker, s.
 pub(super) const SLOW_STEP_S: f64 = 4.0;
-/// Maximum interruption within one contact, s.
+/// Maximum duration of an interruption that does not end a contact, s.
 const DIP_S: f64 = 0.04;
-/// Minimum duration of the monotone rise after a heel strike, s.
+/// Minimum duration, s, for which the force rises monotonically after a heel strike.
 const LANDING_S: f64 = 0.02;
 
 /// Contact on one channel, before classification.
@@ -36,7 +36,7 @@ impl Contact {
     }
 }
 
-/// Spans above the threshold, with ends interpolated between samples.
+/// Contacts of a channel. The start and the end are interpolated between samples.
 pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Contact> {
     let force = &channel.force_n;
     let on = CONTACT_N.max(NOISE_MARGIN * channel.noise_n);
@@ -96,8 +96,8 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
     found
 }
 
-/// Whether a contact at the start of a recording is complete. It is complete if the first sample is just above the threshold and the force rises fast
-/// (heel strike). For reversed samples: whether a contact at the end is complete (toe-off).
+/// Whether a contact at the start of a recording is complete, because the recording starts at the heel strike: the first sample is just
+/// above the threshold, and the force rises fast. With the samples in reversed order, whether a contact at the end is complete (toe-off).
 fn lands<'a>(force: impl Iterator<Item = &'a f64>, on: f64, rate_hz: f64) -> bool {
     let samples = ((LANDING_S * rate_hz) as usize).max(2);
     let first: Vec<f64> = force.take(samples + 1).copied().collect();

@@ -1,4 +1,5 @@
-//! Detection of stances: contacts with a plate, whole walking steps among them, and the reasons for which others are rejected.
+//! Detection of stances: contacts with a plate, the whole walking steps among the contacts, and the reasons for the rejection of the
+//! others.
 
 mod classify;
 mod contact;
@@ -21,7 +22,7 @@ use crate::recording::{Foot, Kind, Note, Recording};
 pub(crate) use sides::{Footfall, footfalls, same_foot};
 pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
-/// Finds the stances of a recording.
+/// Detects the stances of a recording.
 ///
 /// Running is averaged only if `recording.kind` requests it. Jumps, standing and sit-to-stand are not averaged.
 pub fn stances(recording: &Recording) -> Stances {
@@ -62,7 +63,7 @@ fn shape_of(contact: &Contact, recording: &Recording) -> Shape {
     shape(&channel.force_n, recording.rate_hz, span, channel.noise_n)
 }
 
-/// Classifies every contact as used or rejected.
+/// Classifies each contact as used or rejected.
 fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     let shapes: Vec<Shape> = contacts.iter().map(|c| shape_of(c, recording)).collect();
     let mut out = Stances {
@@ -96,7 +97,7 @@ fn judged(contacts: &[Contact], recording: &Recording) -> Stances {
     out
 }
 
-/// Reason why a whole contact of a movement is not averaged.
+/// Reason why the whole contacts of a kind of movement are not averaged.
 fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     match kind {
         Kind::Walking => None,
@@ -107,7 +108,7 @@ fn unasked(kind: Kind, recording: &Recording) -> Option<RejectReason> {
     }
 }
 
-/// Classifies a recording whose contacts are neither runs nor jumps. If the contacts contradict a requested kind, a note is added.
+/// Classifies a recording that is neither running nor jumping. If the contacts contradict the requested kind of movement, a note is added.
 fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
     if out.recognised.is_none() {
         let crosses =

@@ -1,32 +1,34 @@
-//! Comparison of whole stances: stances with the same speed, and outliers.
+//! Comparison of whole stances, to select the stances of one speed and to detect outliers.
 
 use super::types::{RejectReason, Rejected, Stance, Stances};
 use crate::quantity::seconds;
 use crate::recording::{Note, Recording};
 use crate::statistics::median;
 
-/// Relative difference of durations at a constant speed: three standard deviations of steady walking.
+/// Maximum relative difference of durations at a constant speed: three standard deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Fraction of stances outside this range above which the speed changes.
+/// Fraction of stances outside this range above which the speed is considered to change.
 const OUTSIDE: f64 = 0.15;
-/// Minimum number of stances for detecting a change of speed.
+/// Minimum number of stances from which a change of speed is detected.
 const FEWEST: usize = 8;
-/// Quantities that identify outliers.
+/// Function that computes a quantity of a stance; outliers are detected from these quantities.
 type Measure = fn(&Stance) -> f64;
-/// Maximum relative deviation of each quantity from its median. A stance above it is excluded from the mean of one foot.
+/// Quantities, each with its maximum relative deviation from the median. A stance with a larger deviation is excluded from the mean of one
+/// foot.
 const MEASURES: [(Measure, f64); 3] = [
     (Stance::duration_s, 0.1),
     (|s| s.p1.force_n, 0.15),
     (|s| s.impulse_ns, 0.15),
 ];
-/// Minimum number of stances of a channel for detecting outliers: three must agree.
+/// Minimum number of stances of a channel from which outliers are detected, so that at least three stances agree.
 const COMPARABLE: usize = 4;
 
-/// Number of intervals between strikes whose median is the local stride time. A foot that crosses plates affects two of them.
+/// Number of intervals between heel strikes from whose median the local stride time is computed. A foot that crosses plates affects two of
+/// them.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances whose duration is that of most stances. Adds a note if the others have another speed. If all strides have one speed, the others
-/// are contacts of a part of the foot, or of both feet.
+/// Keeps the stances whose duration is that of most stances, and rejects the others. If the stride time is constant, the rejected contacts
+/// are partial or include both feet. Otherwise they have another speed, and a note is added.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
     if recording.has_rows() || count < FEWEST {
@@ -65,7 +67,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     out.notes.extend((!steady).then(changes));
 }
 
-/// Whether all strides have one speed, regardless of the durations of the contacts.
+/// Whether all strides have one speed, according to the stride times instead of the durations of the contacts.
 fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
     let mut strides: Vec<f64> = (0..channels).flat_map(|k| usual_strides(out, k)).collect();
     strides.sort_by(f64::total_cmp);
@@ -74,7 +76,7 @@ fn keeps_rhythm(out: &Stances, channels: usize) -> bool {
         && (strides.len() - inside) as f64 <= OUTSIDE * strides.len() as f64
 }
 
-/// Medians of the times between consecutive strikes of a channel.
+/// Moving medians of the times, s, between consecutive heel strikes on a channel.
 fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     let used = out.used.iter().map(|s| (s.channel, s.start_s));
     let other = out.rejected.iter().map(|r| (r.channel, r.from_s));
@@ -86,7 +88,8 @@ fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     in_a_row.filter_map(|w| median(w.to_vec())).collect()
 }
 
-/// First and last of the sorted values in the window with the most values, and their number.
+/// Among all windows of a fixed relative width, the window that contains most of the sorted values: its first value, its last value, and
+/// their number.
 pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     let mut best = (0.0, 0.0, 0);
     let mut end = 0;
@@ -103,7 +106,8 @@ pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     best
 }
 
-/// Marks the outliers in duration, loading peak or impulse of each channel. They are partial contacts, or include the other foot.
+/// Marks the stances of each channel whose duration, loading peak or impulse is an outlier. Such stances are partial contacts, or include
+/// the other foot.
 pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
     for channel in 0..channels {
         let own: Vec<usize> = (0..used.len())

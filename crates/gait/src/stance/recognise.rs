@@ -1,7 +1,7 @@
-//! Recognition of the movement from contact times, flight, duty factor, peaks and repetition.
+//! Recognition of the kind of movement from contact times, flight phases, duty factor, peaks and repetition.
 //!
-//! Walking has a duty factor above one half and no flight phase. Running has a duty factor below one half and contacts of 0.1 to 0.35 s (Nilsson and
-//! Thorstensson 1989; Keller et al. 1996).
+//! Walking has a duty factor above one half and no flight phase. Running has a duty factor below one half and contacts of 0.1 to 0.35 s
+//! (Nilsson and Thorstensson 1989; Keller et al. 1996).
 
 use super::contact::{Contact, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -17,8 +17,8 @@ const BRISK_S: f64 = 0.42;
 const RUNNING_DUTY: f64 = 0.5;
 /// Maximum stride time that implies running, s.
 const RUNNING_STRIDE_S: f64 = 0.6;
-/// Ratio of maximum and mean of a force with one peak, above which the movement is not walking. A half sine has 1.57, a walker with a single peak
-/// about 1.25.
+/// Ratio of the maximum to the mean of a force with one peak, above which the movement is not walking. The ratio is 1.57 for a half sine,
+/// and about 1.25 for a walker with a single peak.
 const PEAKED: f64 = 1.45;
 /// Peak force, in body weights, above which the movement is not walking.
 const HARD_BW: f64 = 1.75;
@@ -28,30 +28,30 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the landing peak to the level before or after it, above which the contact is a landing.
+/// Ratio of the peak to the force level before or after the contact, above which the contact is a landing.
 const LANDING: f64 = 1.6;
-/// Maximum time to the impact of a landing from a height, s. It is before the push-off of the shortest contact in walking (0.76 of `BRISK_S`, 0.32
-/// s). In synthetic landings it is 0.06 s; measured landings were not available.
+/// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
+/// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings the time is 0.06 s; measured landings were not available.
 const IMPACT_S: f64 = 0.25;
-/// Ratio of the impact and the mean of its contact, above which the contact is a landing. The fastest walking has 1.67 (1.7 to 2.3 m/s, Pataky et al.
-/// 2008), synthetic landings have 2.6 to 3.6.
+/// Ratio of the impact peak to the mean force of the contact, above which the contact is a landing. It is at most 1.67 for fast walking
+/// (1.7 to 2.3 m/s, Pataky et al. 2008), and 2.6 to 3.6 for synthetic landings.
 const DROP: f64 = 1.9;
-/// Fraction of a contact before which the first peak of a landing occurs; in walking it occurs between 0.18 and 0.3.
+/// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
 const EARLY: f64 = 0.155;
-/// Maximum number of contacts that do not determine a rhythm.
+/// Maximum number of contacts from which no rhythm can be determined.
 const FEW: usize = 2;
-/// Maximum time between the landings of both feet in a jump, s.
+/// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;
-/// Fraction of the maximum force above which a contact is a step.
+/// Fraction of the maximum force of the recording above which a contact is a step.
 const MAIN: f64 = 0.4;
 /// Maximum coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
 /// Fraction of the weight below which the person is seated.
 const SEATED: f64 = 0.6;
-/// Number of points at which a force level is sampled.
+/// Number of times at which the total force is sampled to determine its level.
 const LOOKS: usize = 400;
 
-/// Running or jumping, if the contacts show it; `None` if the stances must determine the movement.
+/// Running, jumping or sit-to-stand, if the contacts show such a movement; `None` if the stances must determine the movement.
 pub(super) fn ballistic(
     contacts: &[Contact],
     shapes: &[Shape],
@@ -101,7 +101,7 @@ pub(super) fn ballistic(
     (peaked && main.len() >= 2).then_some(Kind::Jumping)
 }
 
-/// Movement of a recording without a stance.
+/// Kind of movement in a recording without a whole stance.
 pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Option<Kind> {
     let constant = |i: &Idle| matches!(i, Idle::Constant { level } if level.value.abs() > 150.0);
     let stands = (recording.channels.iter()).any(|c| c.idle.as_ref().is_some_and(constant));
@@ -143,19 +143,19 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     })
 }
 
-/// Whether a level is nearly constant.
+/// Whether a force level is nearly constant.
 fn steady(levels: &[f64]) -> bool {
     let (mean, deviation) = mean_and_deviation(levels);
     deviation < QUIET * mean
 }
 
-/// Ratio of the maximum force and the mean of the contact.
+/// Ratio of the maximum force to the mean force of the contact.
 fn peakedness(contact: &Contact, shape: &Shape) -> f64 {
     let mean = shape.impulse_ns / contact.duration_s().max(1e-9);
     contact.peak_n / mean.max(1e-9)
 }
 
-/// Median duty factor and median stride time, s, from repeated contacts on a channel.
+/// Median duty factor and median stride time, s, from repeated contacts on the same channel.
 fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
     let mut all = Vec::new();
     for (i, (a, _)) in main.iter().enumerate() {
@@ -201,7 +201,8 @@ fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
     })
 }
 
-/// Whether most contacts above `least`, N, are landings from a height: the maximum force occurs early, and far above the mean of a long contact.
+/// Whether most contacts with a peak above `least`, N, are landings from a height: the maximum force occurs early and is much larger than
+/// the mean force of a long contact.
 fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     let main: Vec<bool> = contacts
         .iter()
@@ -215,7 +216,7 @@ fn drops(contacts: &[Contact], shapes: &[Shape], least: f64) -> bool {
     2 * main.iter().filter(|lands| **lands).count() > main.len()
 }
 
-/// Whether both named feet land and leave at the same time.
+/// Whether the left and the right foot land and leave at the same time.
 fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     let of = |foot: Foot| -> Vec<&Contact> {
         let own = |c: &&Contact| recording.channels[c.channel].foot == Some(foot);
@@ -238,7 +239,7 @@ fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
     together > 0 && 2 * together > left.len().max(right.len())
 }
 
-/// Spans in which any channel is loaded, s.
+/// Time spans in which any channel is loaded, s.
 fn loaded_spans(contacts: &[Contact]) -> Vec<(f64, f64)> {
     let mut spans: Vec<(f64, f64)> = Vec::new();
     for c in contacts {
@@ -250,7 +251,7 @@ fn loaded_spans(contacts: &[Contact]) -> Vec<(f64, f64)> {
     spans
 }
 
-/// Total force of the loaded channels at `count` equally spaced times of a span, N.
+/// Total force of the loaded channels, N, at `count` equally spaced times of a span.
 fn levels(recording: &Recording, from_s: f64, to_s: f64, count: usize) -> Vec<f64> {
     let at = |k: usize| {
         let t = from_s + (to_s - from_s) * (k as f64 + 0.5) / count as f64;

@@ -1,12 +1,12 @@
-//! Shape of a stance: two peaks, the valley between them, and the impulse.
+//! Shape of the force in a stance: two peaks, the valley between the peaks, and the impulse.
 
 use super::types::Point;
 use crate::statistics::ends;
 
-/// Minimum depth of a valley below both peaks, as a fraction of the maximum force.
+/// Minimum depth of a valley below the lower peak, as a fraction of the maximum force.
 const VALLEY: f64 = 0.01;
 
-/// Ratio of the forces at mid-stance and at the quarters above which both feet are on the plate.
+/// Ratio of the force at mid-stance to the force at the quarters of the stance, above which both feet are on the plate.
 const DOUBLE_SUPPORT: f64 = 1.12;
 
 /// Peaks, valley and impulse of a stance.
@@ -16,7 +16,7 @@ pub(super) struct Shape {
     pub valley: Option<Point>,
     pub p2: Option<Point>,
     pub impulse_ns: f64,
-    /// Number of peaks whose prominence is at least a tenth of the maximum.
+    /// Number of peaks whose prominence is at least a tenth of the maximum force.
     pub humps: usize,
     /// Whether the maximum force is in the middle fifth and clearly above the force at the quarters.
     pub peaks_in_the_middle: bool,
@@ -38,10 +38,10 @@ impl Shape {
 
 /// Determines the shape of the force between two times, s from the first sample.
 ///
-/// The valley is the deepest point relative to the lower of the maxima before and after it, between 15 % and 85 % of the stance. The peaks are these
-/// maxima. A stance with an insignificant valley has one peak.
+/// The valley is between 15 % and 85 % of the stance. It is the point that is deepest below the lower of two maxima: the maximum before the
+/// point and the maximum after the point. These maxima are the peaks. If the valley is insignificant, the stance has one peak.
 ///
-/// `noise_n` is the standard deviation of the unloaded reading, N; an interpolated peak exceeds the samples at most by this value.
+/// `noise_n` is the standard deviation of the unloaded reading, N. An interpolated peak exceeds the samples at most by this value.
 pub(super) fn shape(
     force: &[f64],
     rate_hz: f64,
@@ -81,7 +81,7 @@ pub(super) fn shape(
     }
 }
 
-/// Fraction of the samples at which half of their sum is reached.
+/// Fraction of the samples after which half of their sum is reached.
 fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     let mut sum = 0.0;
     let reached = samples.iter().position(|x| {
@@ -91,8 +91,10 @@ fn middle_of_impulse(samples: &[f64], half: f64) -> f64 {
     reached.unwrap_or(0) as f64 / samples.len().max(1) as f64
 }
 
-/// Vertex of the parabola through a sample and its neighbours: force, and shift in samples. Without an extremum it is the sample itself. The force
-/// exceeds the sample at most by the noise, because a steep flank would move the vertex far above it.
+/// Vertex of the parabola through a sample and the samples before and after it: force, N, and shift from the sample, in samples.
+///
+/// If the sample is not an extremum, it is itself the result. The force exceeds the sample at most by the noise, because the vertex would
+/// be much too high at a steep flank.
 fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     let around = i.checked_sub(1).and_then(|j| samples.get(j..j + 3));
     let Some(&[a, y, b]) = around else {
@@ -107,8 +109,8 @@ fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     (y + above.clamp(-noise_n, noise_n), shift)
 }
 
-/// Valley between the highest samples before and after it, in the middle part of the stance. One of these samples is the maximum; the other one is
-/// searched from the opposite end. `None` if the valley is not deeper than `least`, N.
+/// Valley in the middle part of the stance, and the highest samples before and after it. One of these samples is the maximum of the stance.
+/// The other sample is searched from the opposite end of the stance. `None` if the valley is not deeper than `least`, N.
 fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     let n = samples.len();
     let middle = (15 * n).div_ceil(100)..(85 * n) / 100;
@@ -135,7 +137,7 @@ fn valley(samples: &[f64], highest: usize, least: f64) -> Option<[usize; 3]> {
     best
 }
 
-/// Number of maxima with a prominence of `height` on both sides.
+/// Number of maxima with a prominence of at least `height` on both sides.
 fn humps(samples: &[f64], height: f64) -> usize {
     let (mut count, mut rising) = (0, true);
     let mut extreme = 0.0f64;

@@ -1,9 +1,10 @@
-//! Assignment of stances to feet.
+//! Assignment of stances to the left and the right foot.
 
 use super::types::{RejectReason, Stance, Stances};
 use crate::recording::{Foot, Recording};
 
-/// Assigns feet to plates: by marked strikes, otherwise by the heel markers, otherwise alternately from a stance with a known foot.
+/// Assigns a foot to each stance. The sources, in order of preference, are marked strikes, heel markers, and the alternation of the feet
+/// from a stance whose foot is known.
 pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     for s in stances.iter_mut().filter(|s| s.foot.is_none()) {
         let near = |at: f64| (at - s.start_s).abs();
@@ -29,7 +30,7 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     }
 }
 
-/// A recorded heel strike, with its contact.
+/// A heel strike with its contact, used or rejected.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Footfall {
     pub channel: usize,
@@ -37,7 +38,7 @@ pub(crate) struct Footfall {
     pub start_s: f64,
     pub end_s: f64,
     pub rejected: Option<RejectReason>,
-    /// Whether the contact is used although it is an outlier of its channel.
+    /// Whether the stance is an outlier of its channel; it is used nevertheless in the sum of both feet.
     pub unlike: bool,
 }
 
@@ -55,7 +56,7 @@ impl From<&Stance> for Footfall {
 }
 
 impl Stances {
-    /// Whole stance of a footfall; `None` if the contact was rejected.
+    /// Whole stance that belongs to a footfall; `None` if the contact was rejected.
     pub(crate) fn at(&self, fall: &Footfall) -> Option<&Stance> {
         // A rejected contact may start at the same time as a stance of its channel.
         let accepted = fall.rejected.is_none();
@@ -66,7 +67,7 @@ impl Stances {
     }
 }
 
-/// All contacts in order of their start.
+/// All contacts of the recording, in order of their start.
 pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
     let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
     falls.extend(stances.rejected.iter().map(|r| Footfall {
@@ -81,13 +82,14 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// Fraction of a running stance below which a pause in one column is followed by the other foot.
+/// Ratio of a pause in one column to the duration of a running stance, below which the next contact is that of the other foot.
 const ALTERNATE: f64 = 0.9;
 
-/// Whether two consecutive stances belong to the same foot; `None` if unknown.
+/// Whether two consecutive stances belong to the same foot; `None` if this is unknown.
 ///
-/// In walking, the next foot lands before the first one leaves; the same foot lands only after its swing phase. In running (`runs`), a flight phase
-/// precedes the next foot; the time before the same foot is more than twice as long.
+/// In walking, the other foot lands before the first foot leaves the ground; the same foot lands again only after its swing phase. In
+/// running (`runs`), a flight phase precedes the contact of the other foot. The pause before the next contact of the same foot is more than
+/// twice as long.
 pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> {
     if let (Some(a), Some(b)) = (a.foot, b.foot) {
         return Some(a == b);

@@ -5,7 +5,7 @@ use strum::{IntoStaticStr, VariantNames};
 
 use crate::recording::{Foot, Kind, Note};
 
-/// Point of a stance: force and fraction of the stance.
+/// Point of the force in a stance: a peak or a valley.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -23,11 +23,11 @@ use crate::recording::{Foot, Kind, Note};
 pub struct Point {
     /// Force at the point, N.
     pub force_n: f64,
-    /// Fraction of the stance since heel strike, 0 to 1.
+    /// Time of the point since heel strike, as a fraction of the stance, 0 to 1.
     pub at: f64,
 }
 
-/// Fraction of the stance after which a single peak is the push-off.
+/// Fraction of the stance after which a single peak counts as the push-off peak.
 const LATE: f64 = 0.6;
 
 /// Whole stance of one foot.
@@ -47,21 +47,21 @@ const LATE: f64 = 0.6;
 pub struct Stance {
     /// Index of the channel of the recording.
     pub channel: usize,
-    /// Foot of the stance, if the file names or implies it.
+    /// Foot of the stance, if the file specifies or implies it.
     pub foot: Option<Foot>,
     /// Time of the heel strike, s from the first sample.
     pub start_s: f64,
     /// Time of the toe-off, s from the first sample.
     pub end_s: f64,
-    /// Loading peak; for a stance with one peak the only peak.
+    /// Loading peak. If the stance has only one peak, this peak.
     pub p1: Point,
-    /// Mid-stance valley, if the stance has two peaks.
+    /// Valley at mid-stance, if the stance has two peaks.
     pub valley: Option<Point>,
     /// Push-off peak, if the stance has two peaks.
     pub p2: Option<Point>,
     /// Integral of the force over the stance, N s.
     pub impulse_ns: f64,
-    /// Mass of the walker, kg, if the stance has a separate mass (tables of stances).
+    /// Mass of the walker, kg, if it is given for each stance (tables of stances).
     pub mass_kg: Option<f64>,
     /// Whether duration, loading peak or impulse is an outlier of the channel. The stance is then used only in the sum of both feet.
     pub unlike: bool,
@@ -73,18 +73,18 @@ impl Stance {
         self.end_s - self.start_s
     }
 
-    /// Loading peak; `None` if the only peak is later.
+    /// Loading peak; `None` if the stance has only a later peak.
     pub fn first_peak(&self) -> Option<Point> {
         (self.valley.is_some() || self.p1.at < LATE).then_some(self.p1)
     }
 
-    /// Push-off peak, which may be the only peak.
+    /// Push-off peak, which may be the only peak of the stance.
     pub fn second_peak(&self) -> Option<Point> {
         self.p2
             .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
     }
 
-    /// Loading peak, valley and push-off peak; `None` for a missing one.
+    /// Loading peak, valley and push-off peak; `None` for a missing point.
     pub fn landmarks(&self) -> [Option<Point>; 3] {
         [self.first_peak(), self.valley, self.second_peak()]
     }
@@ -117,7 +117,7 @@ pub enum RejectReason {
     CutAtStart,
     /// The recording ends during the contact.
     CutAtEnd,
-    /// The contact is incomplete and too short.
+    /// The contact is incomplete and too short for a stance.
     EdgeFragment,
     /// The plate was loaded from the first sample to the last.
     NeverUnloaded,
@@ -125,7 +125,7 @@ pub enum RejectReason {
     MissingSamples,
     /// The contact is too short for a step.
     TooShort,
-    /// The contact is one of running.
+    /// The contact is a contact of running.
     Running,
     /// The contact is a take-off or landing of both feet.
     Jumping,
@@ -135,17 +135,17 @@ pub enum RejectReason {
     OtherSpeed,
     /// The contact is too long for a step.
     Standing,
-    /// The contact is longer than the others, because the other foot stepped onto the same plate.
+    /// The contact is longer than other contacts, because the other foot stepped onto the same plate.
     CrossOver,
-    /// Duration, loading peak or impulse is an outlier among the contacts of the channel.
+    /// The duration, loading peak or impulse is an outlier among the contacts of the channel.
     Unlike,
-    /// Two plates carried the foot at the same time.
+    /// The foot was on two plates at the same time.
     TwoPlates,
     /// Only a part of the foot was on the plate.
     PartialContact,
 }
 
-/// Rejected contact.
+/// Contact that is not used, with the reason.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read, stances};
@@ -189,8 +189,8 @@ pub struct Stances {
     pub rejected: Vec<Rejected>,
     /// Movement recognised from the contacts.
     pub recognised: Option<Kind>,
-    /// Movement that is averaged: the requested one, otherwise the recognised one.
+    /// Kind of movement that is averaged: the requested kind, otherwise the recognised kind.
     pub kind: Option<Kind>,
-    /// Notes from the comparison of stances.
+    /// Notes that result from the comparison of stances.
     pub notes: Vec<Note>,
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 pub use gaitcam_base::wording::{Catalogue, Language, Sentences, code};
 
-/// Fluent files: names, errors and notes of curves and recordings, errors of files.
+/// Fluent files with the names, errors and notes of curves and recordings, and with the errors of files.
 pub const SENTENCES: Sentences = Sentences {
     files: &[
         [include_str!("en/force.ftl"), include_str!("es/force.ftl")],
@@ -18,10 +18,10 @@ pub const SENTENCES: Sentences = Sentences {
     ..Sentences::NONE
 };
 
-/// Messages of this crate and of the crates below it.
+/// Messages of this crate and of the crates on which it depends.
 pub static WORDS: Catalogue = Catalogue::new(&[gaitcam_base::wording::SENTENCES, SENTENCES]);
 
-/// Message of a note, of a format or of a rejected contact.
+/// Text of a note, of a format, or of a reason for a rejection, in a language.
 pub(crate) fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
     WORDS.of(language).sentence(area, message)
 }

@@ -7,20 +7,21 @@ use crate::statistics::median;
 
 /// Fraction of the maximum reading above which readings are examined.
 const UPPER: f64 = 0.6;
-/// Half width of the level: as a fraction of the maximum reading, and in standard deviations of the noise.
+/// Half width of the band that counts as one level: as a fraction of the maximum reading, and in standard deviations of the noise.
 const WIDTH: (f64, f64) = (0.004, 2.5);
 /// Maximum number of readings above the level, as a fraction of the number of readings at the level.
 const ABOVE: f64 = 0.03;
-/// Minimum ratio of the numbers of readings at the level and just below it, in an equal width. A parabola has 2.4, and synthetic walkers, runners and
-/// jumpers have less than 3.3. For one or two contacts the minimum is larger, because a flat peak has more: 5.3 for a decrease with the fourth power
-/// of time.
+/// Minimum ratio of the number of readings at the level to the number just below it, in bands of equal width. The first value is for three
+/// or more contacts: a parabola has a ratio of 2.4, and synthetic walkers, runners and jumpers have less than 3.3. The second value is for
+/// one or two contacts, because a flat peak has a larger ratio: 5.3 for a decrease with the fourth power of time.
 const CROWDED: (f64, f64) = (3.5, 6.0);
-/// Minimum number of readings at the level.
+/// Minimum number of readings at the level that means clipping.
 const FEWEST: usize = 8;
-/// Minimum time at the level within a contact, s.
+/// Minimum time at the level within a contact that means clipping, s.
 const HELD_S: f64 = 0.03;
 
-/// Level at which readings without drift are clipped, N; `None` without clipping. `unloaded_n` is the standard deviation of the unloaded reading, N.
+/// Level at which the readings are clipped, N, after removal of drift; `None` without clipping. `unloaded_n` is the standard deviation of
+/// the unloaded reading, N.
 pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f64> {
     let top = force.iter().copied().fold(0.0, f64::max);
     let noise = unloaded_n.max(noise(force, UPPER * top));
@@ -33,7 +34,7 @@ pub(super) fn clipped(force: &[f64], rate_hz: f64, unloaded_n: f64) -> Option<f6
         .find_map(|half| stops_at(force, rate_hz, top, half))
 }
 
-/// Level, with the given half width, at which the readings are clipped.
+/// Level, N, at which the readings are clipped, if readings within `half`, N, of a level count as equal.
 fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     let (level, at) = crowd(force, UPPER * top, top, 2.0 * half);
     let within = |low: f64, high: f64| force.iter().filter(|x| **x > low && **x <= high).count();
@@ -48,7 +49,7 @@ fn stops_at(force: &[f64], rate_hz: f64, top: f64, half: f64) -> Option<f64> {
     (stops && at >= FEWEST && held_s > HELD_S).then_some(level)
 }
 
-/// Minimum difference of unequal readings above a level.
+/// Minimum difference, N, between two unequal readings above a level: the resolution of the converter.
 fn resolution(force: &[f64], least: f64) -> f64 {
     let mut upper: Vec<f64> = force.iter().copied().filter(|x| *x > least).collect();
     upper.sort_unstable_by(f64::total_cmp);

@@ -2,14 +2,15 @@
 
 use crate::statistics::{median, ranked};
 
-/// Duration in which a walker's foot leaves the plate at least once, s. For a shorter recording a fraction is sufficient.
+/// Duration of a window, s, in which the foot of a walker leaves the plate at least once. In a shorter recording, a window is a fraction of
+/// the recording.
 const WINDOW_S: f64 = 2.0;
-/// Minimum number of windows that show a drift.
+/// Minimum number of windows from which a drift is determined.
 const FEWEST: usize = 4;
 /// Maximum deviation of the unloaded level from a straight line, N.
 const STRAIGHT_N: f64 = 6.0;
 
-/// Total change, N, below which the drift is treated as part of the baseline.
+/// Total change, N, below which the drift is not removed but treated as part of the baseline.
 pub(super) const SMALLEST_N: f64 = 15.0;
 
 /// Slope of the unloaded level, N per sample, for readings of either sign; 0 without a steady drift.
@@ -34,10 +35,10 @@ pub(super) fn drift(force: &[f64], rate_hz: f64) -> f64 {
     slope + rest.unwrap_or(0.0)
 }
 
-/// Slope of the unloaded level if the load is positive.
+/// Slope of the unloaded level, N per sample, for readings whose load is positive.
 ///
-/// The level of a window is its 10th percentile. The slope is the median over pairs of windows (Theil–Sen estimator). A few windows with a plate that
-/// is always loaded have no effect on it.
+/// The level of a window is its 10th percentile. The slope is the median over pairs of windows (Theil–Sen estimator). A few windows in
+/// which the plate is always loaded do not affect the slope.
 fn upwards(force: &[f64], rate_hz: f64) -> Option<f64> {
     let length = ((WINDOW_S * rate_hz) as usize).min(force.len() / (FEWEST + 1));
     let level = |window: &[f64]| ranked(window.to_vec(), length / 10);

@@ -1,41 +1,47 @@
-//! Missing samples. Between contacts they mean an unloaded plate; elsewhere they are interpolated. Single samples, or a few, that differ strongly
-//! from both neighbours count as missing. Zeros in the middle of a load also count as missing: they are lost packets.
+//! Missing samples. Between contacts, missing samples mean an unloaded plate; elsewhere they are interpolated.
+//!
+//! Two kinds of readings also count as missing. A spike consists of one or a few samples that differ strongly from the samples before and
+//! after it. Zeros in the middle of a load are lost packets.
 
 use std::ops::Range;
 
-/// Minimum duration of missing samples that mean an unloaded plate, s; a swing phase is not shorter.
+/// Minimum duration of a run of missing samples that means an unloaded plate, s. A swing phase is not shorter.
 const UNLOADED_S: f64 = 0.1;
-/// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading.
+/// Maximum reading next to a run of missing samples that means an unloaded plate, as a fraction of the maximum reading of the recording.
 const LOW: f64 = 0.3;
-/// Time next to a run of missing samples, s, and minimum change of the force within this time by a heel strike or toe-off, N.
+/// Time before or after a run of missing samples, s, and change of the force, N. A larger change within this time means a toe-off or heel
+/// strike.
 const EDGE: (f64, f64) = (0.015, 10.0);
 
-/// Minimum sampling rate, Hz, at which a sample must be similar to one of its neighbours, because an impact lasts 10 ms or more.
+/// Minimum sampling rate, Hz, at which a sample must be similar to one of the adjacent samples, because an impact lasts 10 ms or more.
 const DENSE_HZ: f64 = 180.0;
-/// Minimum difference between a spike and both neighbours: as a fraction of the maximum level that lasts longer than a spike, and in N.
+/// Minimum difference between a spike and the samples on both sides: as a fraction of the maximum level that lasts longer than a spike, and
+/// in N.
 const SPIKE: (f64, f64) = (0.5, 100.0);
-/// Maximum duration of a spike, s, and maximum number of its samples; at a low rate one sample.
+/// Maximum duration of a spike, s, and maximum number of its samples. At a low sampling rate, a spike is a single sample.
 const LASTS: (f64, usize) = (0.0061, 6);
-/// Maximum fraction of spikes among the samples; a larger fraction is noise.
+/// Maximum fraction of the samples that are spikes; a larger fraction is treated as noise.
 const RARE: f64 = 0.005;
 
-/// Maximum duration of zeros between loaded readings that cannot be a swing phase, s, and minimum sampling rate, Hz, to detect them.
+/// Maximum duration, s, of zeros between loaded readings that cannot be a swing phase, and minimum sampling rate, Hz, at which they are
+/// detected.
 const DROP_OUT: (f64, f64) = (0.08, 90.0);
 
-/// Samples that were filled.
+/// Description of the samples that were filled.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Filled {
     /// Runs that were interpolated linearly: first sample and number of samples.
     pub bridged: Vec<(usize, usize)>,
-    /// Whether runs were interpreted as an unloaded plate.
+    /// Whether some runs were interpreted as an unloaded plate.
     pub unloaded: bool,
-    /// Number of spikes, and the index of the first one.
+    /// Number of spikes, and index of the first spike.
     pub spikes: Option<(usize, usize)>,
-    /// Number of runs of lost samples, and the start of the first one.
+    /// Number of runs of lost samples, and start of the first run.
     pub drop_outs: Option<(usize, usize)>,
 }
 
-/// Fills missing samples: with zero where the plate is unloaded, otherwise linearly, and constant at the ends.
+/// Fills missing samples: with zero where the plate is unloaded, otherwise by linear interpolation. At the ends of the recording, the
+/// nearest value is repeated.
 pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     let spikes = remove_spikes(force, rate_hz);
     let reach = force.iter().copied().filter(|x| x.is_finite());
@@ -62,7 +68,8 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether a foot leaves the plate before a run and lands after it, if both are recorded.
+/// Whether the plate is unloaded during a run: a foot leaves it before the run and lands after it. An end of the recording does not need a
+/// foot.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {
@@ -90,7 +97,7 @@ fn bridge(force: &mut [f64], run: &Range<usize>) {
     }
 }
 
-/// Marks short runs of zeros between loaded readings as missing. Returns their number and the start of the first run.
+/// Marks short runs of zeros between loaded readings as missing. Returns the number of runs and the start of the first run.
 fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DROP_OUT.1 {
         return None;
@@ -114,7 +121,7 @@ fn remove_drop_outs(force: &mut [f64], loaded: f64, rate_hz: f64) -> Option<(usi
     found
 }
 
-/// Marks spikes as missing. Returns their number and the index of the first one.
+/// Marks spikes as missing. Returns the number of spikes and the index of the first spike.
 fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     if rate_hz < DENSE_HZ {
         return None;
@@ -152,8 +159,8 @@ fn remove_spikes(force: &mut [f64], rate_hz: f64) -> Option<(usize, usize)> {
     Some((places.len(), first))
 }
 
-/// Number of samples of a spike that follows the first of the given samples. All samples of the spike differ strongly from the samples before and
-/// after it.
+/// Number of samples of a spike that begins after the first given sample. All samples of the spike differ strongly from the samples before
+/// and after it.
 fn spike(samples: &[f64], least: f64, longest: usize) -> Option<usize> {
     let rises = samples[1] > samples[0];
     let is_far = |x: f64, level: f64| (if rises { x - level } else { level - x }) > least;

@@ -14,33 +14,33 @@ use missing::fill;
 /// Range of readings, N, below which a channel was never loaded.
 const TOUCHED_N: f64 = 30.0;
 
-/// Duration below which a constant reading may be a load, s.
+/// Duration, s, below which a constant reading may be a load.
 const STEP_S: f64 = 0.4;
 
 /// Fraction of the maximum reading above which a level is a load.
 const LOADED: f64 = 0.15;
 
-/// Ratio of the numbers of readings within twice the unloaded band and within the band above which the band is too narrow.
+/// Factor by which the number of readings may increase if the unloaded band is twice as wide. Above this factor, the band is too narrow.
 const BROAD: f64 = 1.2;
 
-/// Minimum duration, s, of a span that shows the unloaded level; duration, s, of its ends that are omitted; minimum difference, N, between its mean
-/// and the most frequent level.
+/// Constants for a span that shows the unloaded level: minimum duration, s; duration of each end that is omitted, s; minimum difference, N,
+/// between its mean and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Duration of both ends of a recording that show the unloaded level, s, and minimum difference from it, N.
+/// Duration of each end of a recording that shows the unloaded level, s, and minimum difference from this level, N, that is reported.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Maximum number of values examined for baseline and sign; more values are thinned evenly.
+/// Maximum number of values from which baseline and sign are determined; more values are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
-/// Maximum number of readings examined for clipping, and the rate, Hz, to which faster readings are thinned.
+/// Maximum number of readings that are examined for clipping, and the sampling rate, Hz, to which faster readings are thinned.
 const CLIPPED: (usize, f64) = (1 << 14, 200.0);
 
-/// Converts raw readings in newtons, of either sign, to a channel; NaN means a missing sample.
+/// Converts raw readings in newtons, of either sign, to a channel. NaN means a missing sample.
 ///
-/// The sign is chosen so that the load is positive. The unloaded baseline is the most frequent level at the unloaded end of the readings. Without
-/// such a level, `zero` may name unloaded samples of the file (first, one past the last); they are used if they vary little. A constant channel is
-/// marked as idle, and its readings are unchanged.
+/// The sign is chosen so that the load is positive. The unloaded baseline is the most frequent level at the unloaded end of the range of
+/// readings. If there is no such level, it is the mean of the samples in `zero` (first, one past the last), if these vary little. `zero`
+/// contains the samples that the file marks as unloaded. A constant channel is marked as idle, and its readings are unchanged.
 pub(super) fn channel(
     name: String,
     mut raw: Vec<f64>,
@@ -159,8 +159,10 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// Large value that most samples have exactly and none exceeds, as for a saturated amplifier. Quiet standing does not count, because the landing or
-/// rise before it exceeds the value. Method: majority vote of Boyer and Moore (1991).
+/// Large value that most samples have exactly and that no sample exceeds, as in a saturated amplifier.
+///
+/// Quiet standing does not count, because the force of landing or rising before it exceeds the value. Method: majority vote of Boyer and
+/// Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
@@ -172,8 +174,8 @@ fn stuck_level(thin: &[f64]) -> Option<f64> {
     (most.abs() > 10.0 * TOUCHED_N && 2 * same() > thin.len() && !exceeded()).then_some(most)
 }
 
-/// Whether the loaded readings are negative. This is clear if the readings extend much further to one side of zero. Otherwise the unloaded end has
-/// the higher density of readings.
+/// Whether the loaded readings are negative. If the readings extend much further to one side of zero, this side is the load. Otherwise the
+/// unloaded end of the range is the end with the higher density of readings.
 fn loads_downwards(thin: &[f64]) -> bool {
     let (low, high) = ends(thin).unwrap_or_default();
     if low >= 0.0 || low.abs() < 0.2 * high.abs() {
@@ -186,7 +188,7 @@ fn loads_downwards(thin: &[f64]) -> bool {
     crowd(thin, high - part, high, band).1 > crowd(thin, low, low + part, band).1
 }
 
-/// Level between `from` and `to` with the maximum number of samples within half a `band`, and this number.
+/// Level between `from` and `to` with the maximum number of samples within half a `band`, and this number of samples.
 fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
     let is_near = |x: &f64| (from..=to + band).contains(x);
     let mut sorted: Vec<f64> = thin.iter().copied().filter(is_near).collect();
@@ -206,7 +208,8 @@ fn crowd(thin: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
 
 /// Unloaded level and its standard deviation, N, for readings whose load is positive; `None` if the plate was never unloaded.
 ///
-/// The level must contain 4 % of the samples. If it is far from zero, it must also last a fifth of a second, longer than under a loaded foot.
+/// At least 4 % of the samples must be at the level. A level far from zero must also last for a fifth of a second. A constant reading under
+/// a loaded foot does not last so long.
 fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     let (low, high) = ends(thin)?;
     let range = high - low;
@@ -243,8 +246,8 @@ fn baseline(thin: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * ranked(off, middle)?))
 }
 
-/// Mean reading of the spans that stay near a level for a fifth of a second, without their ends, where a foot lands or leaves; `None` if there is no
-/// such span.
+/// Mean reading, N, of all spans that stay near a level for at least a fifth of a second; `None` if there is no such span. The ends of the
+/// spans, where a foot lands or leaves, are omitted.
 fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f64> {
     let edge = (REST.1 * rate_hz) as usize;
     let spans = force.chunk_by(|a, b| (a - level).abs() <= band && (b - level).abs() <= band);
@@ -256,13 +259,13 @@ fn resting_level(force: &[f64], level: f64, band: f64, rate_hz: f64) -> Option<f
     (!quiet.is_empty()).then(|| mean_and_deviation(&quiet).0)
 }
 
-/// Level and standard deviation of samples that should be unloaded; `None` if they vary.
+/// Mean level and standard deviation, N, of samples that should be unloaded; `None` if the samples vary.
 fn quiet(force: &[f64]) -> Option<(f64, f64)> {
     let (mean, deviation) = mean_and_deviation(force);
     (force.len() >= 2 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
 }
 
-/// Level of both ends of a recording; `None` if they are loaded or differ.
+/// Unloaded level, N, at both ends of a recording; `None` if the ends are loaded or differ.
 fn level_at_ends(force: &[f64], rate_hz: f64) -> Option<f64> {
     let count = (ENDS.0 * rate_hz) as usize;
     let first = quiet(force.get(..count)?)?;

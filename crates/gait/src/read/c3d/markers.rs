@@ -1,10 +1,10 @@
-//! Heel markers of a C3D file.
+//! Paths of the heel markers in a C3D file.
 
 use super::parameters::Parameters;
 use super::storage::Analog;
 use crate::recording::Foot;
 
-/// Names of the heel in marker sets, only letters and digits (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
+/// Names of the heel marker in common marker sets, as letters and digits only (Davis et al. 1991: HEE; Cappozzo et al. 1995: FCC).
 const HEEL: [&str; 8] = [
     "HEE",
     "HEEL",
@@ -22,7 +22,7 @@ const SIDES: [(&str, Foot); 4] = [
     ("RIGHT", Foot::Right),
 ];
 
-/// Paths of the left and the right heel; NaN for frames in which a marker was not visible. `None` unless the file has both markers.
+/// Paths of the left and the right heel; NaN for frames in which a marker was not visible. `None` if the file lacks one of the markers.
 pub(super) fn heels(analog: &Analog, parameters: &Parameters) -> Option<[Vec<[f64; 3]>; 2]> {
     let mut labels = parameters.all_strings("POINT", "LABELS");
     labels.truncate(analog.points);

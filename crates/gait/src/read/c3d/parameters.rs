@@ -1,4 +1,4 @@
-//! The parameter section of a C3D file.
+//! Parameter section of a C3D file.
 
 use crate::recording::Processor;
 
@@ -25,7 +25,7 @@ pub(super) struct Parameters<'a> {
 }
 
 impl<'a> Parameters<'a> {
-    /// Reads the chain of groups and parameters. A broken link ends the chain.
+    /// Reads the chain of groups and parameters. An invalid link ends the chain.
     pub fn read(bytes: &'a [u8], start: usize, words: Processor) -> Self {
         let mut found = Parameters {
             words,
@@ -39,7 +39,7 @@ impl<'a> Parameters<'a> {
         found
     }
 
-    /// Reads one record. Returns the position of the next one, which must be larger.
+    /// Reads one record. Returns the position of the next record, which must be larger than the position of this record.
     fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
         // A negative length only means that the name is locked.
         let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());
@@ -96,7 +96,7 @@ impl<'a> Parameters<'a> {
         self.all.iter().find(|p| p.group == id && p.name == name)
     }
 
-    /// Numbers of a parameter in the order of the file (first index varies fastest); empty if absent.
+    /// Numbers of a parameter in the order of the file (the first index varies fastest); empty if the parameter is absent.
     pub fn numbers(&self, group: &str, name: &str) -> Vec<f64> {
         self.find(group, name)
             .map_or(Vec::new(), |p| self.values(p))
@@ -107,12 +107,12 @@ impl<'a> Parameters<'a> {
         self.numbers(group, name).first().copied()
     }
 
-    /// Dimensions of a parameter; empty if absent.
+    /// Dimensions of a parameter; empty if the parameter is absent.
     pub fn dims(&self, group: &str, name: &str) -> &[usize] {
         self.find(group, name).map_or(&[], |p| &p.dims)
     }
 
-    /// Texts of a parameter, trimmed.
+    /// Texts of a parameter, without spaces at both ends.
     pub fn strings(&self, group: &str, name: &str) -> Vec<String> {
         let Some(p) = self.find(group, name).filter(|p| p.kind == -1) else {
             return Vec::new();
@@ -125,7 +125,8 @@ impl<'a> Parameters<'a> {
         p.data.chunks(length.max(1)).map(text).collect()
     }
 
-    /// Numbers of a parameter and of its continuations, such as `SCALE2`. Each has at most 255 values.
+    /// Numbers of a parameter and of its continuations, such as `SCALE2`. One parameter has at most 255 values, so longer lists are
+    /// continued.
     pub fn all_numbers(&self, group: &str, name: &str) -> Vec<f64> {
         Self::continued(name, |name| self.numbers(group, name))
     }

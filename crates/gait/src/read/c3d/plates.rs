@@ -9,13 +9,13 @@ use crate::read::columns::{Role, role};
 use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note, ReadOptions};
 
-/// Channels of a plate and their weights in its vertical force.
+/// Channels of a plate, each with its factor in the sum that gives the vertical force.
 type Weights = Vec<(usize, f64)>;
 
-/// Maximum number of plates; laboratories have up to a dozen.
+/// Maximum number of plates that are read; laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
-/// Raw vertical force of every plate; without plates, of every channel labelled as force.
+/// Raw vertical force of every plate. Without plates, the force of every channel whose label denotes a force.
 pub(super) fn forces(
     path: &Path,
     analog: &Analog,
@@ -97,7 +97,7 @@ impl<'a> Channels<'a> {
         }
     }
 
-    /// The weighted sum of channels.
+    /// Weighted sum of channels as one raw force column.
     fn column(&self, name: String, axis: Axis, weights: &Weights) -> RawForce {
         let mut values = vec![0.0; self.analog.samples];
         for &(channel, weight) in weights {
@@ -117,7 +117,7 @@ impl<'a> Channels<'a> {
         }
     }
 
-    /// The channel with a label, or with a number counted from 1.
+    /// The channel with a given label, or with a given number counted from 1.
     fn named(&self, path: &Path, name: &str) -> Result<RawForce> {
         let mut labels = self.labels.iter();
         let place = labels
@@ -134,7 +134,7 @@ impl<'a> Channels<'a> {
         Ok(self.column(name.to_string(), Axis::Vertical, &vec![(place, 1.0)]))
     }
 
-    /// Every channel labelled as force.
+    /// All channels whose labels denote a force.
     fn labelled_force(&self) -> Vec<RawForce> {
         let most = self.analog.channels.min(3 * MOST_PLATES);
         let labels = self.labels.iter().enumerate().take(most);
@@ -163,11 +163,15 @@ fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
     }
 }
 
-/// Weights of the channels in the force normal to a plate, by the TYPE of the plate.
+/// Factors of the channels in the sum that gives the force normal to a plate, by the TYPE of the plate.
 ///
-/// Types 1 and 2: the third channel. Type 3: four vertical sensors. Types 4 (six channels) and 5 (eight): the third row of the calibration matrix.
-/// Types 6 (twelve) and 7 (eight): the vertical sensors of the four corners, whose rows of the matrix are summed. Without a matrix in the file, the
-/// channels are already forces.
+/// - Types 1 and 2: the third channel.
+/// - Type 3: the sum of the four vertical sensors.
+/// - Types 4 (six channels) and 5 (eight channels): the third row of the calibration matrix.
+/// - Types 6 (twelve channels) and 7 (eight channels): the sum of the rows of the matrix that belong to the vertical sensors of the four
+///   corners.
+///
+/// Without a matrix in the file, the channels are already forces.
 fn weights(
     plate: usize,
     analog: &Analog,
@@ -215,7 +219,8 @@ fn weights(
     }
 }
 
-/// Sum of some rows of the calibration matrix of a plate, for each of `columns` channels; `None` if the file has no such matrix (or only zeros).
+/// Sum of some rows of the calibration matrix of a plate, one value for each of `columns` channels. `None` if the file has no such matrix,
+/// or if it contains only zeros.
 fn matrix_sums(
     plate: usize,
     columns: usize,
@@ -239,7 +244,7 @@ fn matrix_sums(
     sums.filter(|s| s.iter().any(|w| *w != 0.0))
 }
 
-/// Adds a note for plates whose normal direction, from their corners, differs from that of the first plate.
+/// Adds a note for each plate whose normal direction, computed from its corners, differs from the direction of the first plate.
 fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     let corners = parameters.numbers("FORCE_PLATFORM", "CORNERS");
     let normals: Vec<Option<[f64; 3]>> = corners.chunks_exact(12).take(used).map(normal).collect();

@@ -11,7 +11,7 @@ use crate::recording::{Format, Note, Processor, Storage};
 #[derive(Debug)]
 pub(super) struct Analog<'a> {
     words: Processor,
-    /// Bytes of the data section.
+    /// Content of the data section.
     data: &'a [u8],
     is_float: bool,
     unsigned: bool,
@@ -32,7 +32,7 @@ pub(super) struct Analog<'a> {
 }
 
 impl<'a> Analog<'a> {
-    /// Locates the data section. If there are fewer frames than announced, a note is added.
+    /// Locates the data section. If the file contains fewer frames than announced, a note is added.
     pub fn read(
         path: &Path,
         bytes: &'a [u8],
@@ -84,7 +84,7 @@ impl<'a> Analog<'a> {
         })
     }
 
-    /// Adds `factor` times a channel (from 0) to `sum`. A sample that is not finite results in NaN.
+    /// Adds `factor` times the samples of a channel (index from 0) to `sum`. A sample that is not finite results in NaN.
     pub fn add(&self, channel: usize, factor: f64, sum: &mut [f64]) {
         let scale = self.scale.get(channel).copied().unwrap_or(1.0) * self.general_scale * factor;
         let offset = self.offset.get(channel).map_or(0.0, |o| {
@@ -105,7 +105,8 @@ impl<'a> Analog<'a> {
         }
     }
 
-    /// Position of a marker (from 0) in a frame, in the axes of the file; `None` if the marker was not visible. Integers are not scaled.
+    /// Position of a marker (counted from 0) in a frame, in the axes of the file; `None` if the marker was not visible. Positions that are
+    /// stored as integers are not scaled.
     pub fn point(&self, frame: usize, marker: usize) -> Option<[f64; 3]> {
         let mut four = [0.0; 4];
         for (k, x) in four.iter_mut().enumerate() {
@@ -117,7 +118,7 @@ impl<'a> Analog<'a> {
         (seen && position != [0.0; 3]).then_some(position)
     }
 
-    /// Number of a frame by its index.
+    /// Number at the index `place` of a frame; `unsigned` applies to 16-bit integers. `None` beyond the end of the data.
     fn value(&self, frame: usize, place: usize, unsigned: bool) -> Option<f64> {
         let width = if self.is_float { 4 } else { 2 };
         let at = frame * self.frame + place * width;
@@ -143,9 +144,9 @@ impl<'a> Analog<'a> {
     }
 }
 
-/// Number of analog values in one frame, for all channels together, and number of samples of one channel in it.
+/// Number of analog values in one frame, for all channels together, and number of samples of one channel in a frame.
 ///
-/// Some programs write the number of channels in place of the number of values.
+/// Some programs write the number of channels instead of the number of values.
 fn values_per_frame(
     path: &Path,
     values: usize,

@@ -26,7 +26,7 @@ impl Processor {
         self.u16(bytes, at).map(u16::cast_signed)
     }
 
-    /// Reads a float. In the VAX format its halves are swapped and its exponent is larger by two.
+    /// Reads a float. In the VAX format, the two 16-bit halves are swapped and the exponent is larger by two.
     pub(super) fn f32(self, bytes: &[u8], at: usize) -> Option<f32> {
         let b = bytes.get(at..at.checked_add(4)?)?;
         Some(match self {

@@ -9,16 +9,16 @@ use miniz_oxide::inflate::core::{DecompressorOxide, decompress};
 
 /// Size of the header, bytes.
 const HEADER: usize = 128;
-/// Maximum size of a compressed variable, bytes.
+/// Maximum size of a compressed variable after decompression, bytes.
 const LARGEST: usize = 1 << 30;
 /// Maximum depth of structs within structs.
 const DEEPEST: usize = 16;
 const MOST_STRUCTS: usize = 1000;
 
-/// Types of data elements.
+/// Type numbers of data elements.
 const MATRIX: u32 = 14;
 const COMPRESSED: u32 = 15;
-/// Classes of arrays.
+/// Class numbers of arrays.
 const CELL: u8 = 1;
 const STRUCT: u8 = 2;
 const CHARACTERS: u8 = 4;
@@ -37,10 +37,10 @@ pub(super) enum Content {
     Texts(Vec<String>),
 }
 
-/// An array with the names of the structs that contain it.
+/// An array, with the names of the structs that contain it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Array {
-    /// Names from the variable to the field. A number counts the structs of an array from 1.
+    /// Names from the variable to the field. In an array of structs, the number of the struct, counted from 1, follows the name.
     pub path: Vec<String>,
     pub content: Content,
 }
@@ -71,7 +71,7 @@ pub(in crate::read) fn is_level_5(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MATLAB 5.0") && bytes.len() > HEADER
 }
 
-/// All arrays of a file, up to the first damage.
+/// All arrays of a file. If the file is damaged, only the arrays before the damage.
 pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     let big = bytes.get(126..128) == Some(b"MI");
     let mut found = Vec::new();
@@ -99,7 +99,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     found
 }
 
-/// Content of a zlib stream, up to the first damage or to the maximum size.
+/// Decompressed content of a zlib stream, up to the maximum size. If the stream is damaged, only the content before the damage.
 fn inflate(data: &[u8]) -> Vec<u8> {
     let options =
         flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
@@ -119,7 +119,7 @@ fn inflate(data: &[u8]) -> Vec<u8> {
     out
 }
 
-/// Data elements in sequence.
+/// Iterator over consecutive data elements.
 #[derive(Clone, Copy)]
 struct Elements<'a> {
     bytes: &'a [u8],
@@ -164,7 +164,8 @@ impl<'a> Iterator for Elements<'a> {
     }
 }
 
-/// Adds an array and the arrays in it. `name` is its name as a field, which replaces the name in the array.
+/// Adds an array and the arrays that it contains. If the array is a field, `name` is the name of the field and replaces the name in the
+/// array.
 fn matrix(
     mut elements: Elements<'_>,
     owner: &[String],
@@ -235,7 +236,7 @@ fn matrix(
     Some(())
 }
 
-/// Text of a character array in a cell.
+/// Text of a character array that is an element of a cell array.
 fn text_of((kind, data): (u32, &[u8]), big: bool) -> Option<String> {
     let mut elements = Elements { bytes: data, big };
     let class = *elements.next()?.1.get(if big { 3 } else { 0 })?;

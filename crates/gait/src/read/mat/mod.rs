@@ -1,7 +1,8 @@
-//! MAT files of MATLAB: numeric arrays and structs with force, and time or sampling rate.
+//! MAT files of MATLAB: numeric arrays and structs that contain a force, and a time or a sampling rate.
 //!
-//! Vectors are columns. A matrix has one column (or row) for each series; the names are a list of labels in the same struct, the components of a
-//! vector, or numbers. The table consists of the columns of the longest time base that has a force.
+//! A vector is one column. A matrix has one column (or row) for each series. The names of these series are a list of labels in the same
+//! struct, the components of a vector, or numbers. Among the time bases that have a force, the longest is used; the table consists of its
+//! columns.
 
 mod elements;
 
@@ -24,20 +25,20 @@ pub(super) use elements::is_level_5;
 /// Minimum number of samples of a series.
 const FEWEST: usize = 10;
 const MOST_SERIES: usize = 400;
-/// Names of the components in a matrix of three or six series.
+/// Names of the components, for a matrix of three or six series.
 const COMPONENTS: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
 
 /// One series of samples.
 struct Series<'a> {
-    /// Names of the structs and the array, joined by points, and the name of the series in a matrix.
+    /// Names of the structs and of the array, joined by points. In a matrix, the name of the series follows.
     name: String,
     array: &'a Array,
-    /// Whether the series of a matrix is named by a number.
+    /// Whether the name of the series in a matrix is only a number.
     is_numbered: bool,
     values: Vec<f64>,
 }
 
-/// Selected columns of a MAT file: names and samples, and the scalars of the file as lines of a header.
+/// Selected columns of a MAT file with their names and samples, and the scalars of the file in the form of header lines.
 pub(super) struct Mat {
     pub table: Table,
     pub samples: Samples,
@@ -107,7 +108,7 @@ pub(super) fn table(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<
     })
 }
 
-/// The file with the options of the user, in the form that the selection of columns by name requires.
+/// An empty text file with the options of the user, for the functions that select the columns of a text by name.
 fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
     let separator = Separator::Byte(b',');
     let delimiters = Delimiters {
@@ -122,7 +123,7 @@ fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
     }
 }
 
-/// Length of the longest series that is a force by its name or by the options; otherwise of the longest series of all.
+/// Length of the longest series whose name denotes a force or that the user selected. If there is none, length of the longest series.
 fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     let is_force = |s: &&Series| match &options.force[..] {
         [] => matches!(role(&s.name), Role::Force { .. }),
@@ -133,7 +134,7 @@ fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     of_force.or_else(|| series.iter().map(length).max())
 }
 
-/// Series of an array. A vector is one series; in a matrix, the shorter dimension is the number of series.
+/// Series of an array. A vector is one series. In a matrix, the shorter dimension is the number of series.
 fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     let Content::Numbers { rows, values, .. } = &array.content else {
         return Vec::new();
@@ -172,7 +173,7 @@ fn series<'a>(array: &'a Array, all: &[Array]) -> Vec<Series<'a>> {
     (0..count).map(one).collect()
 }
 
-/// Names for the series of a matrix: a list in the same struct with the same number of texts.
+/// Names of the series of a matrix: a list of texts in the same struct, with as many texts as series.
 fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     let list = |other: &Array| match &other.content {
         Content::Texts(texts) if count > 1 && texts.len() == count => Some(texts.clone()),
@@ -182,7 +183,7 @@ fn labels(array: &Array, all: &[Array], count: usize) -> Option<Vec<String>> {
     beside.filter_map(list).next()
 }
 
-/// Scalars as lines of a header; those of the struct of the force first.
+/// Scalars of the file in the form of header lines. The scalars of the struct that contains the force come first.
 fn head(arrays: &[Array], owner: &[String]) -> Vec<String> {
     let shared = |a: &&Array| {
         let pairs = a.owner().iter().zip(owner);
@@ -209,7 +210,7 @@ fn scalar(array: &Array) -> Option<(&Array, f64)> {
     }
 }
 
-/// Time and force of a matrix without names, possibly with a vector of times, determined from the numbers.
+/// Time and force columns of a matrix without names, possibly with a separate vector of times, determined from the numbers.
 fn by_numbers(series: &[Series]) -> Option<Columns> {
     let time = series.iter().position(|s| role(&s.name) == Role::Time);
     let data = || series.iter().enumerate().filter(|(i, _)| Some(*i) != time);

@@ -1,17 +1,18 @@
-//! Columns of a table without names: time and vertical forces, determined from the numbers.
+//! Columns of a table without names: the time and the vertical forces are determined from the numbers.
 
 use crate::recording::Foot;
 use crate::statistics::sample;
 
-/// Number of evenly distributed rows that are used to classify the columns.
+/// Number of evenly distributed rows from which the columns are classified.
 const SAMPLE: usize = 4096;
 
-/// Number of values per row above which unnamed columns are pressure sensors, not plates (twelve plates with six values).
+/// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
 const MOST_VALUES: usize = 72;
 
-/// Left and right foot, if the columns are, in this order, time, two equal sets of sensors and their two sums.
+/// Left and right foot as the feet of the two force columns, if the columns are those of insoles: the time, two sets of equally many
+/// sensors, and the sum of each set.
 ///
-/// The insole recordings of PhysioNet have this form, left foot first.
+/// The insole recordings of PhysioNet have this form, with the left foot first.
 pub(super) fn insole_sides(
     forces: &[usize],
     width: usize,
@@ -25,7 +26,7 @@ pub(super) fn insole_sides(
     is_layout.then_some([Foot::Left, Foot::Right])
 }
 
-/// The first column, if it decreases in almost no row and increases in at least one row of ten.
+/// Index of the time column. It is the first column, if at least 95 % of its steps do not decrease and at least 10 % increase.
 pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     let several = columns.len() >= 2;
     let t = columns.first().filter(|t| several && t.len() >= 2)?;
@@ -35,15 +36,17 @@ pub(super) fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     (rises && 10 * count(|w| w[1] > w[0]) >= steps).then_some(0)
 }
 
-/// Whether times increase by one from row to row.
+/// Whether the times increase by exactly one from row to row.
 pub(super) fn counts_samples(times: &[f64]) -> bool {
     times.windows(2).all(|w| w[1] - w[0] == 1.0)
 }
 
-/// Columns that contain a vertical force.
+/// Columns that contain a vertical force. The first rule that applies is used:
 ///
-/// First sums of a block of other columns (insoles: sensors and their totals). Then the third of every six columns (plates: Fx Fy Fz Mx My Mz), or
-/// the one of the first three that has the load. Then every column with a constant sign whose maximum is at least two fifths of the overall maximum.
+/// 1. Columns that are the sum of a block of other columns (sums of the sensors of insoles).
+/// 2. If the number of columns is a multiple of six (Fx Fy Fz Mx My Mz of each plate): the force component with the maximum load, on each
+///    plate.
+/// 3. Columns with a constant sign whose maximum is more than two fifths of the overall maximum.
 pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {
@@ -84,7 +87,7 @@ pub(super) fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<us
         .collect()
 }
 
-/// Columns that equal the sum of at least three adjacent columns in nearly every row.
+/// Columns that are, in nearly every row, the sum of at least three adjacent columns.
 fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     let samples = columns.first().map_or(0, Vec::len);
     if data.len() < 4 || data.len() > 64 || samples == 0 {

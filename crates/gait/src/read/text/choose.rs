@@ -1,4 +1,5 @@
-//! Selection of the time and force columns of a table: by the options of the user, by names, or by numbers.
+//! Selection of the time and force columns of a table. The options of the user have priority, then the names of the columns, then the
+//! numbers in them.
 
 use std::path::Path;
 
@@ -12,7 +13,7 @@ use crate::read::columns::{Role, foot, role, says_vertical, words};
 use crate::read::vocabulary::{INSOLE, is};
 use crate::recording::{Axis, Foot, ForceUnit, Note};
 
-/// Maximum number of force columns: several hundred plates with three components. Each becomes one channel.
+/// Maximum number of force columns that are read: several hundred plates with three components. Each column becomes one channel.
 const MOST_FORCES: usize = 1000;
 
 /// Minimum number of rows of a recording without column names.
@@ -25,20 +26,20 @@ const WIDEST: usize = 400;
 #[derive(Default)]
 pub(in crate::read) struct Columns {
     pub time: Option<usize>,
-    /// Whether the time column counts samples instead of seconds, or is a phase.
+    /// Whether the time column contains sample numbers or phases instead of seconds.
     pub counts: bool,
-    /// Meaning of a time column that is a phase: phase of a cycle (`false`) or of a stance (`true`).
+    /// If the time column is a phase: whether it is the phase of a stance (`true`) or of a cycle (`false`).
     pub phase_of_stance: Option<bool>,
     pub force: Vec<ForceColumn>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
     /// Assumptions made in the selection.
     pub notes: Vec<Note>,
-    /// All columns of a table without names, from which the columns are selected.
+    /// All columns of a table without names, if they were read for the selection.
     pub read: Option<Numbers>,
 }
 
-/// A force column with the meaning of its name.
+/// A force column, with the component and foot that its name denotes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::read) struct ForceColumn {
     pub place: usize,
@@ -46,7 +47,7 @@ pub(in crate::read) struct ForceColumn {
     pub foot: Option<Foot>,
 }
 
-/// Selects the columns to read; `None` without a force.
+/// Selects the columns to read; `None` if no column is a force.
 pub(in crate::read) fn choose(file: &TextFile, table: &Table) -> Result<Option<Columns>> {
     let options = file.options;
     let time = (options.time.as_ref()).map(|name| column(file.path, table, name));
@@ -114,7 +115,7 @@ fn stated(file: &TextFile, table: &Table) -> Result<Vec<ForceColumn>> {
     Ok(places.into_iter().map(|i| vertical(table, i)).collect())
 }
 
-/// Time and force columns, by the names of the columns.
+/// Time and force columns, according to the names of the columns.
 fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
     let place = |role: &Role| roles.iter().position(|r| r == role);
@@ -135,8 +136,8 @@ fn by_names(table: &Table, stated: Option<usize>) -> Columns {
     }
 }
 
-/// Time and force columns, by the numbers in the columns; no force if the table is too short for a recording. `stated` is the index of the time
-/// column named by the user.
+/// Time and force columns of a table without names, according to its numbers. There is no force if the table is too short for a recording.
+/// `stated` is the index of the time column that the user named.
 fn nameless(file: &TextFile, table: &Table, stated: Option<usize>) -> Result<Columns> {
     let all: Vec<usize> = (0..table.width.min(WIDEST)).collect();
     let read = numbers(file, table, &all, None)?;
@@ -167,8 +168,8 @@ fn no_force_among(table: &Table) -> ReadError {
     }
 }
 
-/// Time and force columns of a table without names, by the numbers in the columns; `None` without a force. `stated` is the index of the time column,
-/// if known.
+/// Time and force columns of a table without names, according to its numbers; `None` if no column is a force. `stated` is the index of the
+/// time column, if known.
 pub(in crate::read) fn columns_by_numbers(
     columns: &[Vec<f64>],
     stated: Option<usize>,
@@ -200,7 +201,8 @@ pub(in crate::read) fn columns_by_numbers(
     })
 }
 
-/// Columns that are recognised as a force: by their names, otherwise by their units, otherwise by their sides.
+/// Columns whose names denote a force. Without such a column: columns with a unit of force. Without these: two columns named left and
+/// right.
 fn recognised(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let named = roles.iter().enumerate().filter_map(|(place, r)| match *r {
         Role::Force { axis, foot } => Some(ForceColumn { place, axis, foot }),
@@ -222,7 +224,7 @@ fn vertical(table: &Table, place: usize) -> ForceColumn {
     ForceColumn { place, axis, foot }
 }
 
-/// Excludes the zones of an insole if their total is present: `L::heel, L::toes, L`, possibly below a header row of `Force[N]`.
+/// Excludes the zones of an insole if their total is also a column: `L::heel, L::toes, L`, possibly below a header row `Force[N]`.
 fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     let name = |f: &ForceColumn| table.names.get(f.place).map_or("", |n| n.trim());
     let (zones, totals): (Vec<ForceColumn>, Vec<ForceColumn>) =
@@ -236,7 +238,7 @@ fn leave_zones(table: &Table, force: &mut Vec<ForceColumn>) {
     }
 }
 
-/// Whether a column belongs to a pressure insole, by its name or because its zones are also columns.
+/// Whether a column belongs to a pressure insole, because of its name or because zones of the insole are also columns.
 fn is_insole(table: &Table, name: &str) -> bool {
     let is_zone = |zone: &String| {
         let owner = zone.split_once("::").map(|(owner, _)| owner.trim());
@@ -245,7 +247,7 @@ fn is_insole(table: &Table, name: &str) -> bool {
     words(name).iter().any(|w| is(w, INSOLE)) || table.names.iter().any(is_zone)
 }
 
-/// Excludes columns with units of another quantity.
+/// Excludes columns whose unit is not a unit of force.
 ///
 /// # Errors
 ///
@@ -259,7 +261,7 @@ fn leave_foreign_units(file: &TextFile, table: &Table, force: &mut Vec<ForceColu
     Ok(())
 }
 
-/// Columns with unknown names and a unit of force.
+/// Columns with a unit of force whose names have no known meaning.
 fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<ForceColumn> {
     let unnamed = (0..table.names.len()).filter(|&i| roles[i] == Role::Other);
     let newtons = unnamed.filter(|&i| is_newtons(table, i));
@@ -276,7 +278,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
     is_force && !words(&table.names[i]).iter().any(is_other)
 }
 
-/// Two columns with only left and right as names: two insoles or belts.
+/// Two columns whose names are only left and right: two insoles or belts.
 fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     let places = ["left", "right"].map(|side| {
         let place = table.names.iter().position(|n| words(n) == [side]);
@@ -288,7 +290,8 @@ fn named_by_side(table: &Table) -> Vec<ForceColumn> {
     }
 }
 
-/// Index of a column given by its name (case is ignored) or by its number from 1; without a header by number.
+/// Index of the column with a given name (upper and lower case are equal) or number, counted from 1. Without a header, only a number is
+/// possible.
 pub(super) fn column(path: &Path, table: &Table, stated: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
@@ -322,7 +325,7 @@ fn no_column(stated: &str, names: &[String]) -> ReadError {
     }
 }
 
-/// First names of the columns, for a message.
+/// Names of the first columns, for a message.
 pub(in crate::read) fn listed(names: &[String]) -> Vec<String> {
     names.iter().take(40).cloned().collect()
 }

@@ -7,7 +7,7 @@ use super::vectors::flattened;
 use crate::read::number::{Field, field, trim};
 use crate::recording::ReadOptions;
 
-/// Separator between two fields.
+/// Separator between two fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
     /// A single character with this byte value.
@@ -16,7 +16,7 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// Separator and decimal mark of a text.
+/// Field separator and decimal mark of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Delimiters {
     pub separator: Separator,
@@ -38,7 +38,7 @@ impl Position {
 /// A text file with the options of the user.
 pub(crate) struct TextFile<'a> {
     pub path: &'a Path,
-    /// Text of the file without byte order mark, in UTF-8 or a single-byte encoding.
+    /// Text of the file without byte-order mark, in UTF-8 or a single-byte encoding.
     pub bytes: &'a [u8],
     pub delimiters: Delimiters,
     pub options: &'a ReadOptions,
@@ -90,8 +90,9 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Converts a table to plain bytes with one number per cell and `\n` line ends. Byte-order marks are removed, UTF-16 and single carriage returns are
-/// converted, and cells with vectors are split.
+/// Converts the text of a table to a standard form: one number per cell, and lines that end with `\n`.
+///
+/// Byte-order marks are removed, UTF-16 and single carriage returns are converted, and cells that contain vectors are split.
 pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
     if let Some(flat) = flattened(bytes) {
         return Cow::Owned(flat);
@@ -126,10 +127,10 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     }
 }
 
-/// Number of lines that are examined for separator and decimal mark.
+/// Number of lines from which separator and decimal mark are determined.
 const SAMPLE: usize = 60;
 
-/// Determines separator and decimal mark from lines of numbers, with several lines from each part of the text.
+/// Determines separator and decimal mark from the lines of numbers. Several lines are taken from each part of the text.
 pub(crate) fn detect(bytes: &[u8]) -> Delimiters {
     let mut sample: Vec<&[u8]> = Vec::new();
     for part in 0..4 {
@@ -196,7 +197,7 @@ fn is_decimal_comma(f: &[u8]) -> bool {
     last.contains(&b',') && matches!(field(last, true), Field::Number(_))
 }
 
-/// Fields of a line. A field in double quotes may contain the separator.
+/// Fields of a line. A field in double quotes may contain the separator character.
 #[derive(Clone)]
 pub(crate) struct Fields<'a> {
     rest: Option<&'a [u8]>,
@@ -238,7 +239,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// Position from which the separator is searched: after the closing quote of a quoted field, otherwise 0.
+/// Position in `rest` from which the separator is searched: after the closing quote if the field is quoted, otherwise 0.
 fn closing_quote(rest: &[u8]) -> usize {
     let inside = rest.strip_prefix(b"\"").unwrap_or(&[]);
     let end = inside.iter().position(|&b| b == b'"');

@@ -1,31 +1,31 @@
-//! Header of a table: names above the columns, groups above names, units, and the lines above.
+//! Header of a table: the names above the columns, the groups above the names, the units, and the other lines above the table.
 
 use super::delimited::{Delimiters, Fields, Position, Separator, text};
 use crate::read::number::{Field, field, trim};
 
-/// A table: position and header texts.
+/// Position and header of a table.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
     /// Position of the first row of numbers.
     pub start: Position,
-    /// Number of fields in the first row, without trailing empty ones.
+    /// Number of fields in the first row, without empty fields at its end.
     pub width: usize,
-    /// Name of each column. The rows of a header with several rows are joined by a space. Empty without a header.
+    /// Name of each column; empty without a header. If the header has several rows, the names of a column are joined by a space.
     pub names: Vec<String>,
-    /// Unit of each column if there is a row of units, otherwise empty.
+    /// Unit of each column; empty without a row of units.
     pub units: Vec<String>,
-    /// Lines above the table except the header row, without comment marks.
+    /// Lines above the table, without the header row and without comment marks.
     pub head: Vec<String>,
 }
 
 impl Table {
-    /// Entry of a column in the row of units, without brackets.
+    /// Text of a column in the row of units, without brackets.
     pub fn unit(&self, column: usize) -> Option<&str> {
         let unit = self.units.get(column)?;
         Some(unit.trim_matches(['[', ']', '(', ')']).trim()).filter(|u| !u.is_empty())
     }
 
-    /// Number of the line above the first row, which contains the names.
+    /// Number of the line above the first row of numbers. This line contains the names.
     pub fn header_line(&self) -> usize {
         self.start.line.saturating_sub(1).max(1)
     }
@@ -118,10 +118,10 @@ fn is_wordy(row: &[String], delimiters: Delimiters) -> bool {
             .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
 }
 
-/// Minimum number of values in a row of sensor numbers.
+/// Minimum number of fields for which counted numbers are the names of sensors.
 const FEWEST_COUNTED: usize = 6;
 
-/// Whether the fields of a row count up by one from 0 or 1, possibly between words, as the names of sensors do.
+/// Whether the numbers in a row increase by one from 0 or 1, possibly with words between them, as the names of sensors do.
 pub(super) fn are_counted<'a>(fields: impl Iterator<Item = &'a [u8]>, comma: bool) -> bool {
     let mut next = None;
     let mut count = 0;
@@ -147,7 +147,7 @@ fn is_name_row(row: &[String], width: usize, delimiters: Delimiters) -> bool {
     named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && are_names
 }
 
-/// Whether a row above the names distinguishes columns with the same name, for example plates above their components.
+/// Whether a row above the names distinguishes columns of the same name, for example a row of plates above the components.
 fn is_group_row(row: &[String], below: &[String], width: usize, delimiters: Delimiters) -> bool {
     let mut names: Vec<&String> = below.iter().filter(|c| !c.is_empty()).collect();
     let all = names.len();
@@ -169,13 +169,14 @@ pub(super) fn is_unit(word: &str) -> bool {
     !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
 }
 
-/// Whether all cells of a row denote units.
+/// Whether at least three quarters of the non-empty cells of a row denote units.
 fn is_unit_row(row: &[String]) -> bool {
     let named = filled(row);
     named > 0 && row.iter().filter(|c| is_unit(c)).count() * 4 >= named * 3
 }
 
-/// Whether a row of words below the names begins with a unit of time. It then contains units, known or unknown.
+/// Whether a row of words below the names begins with a unit of time. The row then contains the units of all columns, even if they are
+/// unknown.
 fn is_below_names(
     row: &[String],
     over: Option<Vec<String>>,
@@ -198,7 +199,7 @@ fn is_time_unit(word: &str) -> bool {
     ["s", "sec", "secs", "seconds", "ms", "min"].contains(&bare.as_str())
 }
 
-/// Joins the rows of a header column by column. The name of a group is valid up to the next one.
+/// Joins the rows of a header column by column. The name of a group applies to all columns up to the next group.
 fn joined(rows: &[Vec<String>]) -> Vec<String> {
     let Some(last) = rows.last() else {
         return Vec::new();

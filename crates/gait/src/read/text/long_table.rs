@@ -1,4 +1,4 @@
-//! Long tables of standardised gait data: one cycle for each subject, task and step, with a phase column.
+//! Long tables of standardised gait data: one cycle for each subject, task and step, with a phase column instead of times.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -21,22 +21,22 @@ use crate::statistics::mean;
 const IDENTIFIERS: [&str; 7] = [
     "subject", "task", "step", "session", "trial", "cycle", "stride",
 ];
-/// Words that exclude a phase in a column name, because the column contains its rate.
+/// Words in a column name that show that the column contains the rate of the phase, not the phase.
 const RATES: [&str; 3] = ["dot", "rate", "velocity"];
 
 /// Minimum number of rows of a cycle.
 const FEWEST: usize = 4;
 
-/// A text with many cycles, and the columns that distinguish the cycles.
+/// A text with the cycles of a long table.
 pub(in crate::read) struct LongTable<'a> {
     file: TextFile<'a>,
-    /// Header of the table, and position of its first row.
+    /// Header of the table, and position of the first row.
     table: Table,
-    /// Columns that distinguish the cycles.
+    /// Indices of the columns that distinguish the cycles.
     identifiers: Vec<usize>,
 }
 
-/// Rows of one cycle: phases as written, and forces.
+/// Rows of one cycle: phases as written in the file, and forces.
 #[derive(Default)]
 struct Cycle {
     phases: Vec<f64>,
@@ -44,7 +44,7 @@ struct Cycle {
 }
 
 impl<'a> LongTable<'a> {
-    /// The long table in a text, if there is one: subject, phase and a force, without times.
+    /// The long table in a text, if there is one. It has columns for the subject, the phase and a force, but no times.
     pub fn of(path: &'a Path, bytes: &'a [u8], options: &'a ReadOptions) -> Option<Self> {
         let mut lines = Lines::new(bytes);
         let (_, header) = lines.find(|(_, line)| !line.trim_ascii().is_empty())?;
@@ -98,7 +98,7 @@ impl<'a> LongTable<'a> {
         &self.table
     }
 
-    /// Fields of each row.
+    /// Fields of each row, with the position of the row.
     fn rows(&self) -> impl Iterator<Item = (Position, Vec<&'a [u8]>)> + '_ {
         let lines = Lines::from(self.file.bytes, self.table.start);
         let rows = lines.filter(|(_, line)| !line.trim_ascii().is_empty());
@@ -108,7 +108,7 @@ impl<'a> LongTable<'a> {
         })
     }
 
-    /// Words that identify the cycle of a row, from the columns that begin with `first` or from all identifiers.
+    /// Fields that identify the cycle of a row. If `first` is given, only the columns whose names begin with this word are used.
     fn identity(&self, fields: &[&'a [u8]], first: Option<&str>) -> Vec<&'a [u8]> {
         let is_meant = |place: &&usize| {
             let name = words(&self.table.names[**place]);
@@ -118,14 +118,14 @@ impl<'a> LongTable<'a> {
         chosen.filter_map(|&i| fields.get(i).copied()).collect()
     }
 
-    /// Error for a long table that is read as a recording, although it has no times.
+    /// Error if a long table is read as a recording, because it has no times.
     pub fn refusal(&self) -> Error {
         let cycles = self.rows().map(|(_, fields)| self.identity(&fields, None));
         let cycles = cycles.collect::<BTreeSet<_>>().len();
         ReadError::LongTable { cycles }.at_line(self.file.path, self.table.header_line())
     }
 
-    /// Columns of phase and force: those named by the user, or the first phase and the only vertical force of its side.
+    /// Phase and force column: the columns named by the user. Otherwise the first phase, and the only vertical force of its side.
     fn columns(&self) -> Result<[usize; 2]> {
         let (names, options) = (&self.table.names, self.file.options);
         let asked = |name: &String| column(self.file.path, &self.table, name);
@@ -166,8 +166,10 @@ impl<'a> LongTable<'a> {
         }
     }
 
-    /// Mean force of all cycles at the phases of the first cycle, in the unit of the column, over the seconds of the period; its standard deviation
-    /// if there are several cycles; the number of cycles.
+    /// Mean force of all cycles, and the number of cycles.
+    ///
+    /// The force is in the unit of its column, at the phases of the first cycle. The phases are converted to seconds with the period. If
+    /// there are several cycles, the standard deviation follows as a second force column.
     ///
     /// # Errors
     ///

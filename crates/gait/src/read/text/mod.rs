@@ -36,7 +36,7 @@ pub(super) use samples::Samples;
 pub(super) use table::next_table;
 pub(super) use units::check_unit;
 
-/// Reads a delimited text; the first table with a force column is used.
+/// Reads a delimited text. The first table that has a force column is used.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
     if let Some(long) = LongTable::of(path, bytes, options) {
@@ -67,7 +67,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     Err(no_force(file, &seen))
 }
 
-/// Error if there are twice as many fields as names and no decimal point: commas then separate both decimals and columns.
+/// Error if a table has twice as many fields as names and no decimal point, because commas then separate both decimals and columns.
 fn commas_twice(file: &TextFile, table: &Table) -> Option<ReadError> {
     let (columns, fields) = (table.names.len(), table.width);
     let (_, row) = Lines::from(file.bytes, table.start).next()?;

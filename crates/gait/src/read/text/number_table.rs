@@ -1,4 +1,4 @@
-//! Tables of numbers for other readers. Every row is stored with its line; only blank lines and comments are skipped.
+//! Tables of numbers for other readers. Every row is returned with its line number; only blank lines and comments are skipped.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -31,7 +31,7 @@ pub struct NumberTable<'a> {
     table: Table,
 }
 
-/// Field of a row.
+/// Field of a row in a table.
 ///
 /// ```
 /// use gaitcam_gait::NumberTable;
@@ -42,14 +42,14 @@ pub struct NumberTable<'a> {
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
 pub struct Cell {
-    /// Finite number in the cell; `None` for anything else.
+    /// Finite number in the field; `None` if the field contains anything else.
     pub number: Option<f64>,
     /// Text of the field, as written.
     pub text: String,
 }
 
 impl<'a> NumberTable<'a> {
-    /// First table of a text; `path` is used only in messages.
+    /// The first table of a text. `path` is used only in messages.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl<'a> NumberTable<'a> {
         &self.table.names
     }
 
-    /// Line of the header, counted from 1; without a header the line of the first row.
+    /// Number of the header line, counted from 1. Without a header, the number of the line of the first row.
     pub fn header_line(&self) -> usize {
         match self.table.names.is_empty() {
             true => self.table.start.line,
@@ -81,7 +81,7 @@ impl<'a> NumberTable<'a> {
         }
     }
 
-    /// Index of a column given by its name (case is ignored) or by its number from 1.
+    /// Index of the column with a given name (upper and lower case are equal) or number, counted from 1.
     ///
     /// # Errors
     ///
@@ -90,30 +90,30 @@ impl<'a> NumberTable<'a> {
         column(path, &self.table, stated)
     }
 
-    /// Whether the name of a column denotes a time, in several languages.
+    /// Whether the name of a column denotes a time, in one of several languages.
     pub fn means_time(&self, column: usize) -> bool {
         let name = self.table.names.get(column);
         name.is_some_and(|n| role(n) == Role::Time)
     }
 
-    /// Whether the name of a column denotes a force, in several languages.
+    /// Whether the name of a column denotes a force, in one of several languages.
     pub fn means_force(&self, column: usize) -> bool {
         let name = self.table.names.get(column);
         name.is_some_and(|n| matches!(role(n), Role::Force { .. }))
     }
 
-    /// Words in the name of a column, in lower case and without a unit in brackets: `cam` and `angle` for `CamAngle [deg]`.
+    /// Words in the name of a column, in lower case and without a unit in brackets, for example `cam` and `angle` for `CamAngle [deg]`.
     pub fn words(&self, column: usize) -> Vec<String> {
         let name = self.table.names.get(column);
         name.map_or_else(Vec::new, |n| words(n))
     }
 
-    /// Name and unit of a column, equal for `lift_mm`, `lift [mm]` and `lift (mm)`; the unit may also be in a row of units.
+    /// Name and unit of a column. They are the same for `lift_mm`, `lift [mm]` and `lift (mm)`. The unit may also be in a row of units.
     pub fn name_and_unit(&self, column: usize) -> (String, Option<String>) {
         self.table.name_and_unit(column)
     }
 
-    /// Rows with their lines, up to the end of the text.
+    /// Rows with their line numbers, up to the end of the text.
     pub fn rows(&self) -> impl Iterator<Item = (usize, Vec<Cell>)> + '_ {
         let lines = Lines::from(&self.bytes, self.table.start);
         let is_row =

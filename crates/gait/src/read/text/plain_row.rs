@@ -1,10 +1,13 @@
-//! Fast reader for rows that contain only simple numbers, which are most rows of a long recording.
+//! Fast reader for rows that contain only simple numbers. Most rows of a long recording are such rows.
 
 use super::delimited::{Delimiters, Separator};
 use crate::read::number::short;
 
-/// Reads the selected fields (numbers from 0, ascending) of the row at the start of `rest`. Returns the length of the row with its line end. `None`,
-/// with an undefined `row`, for rows that the general reader must parse: fields other than short numbers, missing fields, no line end.
+/// Reads the selected fields (numbers from 0, ascending) of the row at the start of `rest`. Returns the length of the row with its line
+/// end.
+///
+/// `None` if the general reader must parse the row. In such a row, a field is not a short number, a field is missing, or there is no line
+/// end. The content of `row` is then undefined.
 #[inline]
 pub(super) fn plain_row(
     rest: &[u8],

@@ -1,4 +1,4 @@
-//! Samples of a recording: selected columns of a table, their time base, and the resulting recording.
+//! Samples of a recording: the selected columns of a table, their time base, and the recording that results.
 
 use super::choose::Columns;
 use super::delimited::TextFile;
@@ -13,20 +13,20 @@ use crate::recording::{ClockSource, Format, Note, ReadOptions, Recording};
 
 /// Raw values of the selected columns, before time and unit are determined.
 pub(in crate::read) struct Samples {
-    /// Times as written, if there is a time column.
+    /// Times as written in the file, if there is a time column.
     pub times: Option<Vec<f64>>,
-    /// Seconds per unit of the times, if the column states the unit.
+    /// Seconds per unit of the times, if the column gives a unit.
     pub time_unit: Option<f64>,
-    /// Whether the times count samples, or are a phase.
+    /// Whether the times are sample numbers or phases.
     pub counts: bool,
-    /// Name of the time column if it is the phase of a cycle.
+    /// Name of the time column, if it contains the phase of a cycle.
     pub phase: Option<String>,
     pub forces: Vec<RawForce>,
     /// Whether the forces are those of pressure insoles, if known.
     pub insole: Option<bool>,
-    /// First lines that are not rows.
+    /// Numbers of the first lines that are not rows of numbers.
     pub skipped: Vec<usize>,
-    /// Notes on assumptions.
+    /// Notes on assumptions that were made.
     pub notes: Vec<Note>,
 }
 
@@ -107,7 +107,7 @@ impl Samples {
         vertical::recording(self.forces, base, facts, file.options).map_err(place)
     }
 
-    /// Time base: the rate given by the user, the time column, or the rate in the header, in this order.
+    /// Time base. The sources, in order of preference, are the rate given by the user, the time column, and the rate in the header.
     fn time_base(&mut self, options: &ReadOptions, key_rate: Option<f64>) -> Result<TimeBase> {
         let times = self.times.as_deref().filter(|_| !self.counts);
         if let Some(rate) = options.rate_hz {
@@ -166,7 +166,7 @@ impl Samples {
     }
 }
 
-/// Selects columns from all columns. Rows without a time are skipped; times must not decrease.
+/// Keeps only the columns in `places`. Rows without a time are skipped. A decreasing time is an error.
 fn part(
     file: &TextFile,
     table: &Table,
@@ -197,7 +197,7 @@ fn part(
     Ok(all)
 }
 
-/// Note that the rate given by the user replaces a different rate of the time column.
+/// Note that the rate given by the user replaces the rate of the time column, if the two rates differ.
 fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     let seconds: Vec<f64> = times.iter().map(|t| t * unit.unwrap_or(1.0)).collect();
     let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
@@ -207,14 +207,15 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Units of a clock that counts small units: name, seconds per unit, and possible steps.
+/// Possible units of a time column that gives no unit: name, seconds per unit, and the range of steps, in this unit, for which it is
+/// assumed.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),
     ("ns", 1e-9, 200e3..=60e6),
 ];
 
-/// Seconds per unit of a time column without a unit, with a note on the assumption.
+/// Seconds per unit of a time column that gives no unit. A note describes the assumption.
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, note: &mut Option<Note>) -> f64 {
     let step = usual_step(times);
     if let Some(rate) = key_rate {

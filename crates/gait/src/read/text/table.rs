@@ -1,4 +1,4 @@
-//! Tables in a delimited text: start, column names and numbers.
+//! Tables in a delimited text: position, column names and numbers.
 
 use std::collections::VecDeque;
 
@@ -9,12 +9,12 @@ use super::plain_row::plain_row;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::number::{Field, field, trim, value};
 
-/// Maximum number of header lines that are kept; further lines in the middle are skipped.
+/// Maximum number of header lines that are stored. If there are more, lines in the middle of the header are skipped.
 const HEADER_LINES: usize = 300;
 
-/// Finds the next table at or after a position.
+/// Locates the next table at or after a position.
 ///
-/// A table starts at the first of two consecutive rows of numbers (or at the last line of the text).
+/// A table starts at the first of two consecutive rows of numbers. At the end of the text, one row of numbers is sufficient.
 pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -> Option<Table> {
     let mut head: VecDeque<&[u8]> = VecDeque::new();
     let mut lines = Lines::from(bytes, from);
@@ -45,7 +45,7 @@ pub(crate) fn next_table(bytes: &[u8], delimiters: Delimiters, from: Position) -
 /// Number of rows that are searched for forces if the first rows contain only a time or a counter.
 const EMPTY_ROWS: usize = 20_000;
 
-/// Number of fields of a table from its first row on. Empty fields after a time or a counter count if forces follow later.
+/// Number of fields of a table, from its first and later rows. Empty fields after a time or a counter count if later rows contain forces.
 fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     let width = row_width(row, delimiters).unwrap_or(0);
     let fields = Fields::new(row, delimiters).count();
@@ -57,10 +57,10 @@ fn widest(row: &[u8], later: Lines, delimiters: Delimiters) -> usize {
     if widths.any(|w| w > 2) { fields } else { width }
 }
 
-/// Number of fields in a row of numbers; `None` for other lines.
+/// Number of fields in a row of numbers; `None` if the line is not such a row.
 ///
-/// There must be more numbers than words, and the row must start with a number or a clock time, or be long. Numbered names of sensors, 1 2 3 …, are
-/// not a row.
+/// A row contains more numbers than words. It must start with a number or a clock time, or be long. The numbered names of sensors, 1 2 3 …,
+/// are not a row.
 fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
     let mut starts_well = None;
@@ -90,20 +90,21 @@ fn row_width(line: &[u8], delimiters: Delimiters) -> Option<usize> {
     (is_row && !is_named).then_some(width)
 }
 
-/// Numbers in the selected columns of a table; NaN for missing ones.
+/// Numbers in the selected columns of a table; NaN where a number is missing.
 #[derive(Debug)]
 pub(crate) struct Numbers {
     /// One vector per selected column, all of the same length.
     pub columns: Vec<Vec<f64>>,
-    /// First lines that were skipped because they are not rows.
+    /// Numbers of the first lines that were skipped because they are not rows.
     pub skipped: Vec<usize>,
 }
 
 /// Reads the selected columns (numbers from 0, ascending) of a table.
 ///
-/// `time` is the index in `places` of a time column, which must not decrease (equal values are kept, because times are rounded). Memory is reserved
-/// for at most as many rows as there are line ends. A row that lacks most of its fields ends the reading with an error. The memory therefore stays
-/// within a small multiple of the text.
+/// `time` is the index in `places` of a time column, which must not decrease. Equal times are accepted, because times are rounded.
+///
+/// The memory is limited to a small multiple of the size of the text. It is reserved for at most as many rows as there are line ends.
+/// Reading stops with an error at a row that lacks most of its fields.
 pub(crate) fn numbers(
     file: &TextFile,
     table: &Table,
@@ -169,7 +170,7 @@ pub(crate) fn numbers(
     })
 }
 
-/// Number of line ends, first summed in bytes for speed.
+/// Number of line ends. For speed, they are counted in 8-bit numbers over short blocks.
 fn line_ends(bytes: &[u8]) -> usize {
     let of = |block: &[u8]| block.iter().map(|&b| u8::from(b == b'\n')).sum::<u8>();
     bytes.chunks(128).map(|block| usize::from(of(block))).sum()
@@ -185,13 +186,14 @@ struct Rows {
     columns: Vec<Vec<f64>>,
     /// Maximum number of rows for which memory is reserved.
     room: usize,
-    /// Index of the time column, and the last time that was read.
+    /// Index of the time column, and the time in the previous row.
     time: Option<usize>,
     last: f64,
 }
 
 impl Rows {
-    /// Reserves memory for at most `most` rows of a text; a row needs at least one byte per field.
+    /// Reserves memory for at most `most` rows of a text. The size of the text also limits the number of rows, because a field needs at
+    /// least one byte.
     fn new(most: usize, bytes: usize, columns: usize, time: Option<usize>) -> Rows {
         let room = most.min(bytes / columns.max(1) + 1);
         Rows {
@@ -239,7 +241,7 @@ impl Rows {
     }
 }
 
-/// Skips a table without reading its numbers.
+/// Skips a table without reading its numbers. Returns the position after the table.
 pub(crate) fn skip(file: &TextFile, table: &Table) -> Position {
     let mut lines = Lines::from(file.bytes, table.start);
     let mut end = table.start;

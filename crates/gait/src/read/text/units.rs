@@ -1,4 +1,4 @@
-//! Units of columns, from the row of units, the brackets of a name or its last word.
+//! Units of columns, from the row of units, from the brackets in a name, or from the last word of a name.
 
 use super::delimited::TextFile;
 use super::header::{Table, is_unit};
@@ -7,7 +7,7 @@ use crate::read::columns::{bracketed, is_of_channel, words};
 use crate::recording::ForceUnit;
 
 impl Table {
-    /// Unit of force that a column states.
+    /// Unit of force that a column has, if it is given.
     pub fn force_unit(&self, i: usize) -> Option<ForceUnit> {
         let name = self.names.get(i)?;
         let label = |word: &str| word.parse().ok();
@@ -22,7 +22,7 @@ impl Table {
         label(last).filter(|_| !last.eq_ignore_ascii_case("kg"))
     }
 
-    /// Seconds per unit of a time column, if the column states a unit.
+    /// Seconds per unit of a time column, if the column gives a unit.
     pub fn time_unit(&self, i: usize) -> Option<f64> {
         let name = self.names.get(i)?;
         let label = self.unit(i).or_else(|| bracketed(name).last());
@@ -36,9 +36,10 @@ impl Table {
         }
     }
 
-    /// Unit of a column that is not a unit of force: `mV`, `kPa`, `%`.
+    /// Unit of a column, if it is not a unit of force: `mV`, `kPa`, `%`.
     ///
-    /// Square brackets contain a unit, unless they name a foot, a plate or a direction. Round brackets may contain a remark.
+    /// Square brackets contain a unit, unless they contain a foot, a plate or a direction. Round brackets may contain a remark instead of a
+    /// unit.
     pub fn foreign_unit(&self, i: usize) -> Option<&str> {
         let name = self.names.get(i)?;
         let is_named = |b: &str| words(b).iter().all(|w| is_of_channel(w));
@@ -54,7 +55,7 @@ impl Table {
         units.find(|unit| *unit != "-" && unit.parse::<ForceUnit>().is_err())
     }
 
-    /// Name and unit of a column, equal for `lift_mm`, `lift [mm]` and `lift (mm)`; the unit may also be in a row of units.
+    /// Name and unit of a column. They are the same for `lift_mm`, `lift [mm]` and `lift (mm)`. The unit may also be in a row of units.
     pub fn name_and_unit(&self, i: usize) -> (String, Option<String>) {
         let whole = self.names.get(i).map_or("", |n| n.trim());
         if let Some(unit) = self.unit(i) {
@@ -72,7 +73,7 @@ impl Table {
     }
 }
 
-/// Rejects a force column with a unit of another quantity, unless the user states the unit.
+/// Rejects a force column whose unit is not a unit of force, unless the user gives the unit.
 pub(in crate::read) fn check_unit(file: &TextFile, table: &Table, i: usize) -> Result<()> {
     match table.foreign_unit(i) {
         Some(unit) if file.options.unit.is_none() => {

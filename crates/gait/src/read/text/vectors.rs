@@ -7,9 +7,10 @@ const HEAD: usize = 1 << 14;
 /// Names of the components of a vector.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-/// The table with one column per component; `None` for other texts.
+/// The table with one column per component of each vector; `None` for other texts.
 ///
-/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names receive the suffixes `_x`, `_y`, `_z`.
+/// `ground_force_r_v` becomes `ground_force_r_vx`, `ground_force_r_vy`, `ground_force_r_vz`; other names receive the suffixes `_x`, `_y`,
+/// `_z`.
 pub(super) fn flattened(bytes: &[u8]) -> Option<Vec<u8>> {
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let mut keys = head

@@ -1,7 +1,7 @@
-//! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, without calibration.
+//! Converter counts of Motion Analysis (`.anc`). The header contains the names, rates and ranges of the channels, but no calibration.
 //!
-//! The header gives the rate as `PreciseRate`. The names of the channels are in a line `Name`, their rates and ranges in the next two lines. Names of
-//! muscles may look like forces (`L GRF`: left gastrocnemius), so only numbered plates are used.
+//! The header gives the sampling rate as `PreciseRate`. The names of the channels are in a line `Name`; their rates and ranges are in the
+//! next two lines. Names of muscles may resemble forces (`L GRF`: left gastrocnemius), so only numbered plates are read.
 
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::kilograms;
@@ -15,10 +15,11 @@ use crate::units::G;
 
 /// Maximum number of lines in the header.
 const HEAD: usize = 40;
-/// Typical maximum force of a stance, in body weights, for the contact threshold before the mean is known.
+/// Typical maximum force of a stance, in body weights. It scales the counts before the mean force is known, because the contact threshold
+/// is in N.
 const USUAL_PEAK: f64 = 1.1;
 
-/// Table in a file of converter counts; `None` without names in the header.
+/// Table in a file of converter counts; `None` if the header contains no names.
 pub(super) fn table(file: &TextFile) -> Option<Table> {
     let mut head = Vec::new();
     let mut names: Option<Vec<String>> = None;
@@ -51,8 +52,8 @@ pub(super) fn table(file: &TextFile) -> Option<Table> {
     None
 }
 
-/// Keeps the components of numbered plates, unless the user names columns. The mass of the walker scales them approximately to newtons; the mean
-/// cycle is later scaled exactly.
+/// Keeps only the columns of numbered plates, unless the user named columns. The counts are scaled approximately to newtons with the mass
+/// of the walker; the mean cycle is later scaled exactly.
 ///
 /// # Errors
 ///

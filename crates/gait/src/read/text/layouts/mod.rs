@@ -1,4 +1,4 @@
-//! Layouts of text recordings. The row of a layout states how the layout is recognised, where time and forces are, and how it is read.
+//! Layouts of text recordings. Each entry of `LAYOUTS` defines how a layout is recognised, where its table is, and how it is read.
 
 mod converter_counts;
 mod plates;
@@ -16,17 +16,17 @@ use crate::recording::{DecimalMark, Format, Recording, SeparatorName};
 pub use plates::{PlateFile, joined_plates, parts, plate_of};
 pub use stances::metadata_name;
 
-/// Layout of a text recording.
+/// Layout of a text recording, and the functions that read it.
 pub(super) struct Layout {
     /// Program that writes this layout, with the file ending if it identifies the kind of export.
     program: Option<&'static str>,
     /// Whether a text has this layout.
     is_of: fn(&Seen) -> bool,
-    /// Finds the table, if it is not the first one below a header.
+    /// Function that locates the table, if it is not the first table below a header.
     table: fn(&TextFile) -> Option<Table>,
-    /// Adds properties that the layout implies: columns, units, names, feet.
+    /// Function that adds the properties that the layout implies: columns, units, names, feet.
     complete: fn(&TextFile, &[String], &mut Samples) -> Result<()>,
-    /// Reads the whole table, for layouts in which a row is not a sample.
+    /// Function that reads the whole table, if a row of the layout is not a sample.
     read: Option<ReadTable>,
     /// Whether the forces are those of pressure insoles.
     insole: bool,
@@ -35,7 +35,7 @@ pub(super) struct Layout {
 /// Function that reads a table and the lines above it.
 type ReadTable = fn(&TextFile, &Table, &[String]) -> Result<Recording>;
 
-/// Any delimited text, interpreted by its column names.
+/// Any delimited text; its columns are interpreted by their names.
 const DELIMITED: Layout = Layout {
     program: None,
     is_of: |_| true,
@@ -45,7 +45,7 @@ const DELIMITED: Layout = Layout {
     insole: false,
 };
 
-/// All layouts; the first match is used.
+/// All layouts. The first layout that matches a text is used.
 const LAYOUTS: &[Layout] = &[
     Layout {
         program: Some("Motion Analysis (.anc)"),
@@ -110,7 +110,7 @@ const LAYOUTS: &[Layout] = &[
     DELIMITED,
 ];
 
-/// Features by which a layout is recognised.
+/// Features of a text from which its layout is recognised.
 struct Seen<'a> {
     file: &'a TextFile<'a>,
     /// Lines above the table, in lower case.
@@ -143,7 +143,7 @@ impl Seen<'_> {
     }
 }
 
-/// Layout of a text, from one of its tables and the lines above.
+/// Layout of a text, recognised from one of its tables and the lines above the table.
 pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'static Layout {
     let seen = Seen {
         file,
@@ -155,12 +155,12 @@ pub(super) fn layout(file: &TextFile, table: &Table, head: &[String]) -> &'stati
 }
 
 impl Layout {
-    /// The table that the layout locates, if the table does not follow a header.
+    /// Table that the layout locates; `None` if the table follows a header, as in most texts.
     pub fn own_table(&self, file: &TextFile) -> Option<Table> {
         (self.table)(file)
     }
 
-    /// Reads a table and the lines above it; `None` without a force.
+    /// Reads a table with its layout; `None` if the table has no force.
     ///
     /// # Errors
     ///

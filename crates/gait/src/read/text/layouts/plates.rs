@@ -1,4 +1,4 @@
-//! Texts with one plate of a trial. Qualisys writes one file per plate.
+//! Texts with the force on one plate of a trial. Qualisys writes one such file per plate.
 
 use crate::error::Result;
 use crate::read::columns::{foot, words};
@@ -6,7 +6,7 @@ use crate::read::text::delimited::{Lines, TextFile, plain, text};
 use crate::read::text::samples::Samples;
 use crate::recording::ForceUnit;
 
-/// Plate of a trial that has one file per plate.
+/// Properties of a file with one plate of a trial.
 ///
 /// ```
 /// use gaitcam_gait::plate_of;
@@ -22,11 +22,11 @@ use crate::recording::ForceUnit;
 pub struct PlateFile {
     /// Data that all files of a trial share: time stamp, first sample, number of samples, rate.
     pub trial: Vec<String>,
-    /// Name of the plate.
+    /// Name of the force plate.
     pub plate: String,
 }
 
-/// Keys with equal values in all files of a trial, the most distinctive first.
+/// Keys whose values are equal in all files of a trial. The most distinctive key is the first.
 const TRIAL: [&str; 4] = ["TIME_STAMP", "FIRST_SAMPLE", "NO_OF_SAMPLES", "FREQUENCY"];
 const PLATE: &str = "FORCE_PLATE_NAME";
 /// First key of the header of a plate file.
@@ -36,14 +36,15 @@ const HEAD: usize = 60;
 /// Maximum number of bytes of the header of a plate file.
 const HEAD_BYTES: usize = 1 << 14;
 
-/// Plate of a text, from the start of the text; `None` for other texts.
+/// Plate that the start of a text describes; `None` for other texts.
 pub fn plate_of(start: &[u8]) -> Option<PlateFile> {
     let bytes = plain(start);
     let lines = Lines::new(&bytes).take(HEAD).map(|(_, line)| text(line));
     of_head(&lines.collect::<Vec<_>>())
 }
 
-/// Concatenated plate files of one trial, for [`read`](crate::read()); `None` unless they are distinct plates of one trial.
+/// The files of all plates of one trial, concatenated for [`read`](crate::read()). `None` unless the files are different plates of one
+/// trial.
 pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     let plates: Vec<PlateFile> = files.iter().map(|f| plate_of(f)).collect::<Option<_>>()?;
     let fits = |(i, plate): (usize, &PlateFile)| {
@@ -54,7 +55,7 @@ pub fn joined_plates(files: &[Vec<u8>]) -> Option<Vec<u8>> {
     (is_trial && parts(&joined).len() == files.len()).then_some(joined)
 }
 
-/// Plates in a concatenated text; the whole text if it contains only one.
+/// Parts of a concatenated text, one per plate. A text with a single plate is one part.
 pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
     if plate_of(&bytes[..bytes.len().min(HEAD_BYTES)]).is_none() {
         return vec![bytes];
@@ -72,7 +73,7 @@ pub fn parts(bytes: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// Adds properties that apply to all columns: plate, foot, and the unit newton, which the header omits.
+/// Adds the properties that apply to all columns: plate, foot, and the unit. The header omits the unit, which is newton.
 pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> Result<()> {
     let plate = of_head(head).map(|file| file.plate);
     for force in &mut samples.forces {
@@ -85,7 +86,7 @@ pub(super) fn complete(_: &TextFile, head: &[String], samples: &mut Samples) -> 
     Ok(())
 }
 
-/// Plate that a header names.
+/// Plate whose name is in a header.
 fn of_head(head: &[String]) -> Option<PlateFile> {
     let value = |key: &str| {
         let found = head.iter().find_map(|line| {

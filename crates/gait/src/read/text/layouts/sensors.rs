@@ -1,4 +1,4 @@
-//! Tables of single sensors, such as pedar files of insole pressures: columns `1 2 3 …` after a time.
+//! Tables with the readings of single sensors, such as pedar files of insole pressures. The columns after the time are named `1 2 3 …`.
 
 use crate::error::{Placed, ReadError, Result};
 use crate::read::columns::{Role, role};
@@ -6,12 +6,12 @@ use crate::read::text::delimited::TextFile;
 use crate::read::text::header::Table;
 use crate::recording::Recording;
 
-/// Minimum number of numbered sensor columns; two or four may be plates.
+/// Minimum number of numbered columns that are sensors; two or four columns may be plates.
 const FEWEST: usize = 6;
 
-/// Whether the columns are sensors: their names are numbers after a time or a frame, and no column denotes a force.
+/// Whether the columns are sensors: their names are numbers after a time or a frame, and no column name denotes a force.
 ///
-/// A force column named by the user is read, unless the lines above (lower case) state that the values are pressures.
+/// A force column that the user named is read, unless a line above the table (lower case) shows that the values are pressures.
 pub(super) fn are_in(file: &TextFile, names: &[String], head: &[String]) -> bool {
     let roles: Vec<Role> = names.iter().map(|n| role(n)).collect();
     let has = |is: fn(&Role) -> bool| roles.iter().any(is);
@@ -28,7 +28,7 @@ fn count(names: &[String]) -> usize {
     names.iter().filter(|n| n.parse::<u32>().is_ok()).count()
 }
 
-/// Rejects the table, because no force follows from the readings without the area of each sensor.
+/// Rejects the table, because a force cannot be computed from the readings without the area of each sensor.
 pub(super) fn read(file: &TextFile, table: &Table, _: &[String]) -> Result<Recording> {
     let sensors = count(&table.names);
     Err(ReadError::SingleSensors { sensors }.at_line(file.path, table.header_line()))

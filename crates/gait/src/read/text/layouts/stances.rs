@@ -1,7 +1,7 @@
 //! Tables with one stance per row, as in the GaitRec and Gutenberg databases.
 //!
-//! Identifiers come first, then samples `F_V_RAW_1 … F_V_RAW_n`; rows are padded with empty fields. There is no time. The masses are in a separate
-//! table of subjects.
+//! A row contains identifiers, then the samples `F_V_RAW_1 … F_V_RAW_n`, then empty fields. There is no time column. The masses are in a
+//! separate table of subjects.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -22,15 +22,15 @@ use crate::units::G;
 /// Minimum number of numbered columns of a table of stances.
 const FEWEST_SAMPLES: usize = 40;
 
-/// Usual sampling rates of force plates, Hz. The number of samples in a stance determines which one applies.
+/// Usual sampling rates of force plates, Hz. The number of samples of a stance determines which rate is assumed.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
-/// Usual duration of a stance in level walking, s (README of the recordings: 0.43 to 0.81 s).
+/// Usual duration of a stance in level walking, s; 0.43 to 0.81 s in the recordings of this project (see their README).
 const USUAL_STANCE_S: f64 = 0.65;
 
-/// Whether the column names are numbered samples: the same words followed by 1, 2, 3 …
+/// Whether the names of the columns are numbered samples: the same words followed by 1, 2, 3 …
 ///
-/// With a time column, the numbers denote sensors, and a row is one instant. Only the vertical component is read.
+/// If there is a time column, the numbers denote sensors, and a row is one instant. Only the vertical component is read.
 pub(super) fn are_in(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
         && numbered(names).is_some_and(|first| {
@@ -40,7 +40,7 @@ pub(super) fn are_in(names: &[String]) -> bool {
         })
 }
 
-/// Index of the first of the consecutively numbered columns.
+/// Index of the first of the consecutively numbered columns; `None` if the columns are not numbered.
 fn numbered(names: &[String]) -> Option<usize> {
     let parts = |n: &str| {
         let digits = n.len() - n.trim_end_matches(|c: char| c.is_ascii_digit()).len();
@@ -56,7 +56,8 @@ fn numbered(names: &[String]) -> Option<usize> {
     runs.then_some(first)
 }
 
-/// Name of the table of subjects for a table of stances, for example `GRF_metadata.csv` for `GRF_F_V_RAW_left.csv`; `None` for other names.
+/// Name of the table of subjects that belongs to a table of stances, for example `GRF_metadata.csv` for `GRF_F_V_RAW_left.csv`. `None` for
+/// other names.
 pub fn metadata_name(path: &Path) -> Option<std::path::PathBuf> {
     let name = path.file_name()?.to_str()?;
     let cut = name.find("_F_V_").or_else(|| name.find("_f_v_"))?;
@@ -111,7 +112,7 @@ pub(super) fn read(file: &TextFile, table: &Table, head: &[String]) -> Result<Re
     })
 }
 
-/// Mean mass of the subjects, kg. Stances without a mass are noted.
+/// Mean mass of the subjects, kg. A note gives the number of stances without a mass.
 fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
     if masses.len() < rows.len() {
@@ -123,7 +124,7 @@ fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
     (!masses.is_empty()).then(|| mean(&masses))
 }
 
-/// Samples of all stances in sequence, and the position of each stance.
+/// Samples of all stances one after the other, and the position of each stance.
 fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     let (delimiters, options) = (file.delimiters, file.options);
     let first = numbered(&table.names).unwrap_or(0);
@@ -158,7 +159,7 @@ fn stances(file: &TextFile, table: &Table) -> Result<(Vec<f64>, Vec<Row>)> {
     Ok((force, rows))
 }
 
-/// Converts samples to newtons with positive load.
+/// Converts samples to newtons, with positive values for load.
 fn scale(
     file: &TextFile,
     force: &mut [f64],
@@ -194,7 +195,7 @@ fn scale(
     Ok((unit, from))
 }
 
-/// Usual sampling rate at which the median stance has a typical duration.
+/// Usual sampling rate, Hz, at which the median stance has a typical duration.
 fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
     lengths.sort_unstable();
@@ -219,7 +220,7 @@ fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     rate
 }
 
-/// Masses, kg, in a table of subjects, by the text of the first column.
+/// Mass of each subject, kg, in a table of subjects. The key is the text of the first column.
 fn masses(bytes: &[u8]) -> HashMap<String, f64> {
     let bytes = &*plain(bytes);
     let delimiters = detect(bytes);
