@@ -1,8 +1,8 @@
-//! A finished cam as files for CAD, printing and machining.
+//! Export of a designed cam to files for CAD, printing and machining.
 //!
-//! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles of a conjugate pair, the walls of a
-//! barrel's groove ([`Edge`](gaitcam::synth::Edge)). Every exporter is a pure function from the design to the bytes of one file at true scale.
-//! Lengths are in millimetres; in DXF files, drawings and programs they are in [`Units`]. The same design gives the same bytes.
+//! A [`Design`](gaitcam::synth::Design) has one or more edges to cut ([`Edge`](gaitcam::synth::Edge)): the profile of a disc, both profiles of a
+//! conjugate pair, or the walls of a barrel's groove. Every exporter is a pure function from the design to the bytes of one file at true scale.
+//! Lengths are in millimetres; DXF files, drawings and programs can have other [`Units`]. Equal designs result in equal bytes.
 //!
 //! | module | output | accuracy |
 //! |---|---|---|
