@@ -158,7 +158,8 @@ impl Front {
         self.names.clone()
     }
 
-    /// Row index of the best compromise: the design with the smallest distance from the best values of all objectives. ``None`` for an empty front.
+    /// Row index of the best compromise; ``None`` for an empty front. It is the design nearest to the ideal point, with each objective scaled
+    /// to the range 0 … 1 over the front.
     #[getter]
     fn best(&self) -> Option<i64> {
         self.best

@@ -119,7 +119,8 @@ impl Sweep {
     /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The result is a table whose first column is ``row``.
     ///
     /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at the
-    /// end, with the number of rows that have been started and the number of all rows. An exception in ``progress`` ends the sweep.
+    /// end. ``begun`` is the number of rows that have been started; ``rows`` is the number of rows of this call. An exception in ``progress``
+    /// ends the computation.
     #[pyo3(signature = (start = 0, stop = None, *, jobs = None, progress = None))]
     fn run(
         &self,

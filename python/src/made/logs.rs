@@ -54,7 +54,7 @@ const OPTIONS: [&str; 6] = [
 /// Returns
 /// -------
 /// dict
-///     ``parameters`` is a list with ``key``, ``value``, confidence limits ``low`` and ``high``, and ``identifiable``.
+///     ``parameters`` is a list with ``key``, ``value``, the limits ``low`` and ``high`` of its 95 % interval, and ``identifiable``.
 ///     ``noise_rms_n`` and ``repeatable_rms_n`` are the RMS noise and the RMS repeatable force error, N. ``next_run`` describes
 ///     a further test that would identify the remaining parameters, or is ``None``.
 ///
