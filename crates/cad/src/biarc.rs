@@ -6,12 +6,12 @@
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Maximum width of the interval of one biarc, rad.
+/// Maximum range of the cam angle for one biarc, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
 /// Number of parts into which an interval is divided for the first, coarse measurement of the distance.
 const TRIED: usize = 16;
 const PROVED: usize = 64;
-/// Maximum number of halvings of an interval; more would mean a corner.
+/// Maximum number of times that an interval is halved. More halvings are needed only at a corner.
 const DEEPEST: usize = 14;
 /// Bulge below which an arc becomes a chord, because the radius would have a large rounding error.
 const FLAT: f64 = 1e-10;
@@ -29,7 +29,7 @@ pub struct Arcs {
 }
 
 impl Arcs {
-    /// Vertices of chords with at most this distance from the arcs, m; their bulges are 0.
+    /// Vertices x, y (m) of a polyline of chords that is within `distance` (m) of the arcs. All bulges are 0.
     pub fn chords(&self, distance: f64) -> Vec<[f64; 3]> {
         let count = self.vertices.len();
         let mut out = Vec::with_capacity(count);
@@ -68,12 +68,12 @@ impl Arcs {
 struct Biarc {
     points: [[f64; 2]; 3],
     bulges: [f64; 2],
-    /// Tangent at the joint.
+    /// Direction of the common tangent at the joint, not normalised.
     tangent: [f64; 2],
 }
 
-/// Approximates the profile by arcs within `tolerance` m. The result is `None` if the profile is undercut (its tangent reverses at cusps), if the
-/// velocity of the law jumps, or if the tolerance is not positive or below the rounding errors.
+/// Approximates the profile by arcs within `tolerance` m. The result is `None` if the profile is undercut (its tangent reverses at cusps) or if the
+/// velocity of the law jumps. It is also `None` if the tolerance is not positive or below the rounding errors.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
@@ -144,7 +144,8 @@ fn follow(
 }
 
 impl Biarc {
-    /// Biarc whose end points have the same distance d from the corners of its control polygon: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
+    /// Biarc between the points P₀ and P₁ with the unit tangents T₀ and T₁. The inner corners of its control polygon are P₀ + d T₀ and P₁ − d T₁,
+    /// and their distance is 2d.
     fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];

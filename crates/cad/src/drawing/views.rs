@@ -13,7 +13,7 @@ use crate::words::Labels;
 const MM: f64 = 1000.0;
 /// Number of points of the outline.
 const POINTS: usize = 1440;
-/// Minimum height, mm, over which the labels are distributed above the centre, and the same height below it.
+/// Minimum half height of a column of labels, mm.
 const LEAST_HEIGHT: f64 = 20.0;
 /// Horizontal distance between the labels and the circle around the cam, mm.
 const OFF: f64 = 5.0;
@@ -26,7 +26,7 @@ const ARROW: [f64; 2] = [0.12, 0.5];
 /// Number of points on the edge of the bore, without its corners.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the height of the label column.
+/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of the column.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -38,7 +38,7 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
-/// Height, as a fraction of the height of the label column, from which a position is above the keyway.
+/// Height above the centre, as a fraction of the half height of the column, from which a position is above the keyway.
 const HIGH: f64 = 0.5;
 
 /// Label with the object to which its leader points.
@@ -141,8 +141,8 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Index of the free label position that is nearest to the point `p`. Only positions at or above the height `from` are considered, a fraction
-    /// of the height of the label column.
+    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of the
+    /// column, are not considered.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);

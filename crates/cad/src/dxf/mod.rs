@@ -67,7 +67,7 @@ pub enum Curves {
 /// Options of a DXF drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// Number of vertices of the polylines at equal steps of the cam angle.
+    /// Number of vertices of a polyline. The vertices are at equal steps of the cam angle.
     pub points: usize,
     /// Version of the DXF format.
     pub version: Version,

@@ -214,8 +214,8 @@ pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Resu
     }
 }
 
-/// Cam with the first of the numbers of points, doubled step by step, whose added error is at most [`EXACT`]. If there is no such number, the cam
-/// with the smallest error is returned.
+/// Cam with the minimum number of points for which the added error is at most [`EXACT`]. The number is doubled step by step. If no number is
+/// sufficient, the result is the cam with the smallest error.
 fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     let breaks = design.cam.law.breaks();
     let mut best: Option<ElectronicCam> = None;

@@ -23,7 +23,7 @@ const SPINDLE: f64 = 2000.0;
 const PLUNGE: f64 = 0.25;
 /// Height above the plate for rapid motion, m.
 const CLEAR: f64 = 0.005;
-/// Fraction of a pass. If the remaining thickness is smaller, it has no pass of its own.
+/// Fraction of the depth of a pass. A smaller remaining thickness does not get a separate pass.
 const REST: f64 = 1e-6;
 /// Maximum number of passes through a plate. A larger number means that the given depth is wrong.
 const MOST_PASSES: f64 = 1000.0;
@@ -107,8 +107,8 @@ struct Path {
 ///
 /// # Errors
 ///
-/// A radius that is not positive; a pass below a thousandth of the thickness; a profile that arcs cannot approximate (undercut, jumps of the
-/// velocity); a cutter that does not fit into a concave part, or whose radius differs from that of the roller of a groove.
+/// A radius is not positive; a pass is below a thousandth of the thickness; arcs cannot approximate the profile (undercut, jumps of the velocity);
+/// the cutter does not fit into a concave part; in a groove, its radius differs from that of the roller.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -155,7 +155,8 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     Edge::all(design).iter().map(program).collect()
 }
 
-/// Writes the milling of the bore without its keyway. If the cutter is too wide for the bore, only a note is written, and the bore must be drilled.
+/// Writes the commands that mill the bore without its keyway. If the cutter is too wide for the bore, only a note is written, and the bore must be
+/// drilled.
 fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     let Some(bore) = design.problem.cam.hole() else {
         return;
@@ -182,7 +183,7 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
 ///
 /// # Errors
 ///
-/// The errors of [`milling`]; a barrel; a wire that is too thick for the keyway.
+/// The errors of [`milling`]; the cam is a barrel; the wire is too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {

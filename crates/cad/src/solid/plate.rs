@@ -117,7 +117,7 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-/// The polygon with additional vertices where rays from the centre through the corners of the hole intersect it.
+/// Copy of the polygon with additional vertices: its intersections with the rays from the centre through the corners of the hole.
 fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     let corners = bore.corners();
     let n = outline.len();

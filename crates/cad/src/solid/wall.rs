@@ -5,7 +5,8 @@ use gaitcam::cam::{BarrelGroove, Wall};
 
 const MM: f64 = 1000.0;
 
-/// Wall of a groove from its floor to the surface of the cylinder, mm. The wall is an open surface whose front faces the groove.
+/// Mesh of one wall of a groove, mm, from the floor of the groove to the surface of the cylinder. The mesh is an open surface whose front faces the
+/// groove.
 ///
 /// The mesh has `along` strips over the whole law and `through` strips over the depth. The vertices lie exactly on the envelope of the roller
 /// ([`BarrelGroove::wall_point`]).

@@ -47,8 +47,8 @@ pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> 
     Some((0..parts).map(part).collect())
 }
 
-/// Spline within `tolerance` m of the edge between two cam angles, rad, in the direction from the first to the second. `None` if the maximum number
-/// of spans is not sufficient.
+/// Spline within `tolerance` m of the edge between two cam angles, rad, in the direction from the first angle to the second. `None` if the maximum
+/// number of spans is not sufficient.
 pub fn piece(edge: &Edge, [from, to]: [f64; 2], tolerance: f64) -> Option<Clamped> {
     let mut spans = FEWEST;
     while spans <= MOST {

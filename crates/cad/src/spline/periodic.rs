@@ -12,8 +12,8 @@ pub struct Spline {
 }
 
 impl Spline {
-    /// Spline with the first number of spans, doubled step by step, that is within `tolerance` m of the edge. `None` if the maximum number is not
-    /// sufficient.
+    /// Spline within `tolerance` m of the edge. The number of spans is doubled until it is sufficient. The result is `None` if the maximum number
+    /// is not sufficient.
     pub fn within(edge: &Edge, tolerance: f64) -> Option<Self> {
         let mut spans = SPANS[0];
         while spans <= SPANS[1] {

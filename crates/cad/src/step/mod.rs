@@ -31,8 +31,8 @@ const EDGES: usize = 4;
 ///
 /// # Errors
 ///
-/// A barrel; a law that is not closed; an undercut profile; a thickness that is not positive; a profile that no spline with the permitted number of
-/// spans approximates.
+/// The cam is a barrel; the law is not closed; the profile is undercut; the thickness is not positive; no spline with the permitted number of spans
+/// approximates the profile.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
     if design.groove.is_some() {
         return Err(WriteError::BarrelSolid.into());
