@@ -11,8 +11,8 @@ use toml::Table;
 use crate::read::{read_bytes, read_motion};
 use crate::recordings::inside;
 
-/// Access to files on the disk by their names in a scene. A file is searched in the folder of the scene file, then among the built-in files, then
-/// in the working directory. A built-in scene has no folder.
+/// Access to files on the disk by their names in a scene. A file is looked up first in the folder of the scene file, then among the built-in files,
+/// then in the working directory. A built-in scene has no folder.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Disk {
     /// Folder of the scene file; `None` for a built-in scene.

@@ -64,7 +64,7 @@ impl Finding {
     }
 }
 
-/// Whether a path has an extension other than `toml` and `json`, the extensions of scenes and summaries.
+/// Whether the file is examined as a recording: its extension is neither `toml` nor `json`, the extensions of scenes and summaries.
 pub fn is_recording(path: &Path) -> bool {
     let ending = path.extension().map(|e| e.to_ascii_lowercase());
     ending.is_some_and(|e| e != "toml" && e != "json")
@@ -146,7 +146,7 @@ pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Opt
     Ok((out, (!is_bad).then_some(input)))
 }
 
-/// Designs the scene, with suggested changes if it is infeasible. The finding is the design or an error.
+/// Designs the scene, with suggested changes if the design is unacceptable. The finding is the design or an error.
 ///
 /// # Errors
 ///

@@ -32,7 +32,7 @@ impl Folder {
         })
     }
 
-    /// Writes one file atomically: under a temporary name, which is then changed.
+    /// Writes one file atomically: the file is written under a temporary name and then renamed.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         write_whole(&self.path.join(name), bytes)
     }

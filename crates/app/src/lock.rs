@@ -103,7 +103,7 @@ fn holder(path: &Path) -> Option<String> {
     text.parse::<u32>().ok().map(|process| process.to_string())
 }
 
-/// Whether an open file is still the one at its path, so that it was not removed or replaced.
+/// Whether an open file is still the file at its path, that is, it was neither removed nor replaced.
 #[cfg(unix)]
 fn is_still_there(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -113,7 +113,7 @@ fn is_still_there(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Whether any file exists at the path. On this system the open file cannot be compared with it.
+/// Whether any file exists at the path. On this system the open file cannot be compared with the file at the path.
 #[cfg(not(unix))]
 fn is_still_there(_: &File, path: &Path) -> bool {
     path.exists()

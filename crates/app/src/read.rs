@@ -115,7 +115,7 @@ pub fn fault(e: &std::io::Error) -> String {
     known.to_string()
 }
 
-/// Error that a file cannot be read, with the cause from the operating system.
+/// Error for a file that cannot be read, with the cause from the operating system.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = fault(e);
     FileError::CannotRead { fault }.in_file(path)

@@ -23,9 +23,9 @@ use crate::inputs;
 use crate::lock::{Lock, is_plain};
 use crate::read::read_bytes;
 
-/// Hidden folder with the complete new files before they are moved into place.
+/// Name of the hidden folder that contains the complete new files until they are moved into place.
 const READY: &str = ".gaitcam.ready";
-/// File in the hidden folder that lists the files of the earlier result to be removed, one per line.
+/// Name of the file in the hidden folder that lists the files of the earlier result to be removed, one per line.
 const STALE: &str = ".stale";
 /// Name of the lock file of the process that writes to the folder.
 const LOCK: &str = ".gaitcam.lock";
@@ -210,7 +210,8 @@ fn remove_empty_parent(path: &Path, name: &str) {
     }
 }
 
-/// Whether `name` is an existing folder for result files. It is listed as a name only when it is empty, because its files are already in place.
+/// Whether `name` is an empty subfolder for result files. [`names_in`] lists a subfolder only if it is empty, because its files are already in
+/// place.
 fn is_emptied(path: &Path, name: &str) -> bool {
     let is_parent = |own: &str| Path::new(own).parent() == Some(Path::new(name));
     is_folder(&path.join(name)) && own().any(is_parent)

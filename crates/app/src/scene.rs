@@ -192,7 +192,7 @@ fn of_summary(path: &Path, text: &str) -> Result<Table> {
     serde_json::from_value(scene.clone()).map_err(|_| missing())
 }
 
-/// Error that a text is not JSON, with its line.
+/// Error for a text that is not JSON, with the line of the error in the text.
 pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
     let fault = e.to_string();
     FileError::NotJson { fault }.at_line(path, e.line())
@@ -210,7 +210,7 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     }
 }
 
-/// If the error is a missing recording, changes its location to the key that names the recording.
+/// If the error is a missing recording, changes its location to the key that contains the name of the recording.
 fn at_key_if_missing(e: Error) -> Error {
     let is_missing =
         |f: &FileError| matches!(f, FileError::CannotRead { fault } if fault == "missing");

@@ -71,9 +71,9 @@ pub struct SweepQuestion {
     pub recordings: Vec<String>,
     /// Keys of which all combinations of values are computed.
     pub vary: Vec<Varied>,
-    /// Number of random points; `None` computes all combinations of values.
+    /// Number of sampled points; `None` computes all combinations of values.
     pub sample: Option<u64>,
-    /// Sampling method for random points.
+    /// Sampling method: Latin hypercube or Sobol sequence.
     pub method: Method,
     /// Seed of the random number generator.
     pub seed: u64,

@@ -218,7 +218,7 @@ fn usual(path: &str) -> Option<(f64, f64)> {
 }
 
 /// Ends of a slider for the value `at`, in the unit of the field. The ends are simple numbers, and the value is not close to them. For a positive
-/// value, the lower end is near zero.
+/// value, the lower end can be near zero.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
         Range::Acute => (

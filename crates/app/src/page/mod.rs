@@ -8,7 +8,7 @@
 //! questions/  one file per kind of request           form.rs     fields and sliders of a scene
 //! answer.rs   responses and errors as data           kept.rs     files, curves and designs cached between requests
 //! edit.rs     changes of a scene's table             curves/     data of the diagrams
-//! abi.rs      functions that a browser calls         remedies.rs corrections of a fault
+//! abi.rs      functions that a browser calls         remedies.rs corrections for errors
 //! plain.rs    messages with labels instead of keys
 //! ```
 

@@ -12,10 +12,10 @@ use crate::page::words::WORDS;
 const OPTION: [&str; 4] = ["option", "options", "opción", "opciones"];
 /// Separators between the names of several options, in both languages.
 const BETWEEN: [&str; 7] = [", ", " and ", " or ", " y ", " e ", " o ", " u "];
-/// Sections in which a key without a section is searched, in this order.
+/// Sections in which a key without a section is looked up, in this order.
 const SECTIONS: [&str; 6] = ["gait", "law", "machine", "drive", "cam", "limits"];
 
-/// Message in which keys are replaced by labels. A key without a section is first searched in `section`.
+/// Message in which keys are replaced by labels. A key without a section is looked up first in `section`.
 pub fn plain(text: &str, section: &str, language: Language) -> String {
     let mut writer = Writer {
         out: String::with_capacity(text.len()),

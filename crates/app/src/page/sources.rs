@@ -25,7 +25,7 @@ pub struct Named {
     pub hash: Hash,
 }
 
-/// Files of one request. A file is searched among the stored files, then among the built-in files, then in the folder of the host.
+/// Files of one request. A file is looked up first among the stored files, then among the built-in files, then in the folder of the host.
 pub struct Files<'a> {
     pub engine: &'a Engine,
     pub host: &'a dyn Host,
@@ -187,7 +187,7 @@ mod tests {
         }
     }
 
-    /// Force of plate `k` for a walk over a row of plates, sampled at 200 Hz, N.
+    /// Force of one plate for a walk over a row of plates, sampled at 200 Hz, N.
     fn steps(plate: usize) -> impl Iterator<Item = f64> {
         let at =
             move |i: i32| 700.0 * stance((0.005 * f64::from(i) - 0.4 - 0.55 * plate as f64) / 0.68);

@@ -47,7 +47,7 @@ pub struct Workshop {
 /// Remark on a file for CAD or manufacturing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {
-    /// A mesh or plate cannot be made, for this reason.
+    /// The STL or 3MF mesh cannot be made, for this reason.
     NoSolid(Error),
     /// The STEP file cannot be made, for this reason.
     NoStep(Error),

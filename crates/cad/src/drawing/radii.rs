@@ -3,7 +3,7 @@
 
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Number of intervals of the profile in which intersections with a ray are searched.
+/// Number of intervals of the profile that are checked for intersections with a ray.
 const SAMPLES: usize = 2880;
 /// Number of bisection steps after which only rounding errors remain.
 const HALVINGS: usize = 60;

@@ -12,11 +12,11 @@ use gaitcam::synth::Design;
 pub struct Contour {
     x: Vec<Shown>,
     y: Vec<Shown>,
-    /// Coordinates of the centre of curvature, and the radius of curvature, positive where convex, mm.
+    /// x coordinate of the centre of curvature, mm. `centre_y` is its y coordinate. `radius` is the radius of curvature, mm, positive where convex.
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Quantity that colours the contour, and its values; no values without colours.
+    /// Quantity that colours the contour. Its values are in `values`, which is empty without colours.
     colour: Colour,
     values: Vec<Shown>,
 }
@@ -92,7 +92,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// Limits of the radius of curvature in convex and in concave parts, m; NaN without a limit.
+/// Permitted minimum radii of curvature of convex and of concave parts, m; NaN without a limit.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;

@@ -7,8 +7,8 @@ use super::{Line, Sample, line_of};
 
 /// Envelope of the walkers' target forces, and the target force of the walker with the largest error.
 ///
-/// The target force of a walker is converted to the scale of the displayed force, which is linear. Where the displayed force equals it, the walker
-/// has no force error.
+/// The target force of each walker is converted linearly to the scale of the displayed force. Where the displayed force equals the converted target
+/// force, the walker has no force error.
 pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
     let Some((all, report)) = design
         .problem
