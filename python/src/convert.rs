@@ -58,7 +58,7 @@ pub fn si_key(name: &str) -> Option<Key> {
 
 /// Class of this package whose objects are accepted as arguments.
 pub trait Argument: PyClass {
-    /// Text that says how to create such an object, for error messages.
+    /// Text for error messages that describes how to create such an object.
     const MADE: &'static str;
 
     /// Converts the value of the argument `name`. An object of another class is a `TypeError`.

@@ -52,7 +52,7 @@ impl Interrupt {
         })
     }
 
-    /// Stop condition in the form that searches check.
+    /// Stop condition of type [`Halt`], which searches check repeatedly.
     pub fn halt(self: &Arc<Self>) -> Halt {
         let own = Arc::clone(self);
         Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())

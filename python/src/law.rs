@@ -101,13 +101,13 @@ impl Law {
         svaj.call1((s, v, a, j))
     }
 
-    /// Name of the law; for a law of the catalogue with its parameters.
+    /// Name of the law, followed by its parameters for a law of the catalogue.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Difference of maximum and minimum lift, in the unit of the lift.
+    /// Difference between the maximum and the minimum lift, in the unit of the lift.
     #[getter]
     fn stroke(&self) -> f64 {
         self.law.stroke()
@@ -125,7 +125,7 @@ impl Law {
         self.law.is_closed()
     }
 
-    /// Cam angles between which the law is one polynomial or function, rad; shape (pieces + 1,).
+    /// Cam angles at which the spans of the law begin and end, rad; shape (spans + 1,).
     #[getter]
     fn breaks<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.law.breaks())

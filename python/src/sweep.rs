@@ -52,8 +52,8 @@ use question::Question;
 ///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is one of ``sample``
 ///     randomly manufactured cams. Tolerances cannot be combined with varied keys.
 /// time_limit : float
-///     Time limit of the search for one row, s. If it is reached, the row contains an error. Only in this case, a row can
-///     depend on the speed of the machine.
+///     Time limit of the search for one row, s. If it is reached, the row contains an error. Only such a row
+///     can depend on the speed of the machine.
 ///
 /// The plan contains the content of each recording once.
 #[pyclass(frozen, module = "gaitcam")]

@@ -1,8 +1,8 @@
-//! `gaitcam studio`: a local web application in which a design follows the sliders.
+//! `gaitcam studio`: a local web application in which the design changes with the sliders.
 //!
-//! The page itself does no computations. Each change of a field is sent as one request with the whole scene. The response is a design with all its
-//! curves, checks and messages. The server delivers the files of the page and passes requests to the engine, which can also run inside the page.
-//! The server reads and writes files of one folder only.
+//! The JavaScript of the page does no computations. Each change of a field is sent as one request with the whole scene. The response is a design
+//! with all its curves, checks and messages. The server delivers the files of the page and passes requests to the engine. In a page without a
+//! server, the same engine runs as WebAssembly. The server reads and writes files of one folder only.
 //!
 //! ```text
 //! http/      connections, heads, responses       guard.rs    token, host, origin

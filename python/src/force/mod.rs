@@ -75,7 +75,7 @@ impl Force {
         })
     }
 
-    /// Combines several walkers to one target force. Forces of the same name are cycles of one walker; forces without a name are numbered.
+    /// Combines several walkers into one target force. Forces of the same name are cycles of one walker; forces without a name are numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
             let name = match force.name.as_str() {
@@ -88,7 +88,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// Combines a population of walkers to one target force.
+    /// Combines a population of walkers into one target force.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {
@@ -337,7 +337,7 @@ impl Force {
 /// name : str, optional
 ///     Name of the walker in tables and results; by default the file name without its extension.
 /// feet : str
-///     Feet of which the force is used: "both" (default), "one", "left", "right" or "total".
+///     Feet whose force is used: "both" (default), "one", "left", "right" or "total".
 /// rate : str ("1000 Hz"), rate_hz : float
 ///     Sampling rate, if the file does not contain it.
 /// mass : str ("72.6 kg"), mass_kg : float
@@ -347,7 +347,7 @@ impl Force {
 /// kind : str
 ///     Kind of movement: "walking", "running", "standing", "jumping", "sit-to-stand" or "other".
 /// accept : str ("clock, mass")
-///     Open questions of which the assumption is accepted; see :attr:`Force.open`.
+///     Open questions for which the assumption is accepted; see :attr:`Force.open`.
 /// time : str, force : str or list of str
 ///     Names of the columns with the time and with the force.
 /// period : str ("0.5 s"), period_s : float

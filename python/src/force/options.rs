@@ -16,7 +16,7 @@ pub const OF_FILE: [&str; 16] = [
     "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
     "period", "period_s", "span", "span_rad", "noise", "noise_n",
 ];
-/// Options for arrays. Times, units and columns of arrays are known, so the options for them are missing.
+/// Options for arrays. They contain no options for the sampling rate and for names of columns, which arrays do not need.
 pub const OF_ARRAYS: [&str; 12] = [
     "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
     "noise", "noise_n",

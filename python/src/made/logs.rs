@@ -43,20 +43,20 @@ const OPTIONS: [&str; 6] = [
 /// design : Design
 /// logs : path, mapping of arrays, or a list of these
 ///     Logs of steady running, at one or several speeds. A file must contain columns of the force, and of the time or the cam
-///     angle (or both). Columns of speed and torque are optional. All columns must have units. A mapping must contain
-///     ``force_n``, and ``time_s`` or ``theta_rad``. ``speed_rad_per_s`` and ``torque_n_m`` are optional. Its values are arrays
-///     of shape (n,) in SI units.
+///     angle (or both). Columns of speed and torque are optional. Columns are recognised by their names and units. A
+///     mapping must contain ``force_n``, and ``time_s`` or ``theta_rad``. ``speed_rad_per_s`` and ``torque_n_m`` are optional.
+///     The values of the mapping are arrays of shape (n,) in SI units.
 /// time, angle, force, speed, torque : str
-///     Names or numbers of columns in the files that are not recognised automatically.
+///     Name or number of the column in the files, if the column is not recognised automatically.
 /// counts_per_turn : float
 ///     Encoder counts per turn of the cam, if the angle is given in counts.
 ///
 /// Returns
 /// -------
 /// dict
-///     ``parameters`` is a list with ``key``, ``value``, the limits ``low`` and ``high`` of its 95 % interval, and ``identifiable``.
-///     ``noise_rms_n`` and ``repeatable_rms_n`` are the RMS noise and the RMS repeatable force error, N. ``next_run`` describes
-///     a further test that would identify the remaining parameters, or is ``None``.
+///     ``parameters`` is a list of dictionaries with ``key``, ``value``, ``low`` and ``high`` (limits of the 95 % interval), and
+///     ``identifiable``. ``noise_rms_n`` and ``repeatable_rms_n`` are the RMS noise and the RMS repeatable force error, N.
+///     ``next_run`` is a further run that would identify more parameters, or ``None``.
 ///
 /// Raises
 /// ------

@@ -134,7 +134,8 @@ impl Connection {
     }
 }
 
-/// Function that checks whether the client has disconnected. The system is asked at most once per [`LOOK`], because a system call takes time.
+/// Function that checks whether the client has disconnected. The connection is checked at most once per [`LOOK`], because the check is a system
+/// call.
 fn left(stream: Arc<TcpStream>) -> Gone {
     let last = Mutex::new((Instant::now(), false));
     Arc::new(move || {

@@ -1,4 +1,4 @@
-//! Limits on the number of connections. A new connection can displace an old one that is waiting for a request. Connections with a request in
+//! Limits on the number of connections. If too many connections wait for a request, the oldest of them is closed. Connections with a request in
 //! process are not closed.
 
 use std::collections::VecDeque;
@@ -13,7 +13,7 @@ const WAITING: usize = 64;
 /// Maximum number of requests that are processed at the same time. It is sufficient for several pages with six connections each.
 const ANSWERED: usize = 96;
 
-/// Counts of the open connections and of the requests in process.
+/// Connections that wait for a request, and the number of requests in process.
 #[derive(Default)]
 pub struct Places {
     waiting: Mutex<VecDeque<Arc<TcpStream>>>,
