@@ -89,7 +89,7 @@ impl Table {
         self.column_names()
     }
 
-    /// Number of rows.
+    /// Number of rows of the table.
     #[getter]
     fn num_rows(&self) -> usize {
         self.records.len()

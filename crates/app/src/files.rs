@@ -20,7 +20,7 @@ enum Of {
     All,
     /// Designs with a cam.
     Cams,
-    /// Rotating disc cams.
+    /// Rotating disc cams, but not translating and barrel cams.
     Discs,
     /// All cams except barrel cams.
     Profiles,

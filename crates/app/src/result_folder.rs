@@ -182,7 +182,8 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Checks that the path of a result file is not a folder, and that its parent is a real folder (not a link) or does not exist yet.
+/// Checks that a result file can be written to its path. The path must not be a folder. Its parent must be a real folder (not a link) or must not
+/// exist yet.
 fn check_place(path: &Path, name: &str) -> Result<()> {
     match is_folder(&path.join(name)) || !is_inside(path, name) {
         true => Err(FileError::Foreign.in_file(&path.join(name))),

@@ -118,8 +118,8 @@ pub(crate) fn positive(radius: f64) -> Result<f64> {
     .into())
 }
 
-/// Position on the path at which the cutter penetrates the profile most: index of the point that is cut, index of the damaged point, depth in m.
-/// `None` if the cutter does not damage the profile.
+/// Position on the path at which the cutter penetrates the profile most. Returns the index of the point that is cut, the index of the damaged
+/// point, and the depth in m. `None` if the cutter does not damage the profile.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;
     for (i, c) in path.iter().enumerate() {

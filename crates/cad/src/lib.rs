@@ -7,12 +7,12 @@
 //! | module | output | accuracy |
 //! |---|---|---|
 //! | [`dxf`] | outline as polyline, arcs or splines (R12, R2000) | vertices on the profile; arcs and splines within a tolerance |
-//! | [`svg`] | outline for a laser or a page | vertices on the profile |
+//! | [`svg`] | outline for a laser cutter or for printing | vertices on the profile |
 //! | [`step`] | solid with B-spline faces (AP214) | [`step::FAITHFUL`] |
 //! | [`solid`] | STL and 3MF of the plate, walls of a barrel's groove | vertices on the profile |
-//! | [`drawing`] | PDF sheet with views, dimensions, table of radii | three decimals of a millimetre |
-//! | [`ecam`] | electronic cam for a motion controller | executed again in the numbers of the controller |
-//! | [`gcode`], [`cutter`] | programs for a mill, a rotary axis, a wire; gouging | [`biarc`] within a tolerance |
+//! | [`drawing`] | PDF sheet with views, dimensions, table of radii | lengths with three decimals of a millimetre |
+//! | [`ecam`] | electronic cam for a motion controller | evaluated in the number type of the controller |
+//! | [`gcode`], [`cutter`] | programs for milling, a rotary axis and wire cutting; detection of gouges | arcs within a tolerance ([`biarc`]) |
 //!
 //! ```
 //! use gaitcam::scene::built_in;

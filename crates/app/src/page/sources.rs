@@ -65,7 +65,7 @@ impl<'a> Files<'a> {
         Ok((hash, bytes))
     }
 
-    /// Parsed scene of a table, and a copy of the table in which the file name of every motion is replaced by the rows of the file.
+    /// Parsed scene of a table, and a copy of the table. In the copy, the file name of every motion is replaced by the rows of the file.
     ///
     /// # Errors
     ///

@@ -191,8 +191,8 @@ fn groove(design: &Design, wall: Wall) -> Made {
     }
 }
 
-/// JSON data of an electronic cam: its dialect, its file (path or name), the number of intervals, the RMS force error in N, and the part of the
-/// error that the controller adds.
+/// JSON data of an electronic cam: dialect, file (path or name), number of intervals, RMS force error in N, and the part of this error that the
+/// controller adds.
 pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
     let replayed = cam.replayed;
     json!({

@@ -36,9 +36,9 @@ struct Scattered {
 
 /// Profile tolerance and the resulting force error; `None` without a target force.
 ///
-/// The tolerance of the scene is used if there is one. Otherwise it is the largest tolerance in [`OFFERED`] with which manufacturing adds at most
-/// half of `allowed` to the RMS force error of 95 % of the cams. Errors are added as squares, and `allowed` is a fraction of the mean force. If no
-/// tolerance is sufficient, the smallest one is used.
+/// The tolerance of the scene is used if there is one. Otherwise it is the largest tolerance in [`OFFERED`] for which 95 % of the cams satisfy e² −
+/// e₀² ≤ (½ `allowed`)². Here e is the RMS force error of a manufactured cam, and e₀ is that of the exact cam, both as fractions of the mean force.
+/// If no tolerance satisfies this condition, the smallest one is used.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {

@@ -121,7 +121,7 @@ impl Layout {
         Layout { scale, ..self }
     }
 
-    /// Layout of a portrait A4 sheet with all areas in one column, or of an A3 sheet with table and title block in a second column.
+    /// Layout of a portrait A4 sheet or of an A3 sheet. On A4, all areas are in one column. On A3, table and title block are in a second column.
     fn of_paper(is_a3: bool) -> Layout {
         let (name, width, blocks) = if is_a3 {
             ("A3", 420.0, 2)

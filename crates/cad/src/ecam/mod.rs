@@ -187,8 +187,9 @@ pub struct Replayed {
 ///
 /// # Errors
 ///
-/// The number of intervals is out of range; the added force error exceeds the permitted RMS error of the design (the message suggests a sufficient
-/// number, if there is one); the shaft speed of the design is not constant.
+/// - The number of intervals is out of range.
+/// - The added force error exceeds the permitted RMS error of the design. The message suggests a sufficient number, if there is one.
+/// - The shaft speed of the design is not constant.
 pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Result<ElectronicCam> {
     if design.shaft.is_some() {
         return Err(WriteError::EcamOfMotor.at_key("law.shaft"));
@@ -391,8 +392,8 @@ mod tests {
     use super::*;
     use gaitcam::scene::built_in;
 
-    /// An independent integration (a table of positions rounded to 1 µm, interpolated by cubics) gave errors of 4.5, 72 and 477 % of the weight for 360, 1440
-    /// and 3600 points.
+    /// Errors from an independent integration, in which a table of positions is rounded to 1 µm and interpolated by cubics: 4.5, 72 and 477 % of
+    /// the weight for 360, 1440 and 3600 points.
     #[test]
     fn a_table_rounded_to_a_micrometre_is_worse_with_more_points() {
         let design = built_in("footbridge")

@@ -1,5 +1,5 @@
-//! Programs for machine tools (ISO 6983): a milling cutter around the outside of a cam, a milling cutter in the groove of a barrel on a rotary
-//! axis, and wire cutting.
+//! Programs for machine tools (ISO 6983). Milling programs cut the outside of a cam, or the groove of a barrel on a rotary axis. Wire-cutting
+//! programs cut the hole and the outside of a cam.
 
 mod groove;
 mod outside;
@@ -107,8 +107,11 @@ struct Path {
 ///
 /// # Errors
 ///
-/// A radius is not positive; a pass is below a thousandth of the thickness; arcs cannot approximate the profile (undercut, jumps of the velocity);
-/// the cutter does not fit into a concave part; in a groove, its radius differs from that of the roller.
+/// - A radius is not positive.
+/// - A pass is below a thousandth of the thickness.
+/// - Arcs cannot approximate the profile (undercut, jumps of the velocity).
+/// - The cutter does not fit into a concave part.
+/// - The radius of the cutter for a groove differs from that of the roller.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;

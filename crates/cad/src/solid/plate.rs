@@ -27,8 +27,10 @@ pub struct Plate {
 ///
 /// # Errors
 ///
-/// A ray from the centre meets the profile more than once; the bore does not fit; the thickness or the number of points is invalid; the profile is
-/// undercut; the law is open.
+/// - A ray from the centre meets the profile more than once.
+/// - The bore does not fit.
+/// - The thickness or the number of points is invalid.
+/// - The profile is undercut, or the law is open.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * positive(plate.thickness)?;

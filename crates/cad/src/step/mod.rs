@@ -31,8 +31,10 @@ const EDGES: usize = 4;
 ///
 /// # Errors
 ///
-/// The cam is a barrel; the law is not closed; the profile is undercut; the thickness is not positive; no spline with the permitted number of spans
-/// approximates the profile.
+/// - The cam is a barrel.
+/// - The law is not closed, or the profile is undercut.
+/// - The thickness is not positive.
+/// - No spline with the permitted number of spans approximates the profile.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
     if design.groove.is_some() {
         return Err(WriteError::BarrelSolid.into());

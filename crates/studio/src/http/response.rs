@@ -5,25 +5,25 @@ use std::io::{self, Write};
 /// Status codes that the server uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Status 200, success.
+    /// Status 200, successful request.
     Ok,
     /// Status 400, invalid request.
     BadRequest,
-    /// Status 403, forbidden.
+    /// Status 403, access is forbidden.
     Forbidden,
-    /// Status 404, not found.
+    /// Status 404, resource was not found.
     NotFound,
-    /// Status 405, method not allowed.
+    /// Status 405, method is not allowed.
     MethodNotAllowed,
-    /// Status 411, length required.
+    /// Status 411, length of the body is required.
     LengthRequired,
     /// Status 413, request body too large.
     TooLarge,
     /// Status 431, request head too large.
     HeadTooLarge,
-    /// Status 500, internal error.
+    /// Status 500, internal error of the server.
     Internal,
-    /// Status 503, server busy.
+    /// Status 503, too many requests are in process.
     Busy,
 }
 

@@ -28,13 +28,13 @@ pub enum Colour {
     /// No quantity: the whole contour has the same colour.
     #[default]
     None,
-    /// Absolute pressure angle, °.
+    /// Absolute value of the pressure angle, °.
     PressureAngle,
     /// Curvature, 1/m, positive where convex.
     Curvature,
     /// Permitted minimum radius of curvature as a percentage of the local radius of curvature.
     CurvatureUse,
-    /// Contact force, N.
+    /// Contact force between cam and follower, N.
     Force,
     /// Maximum Hertz pressure at the contact, MPa.
     Hertz,

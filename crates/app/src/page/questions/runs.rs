@@ -173,7 +173,8 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     }))
 }
 
-/// Reasons why designs of a grid are not acceptable, row by row: the error of the scene, or the names of the violated or conflicting limits.
+/// Reasons why designs of a grid are not acceptable, row by row. A reason is the error of the scene, or the names of the violated or conflicting
+/// limits.
 fn why(records: &Records, language: Language) -> Vec<String> {
     let at = |column: &str, i: usize| {
         let words = records.words(column);
