@@ -12,18 +12,18 @@ create_exception!(
     gaitcam,
     InputError,
     PyValueError,
-    "A fault in what was given.\n\n\
+    "Error in an input: in a scene, a file or an argument.\n\n\
      Attributes\n----------\n\
-     key : str or None\n    Key of the scene, or argument, that is wrong: ``limits.stroke``.\n\
-     help : str or None\n    What would be right.\n\
-     code : str\n    Name of the fault for programs; it does not change with its wording.\n\
-     place : str\n    File, line or key, as text; empty where there is nothing to point at."
+     key : str or None\n    Key of the scene, or name of the argument, that is wrong, such as ``limits.stroke``.\n\
+     help : str or None\n    Suggested correction.\n\
+     code : str\n    Name of the error for use in programs. It does not change if the message is reworded.\n\
+     place : str\n    File, line or key of the error, as text; empty if the error has no place."
 );
 create_exception!(
     gaitcam,
     NoSuchCam,
     PyRuntimeError,
-    "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
+    "The design has no cam: its limits conflict, or a flat face cannot touch the profile everywhere."
 );
 
 /// Class of the exception for a panic: `gaitcam.InternalError`, which `except Exception` catches.
@@ -37,7 +37,7 @@ pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     own.setattr("__module__", "gaitcam")?;
     own.setattr(
         "__doc__",
-        "A fault of gaitcam itself. Please report it with the scene.",
+        "Internal error of gaitcam. Please report it with the scene.",
     )?;
     let said =
         c"lambda fault: f'internal error ({fault.args[0]}); please report it with the scene'";
