@@ -1,4 +1,4 @@
-//! Options of the files of a design.
+//! Options of the files of a design, as keyword arguments.
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
@@ -12,15 +12,15 @@ use pyo3::types::PyDict;
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Minimum number of rows of a table.
+/// Minimum number of rows in a table.
 const FEWEST_ROWS: usize = 16;
 
-/// Options of the files of a design.
+/// Names of the options for the files of a design.
 const NAMES: [&str; 8] = [
     "points", "png", "solid", "tool", "wire", "dxf", "cut_only", "lang",
 ];
 
-/// Converts the options for the writers. `png` is the value without this option.
+/// Converts keyword arguments to the options of the files. `png` is the default of the option of that name.
 pub fn contents(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -55,7 +55,7 @@ pub fn contents(
     })
 }
 
-/// Checks the number of rows.
+/// Checks that the number of rows is at least [`FEWEST_ROWS`].
 pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     if points >= FEWEST_ROWS {
         return Ok(points);
@@ -64,7 +64,7 @@ pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
     Err(argument(py, "points", what))
 }
 
-/// Kind of the curves in profile.dxf: "arcs", "splines" or "lines".
+/// Kind of curves in `profile.dxf`: "arcs", "splines" or "lines".
 fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     match word {
         "arcs" => Ok(Curves::Arcs),
@@ -78,7 +78,7 @@ fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
     }
 }
 
-/// Language of a tag: `en` or `es`.
+/// Language with the tag `en` or `es`; any other tag is an error.
 pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     Language::of_tag(tag).ok_or_else(|| {
         argument(
@@ -89,7 +89,7 @@ pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
     })
 }
 
-/// Length in m from a number in m or a text with its unit.
+/// Length in m. The value is a number in m, or a text with a unit.
 pub fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(text) = given.extract::<String>() {
         let value = parse(&text, Dimension::Length);

@@ -15,7 +15,7 @@ use crate::error::{argument, raised};
 /// Return value of `__reduce__`: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
 
-/// Table of a scene from a mapping. `at` is its key.
+/// Converts a mapping to the table of a scene. `at` is the dotted key of the table; it is empty for the whole scene.
 pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     let mut out = Table::new();
     for (key, value) in mapping {
@@ -35,7 +35,7 @@ pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
     Ok(out)
 }
 
-/// Dotted key with its value. A number under a key with its SI unit, ``limits.stroke_m``, becomes a quantity.
+/// Converts a dotted key and its value. If the key ends in an SI unit, such as ``limits.stroke_m``, a number becomes a quantity with this unit.
 pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)> {
     let value = value(given, &key)?;
     let Some(quantity) = si_key(&key) else {
@@ -50,18 +50,18 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
     Ok((quantity.name().to_string(), Value::String(text)))
 }
 
-/// Key of a name that ends in an SI unit.
+/// Key and unit of a name that ends in an SI unit; `None` for other names and for keys of scenes.
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)
 }
 
-/// An object of this package as an argument.
+/// Class of this package whose objects are accepted as arguments.
 pub trait Argument: PyClass {
-    /// Description of the expected object.
+    /// Text for error messages that describes how to create such an object.
     const MADE: &'static str;
 
-    /// Checks the argument `name`.
+    /// Converts the value of the argument `name`. An object of another class is a `TypeError`.
     fn given<'a, 'py>(given: &'a Bound<'py, PyAny>, name: &str) -> PyResult<&'a Bound<'py, Self>> {
         given.cast::<Self>().map_err(|_| {
             let (own, made, other) = (Self::NAME, Self::MADE, kind(given));
@@ -71,7 +71,7 @@ pub trait Argument: PyClass {
     }
 }
 
-/// Converts a value of a scene.
+/// Converts a Python value to a value of a scene. `at` is its dotted key.
 pub fn value(given: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
     if let Ok(text) = given.cast::<PyString>() {
         return Ok(Value::String(text.to_string()));
@@ -115,13 +115,13 @@ fn kind(given: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(given.get_type().name()?.to_string())
 }
 
-/// Converts JSON to dictionaries, lists, numbers and text.
+/// Converts JSON data to Python dictionaries, lists, numbers and strings.
 pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?
         .call_method1("loads", (value.to_string(),))
 }
 
-/// Integer from 0; a negative or too large number is an error.
+/// Converts an integer. A negative or too large integer is an error.
 pub fn whole<'py, T>(given: &Bound<'py, PyAny>) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -136,11 +136,11 @@ where
     })
 }
 
-/// Given options of a call.
+/// Keyword arguments of a call, after a check of their names.
 ///
 /// # Errors
 ///
-/// `TypeError` with the known names for an unknown option.
+/// `TypeError` for an unknown option; the message contains the known names.
 pub fn options<'py>(
     py: Python<'py>,
     given: Option<&Bound<'py, PyDict>>,
@@ -161,7 +161,7 @@ pub fn options<'py>(
     Ok(out)
 }
 
-/// Value of an option of a call, if given.
+/// Value of an option; `None` if the call does not contain the option.
 pub fn option<'py, T>(given: &Bound<'py, PyDict>, name: &str) -> PyResult<Option<T>>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -174,7 +174,7 @@ where
     })
 }
 
-/// Column names of a mapping.
+/// Column names of a mapping. `name` is the argument in error messages.
 pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let Ok(keys) = columns.call_method0("keys") else {
         let what = format!("{name}: a table or a mapping, not {}", kind(columns)?);
@@ -183,7 +183,7 @@ pub fn keys(columns: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     keys.try_iter()?.map(|key| key?.extract()).collect()
 }
 
-/// Array from any array-like object.
+/// Converts an array-like object to a numpy array. `name` is the argument in error messages.
 pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     let py = given.py();
     let array = py.import("numpy")?.call_method1("asarray", (given,));
@@ -193,9 +193,9 @@ pub fn array<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, 
     })
 }
 
-/// Numbers of a one-dimensional array of any kind, including lists and columns of tables.
+/// Numbers of a one-dimensional object, such as an array, a list or a column of a table.
 ///
-/// An array of 64-bit numbers is read without a copy.
+/// An array of 64-bit floating-point numbers is read without a copy.
 pub fn numbers<'py>(
     given: &Bound<'py, PyAny>,
     name: &str,

@@ -1,4 +1,4 @@
-//! Several cams for a population.
+//! Design of several cams for a population of walkers.
 
 use gaitcam::cover::{Cover, covers, folds};
 use gaitcam::error::{Placed, SynthError};
@@ -18,30 +18,32 @@ use crate::scene::Scene;
 use crate::synth::asked;
 use crate::table::Table;
 
-/// Designs cams for a population: number of cams, assignment of walkers to cams, and cross-validation errors for new walkers.
+/// Designs several cams for a population of walkers, and computes the errors for each number of cams.
+///
+/// Each walker is assigned to one cam. Cross-validation estimates the errors for new walkers.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     The machine and its limits, ``law.robust`` and ``gait.adjust``; the built-in footbridge by default.
+///     Scene with the machine, its limits, ``law.robust`` and ``gait.adjust``; the built-in footbridge by default.
 /// forces : sequence of Force, optional
 ///     Cycles of the walkers, instead of those in the scene. Forces of the same name are cycles of one walker.
 /// cams : int
-///     Largest number of cams. Every number from 1 on is tried, up to one cam per walker.
+///     Maximum number of cams. All numbers from 1 to ``cams`` are computed, but not more than one cam per walker.
 /// time_limit : float
-///     Time limit of the search, s. The result then contains the numbers of cams that are complete.
+///     Time limit of the search, s. When it is reached, the result contains only the completed numbers of cams.
 ///
 /// Returns
 /// -------
 /// Cover
-///     Tables ``cams`` (mean and worst error and lower bound for each number of cams), ``assignment`` (the cam of each cycle,
-///     counted from 1, with its error) and ``folds`` (errors of walkers with cams designed without them), and ``designs``:
-///     ``designs[k - 1][i - 1]`` is cam i of k.
+///     Object with three tables and the designs. ``cams`` contains the mean error, the worst error and the lower bound for each
+///     number of cams. ``assignment`` contains the cam of each cycle, numbered from 1, and its error. ``folds`` contains the
+///     errors of walkers with cams that were designed without them. ``designs[k - 1][i - 1]`` is cam i of the cover with k cams.
 ///
 /// Raises
 /// ------
 /// InputError
-///     Fewer than two walkers; a walker whose recording cannot be read.
+///     There are fewer than two walkers, or a recording cannot be read.
 #[pyfunction]
 #[pyo3(signature = (scene = None, *, forces = None, cams = 6, time_limit = 60.0))]
 pub fn cover<'py>(
@@ -86,7 +88,7 @@ pub fn cover<'py>(
     class.call1((cams, assignment, folds, designs?))
 }
 
-/// Cams of a cover as designs for their assigned walkers.
+/// Converts the cams of a cover to designs, each for the walkers that are assigned to it.
 fn of_cover(
     py: Python<'_>,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Designs: from a scene to a cam with its checks, files and pictures.
+//! Class `Design`: a scene, its cam with all checks, and the files and plots of the design.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -27,20 +27,20 @@ use crate::scene::Scene;
 use crate::synth::answer;
 use crate::table::Table;
 
-/// A finished design: law, cam, checks and verdict.
+/// A finished design: law of motion, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Design {
     /// Result of the design, or the reason why it has no cam.
     pub(crate) outcome: Outcome,
-    /// Scene of the design, with the given force in its `[gait]`.
+    /// Scene of the design, in which the given force is part of `[gait]`.
     pub input: Input,
     pub(crate) asked: Scene,
     pub(crate) force: Option<Force>,
     pub(crate) time: Timing,
     pub(crate) time_limit: f64,
-    /// Force error before the correction, and the predicted error after it; only for a design from `recut`.
+    /// Force error before the correction, and the predicted error after it; `None` unless the design is a result of `recut`.
     pub(crate) recut: Option<Recut>,
-    /// Logs from which the cam was corrected.
+    /// Paths of the log files from which the cam was corrected.
     pub(crate) logs: Vec<PathBuf>,
 }
 
@@ -49,7 +49,7 @@ impl Argument for Design {
 }
 
 impl Design {
-    /// The design, including one that violates limits.
+    /// The design, also if it violates limits. A scene without a cam is an error.
     pub fn shown(&self) -> PyResult<&gaitcam::synth::Design> {
         match &self.outcome {
             Outcome::Built(design) => Ok(design),
@@ -57,7 +57,7 @@ impl Design {
         }
     }
 
-    /// The design if it has a cam.
+    /// The design with a cam that can be manufactured. An infeasible scene is an error.
     pub fn cam(&self, py: Python<'_>) -> PyResult<&gaitcam::synth::Design> {
         let design = self.shown()?;
         match &design.infeasible {
@@ -106,7 +106,7 @@ impl Design {
 
 #[pymethods]
 impl Design {
-    /// Class of the cam: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
+    /// Verdict on the cam: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
     #[getter]
     fn verdict(&self) -> &'static str {
         match &self.outcome {
@@ -121,21 +121,21 @@ impl Design {
         Ok(self.said(language(py, lang)?))
     }
 
-    /// Data of the design, as in ``summary.json``, in SI units; the names contain the units.
+    /// Data of the design as in ``summary.json``. Numbers are in SI units, and names end with the unit.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let summary = || self.summarised(&self.input.resolved());
         convert::json(py, &py.detach(summary))
     }
 
-    /// Checks of all limits: a list of ``{name, worst, limit, at_rad, pass}``.
+    /// Results of all checks: a list of ``{name, worst, limit, at_rad, pass}``.
     #[getter]
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.shown()?;
         self.summary(py)?.get_item("checks")
     }
 
-    /// Law at 1440 equal steps of the cam angle, as in ``law.csv``.
+    /// Law of motion at 1440 equal steps of the cam angle, as in ``law.csv``.
     #[getter]
     fn law(&self, py: Python<'_>) -> PyResult<Table> {
         let design = self.shown()?;
@@ -143,7 +143,7 @@ impl Design {
         Ok(Table::of_numbers(columns))
     }
 
-    /// Profile at 1440 equal steps of the cam angle, as in ``profile.csv``. Row i is the contact at its angle.
+    /// Profile at 1440 equal steps of the cam angle, as in ``profile.csv``. Each row is the contact point at one cam angle.
     #[getter]
     fn profile(&self, py: Python<'_>) -> PyResult<Table> {
         let design = self.cam(py)?;
@@ -151,14 +151,14 @@ impl Design {
         Ok(Table::of_numbers(columns))
     }
 
-    /// Force error of each cycle of several walkers, as in ``walkers.csv``; empty for one force.
+    /// Force errors of all cycles of several walkers, as in ``walkers.csv``; no rows for a single force.
     #[getter]
     fn walkers(&self) -> PyResult<Table> {
         let records = output::csv::walkers(self.shown()?);
         Ok(Table::new(records.unwrap_or_default(), Vec::new()))
     }
 
-    /// Tables ``law`` and ``profile`` with another number of rows.
+    /// Tables ``law`` and ``profile`` with a given number of rows.
     fn tables(
         &self,
         py: Python<'_>,
@@ -175,7 +175,7 @@ impl Design {
         Ok((Table::of_numbers(law), Table::of_numbers(profile)))
     }
 
-    /// Law as a function of the cam angle.
+    /// Law of motion as a function of the cam angle.
     #[getter]
     fn motion(slf: &Bound<'_, Self>) -> PyResult<Law> {
         let own = slf.get().shown()?;
@@ -187,7 +187,7 @@ impl Design {
         ))
     }
 
-    /// Scene of the design, with the given force.
+    /// Scene of the design, in which a given force replaces that of the original scene.
     #[getter]
     fn scene(&self) -> Scene {
         Scene::of_input(self.input.clone())
@@ -218,21 +218,21 @@ impl Design {
     /// ----------
     /// folder : path
     /// points : int
-    ///     Number of rows of the tables.
+    ///     Number of rows in the tables.
     /// png : bool
-    ///     Write pictures as PNG in addition to SVG.
+    ///     Also write the figures as PNG, in addition to SVG.
     /// solid : bool
-    ///     Also write solids (STEP, STL, 3MF), a drawing (PDF) and a workbook (XLSX).
+    ///     Also write solids (STEP, STL, 3MF), a workshop drawing (PDF) and a workbook (XLSX).
     /// tool : float (m) or str ("3 mm"), optional
-    ///     Radius of a cutter. Its path is also written.
+    ///     Radius of a milling cutter. If given, the path of its centre and its program are also written.
     /// wire : float (m) or str ("0.14 mm"), optional
-    ///     Radius of a cutting wire, spark gap included. Its path is also written.
+    ///     Half the diameter of a cutting wire plus the spark gap. If given, the program for wire cutting is also written.
     /// dxf : str
-    ///     Curves of profile.dxf: "arcs" (R12), "splines" (R2000) or "lines" (R12, chords within 0.002 mm).
+    ///     Kind of curves in profile.dxf: "arcs" (R12), "splines" (R2000) or "lines" (R12, chords within 0.002 mm).
     /// cut_only : bool
-    ///     Write only the cut layers in profile.dxf.
+    ///     Write only the edges to be cut (layers ``CUT_*``) to profile.dxf.
     /// lang : str
-    ///     Language of report and pictures, "en" or "es".
+    ///     Language of the report and the figures, "en" or "es".
     #[pyo3(signature = (folder, **options), text_signature = "($self, folder, *, points=1440, png=True, solid=False, tool=None, wire=None, dxf='arcs', \
         cut_only=False, lang='en')")]
     fn save(
@@ -253,7 +253,7 @@ impl Design {
         written.raise(py)
     }
 
-    /// Files of :meth:`save` in memory: a dictionary from names to bytes.
+    /// Files of :meth:`save` in memory, as a dictionary that maps names to bytes. The options are those of :meth:`save`.
     #[pyo3(signature = (**options), text_signature = "($self, *, points=1440, png=False, solid=False, tool=None, wire=None, dxf='arcs', \
         cut_only=False, lang='en')")]
     fn files<'py>(
@@ -286,20 +286,21 @@ impl Design {
     /// Parameters
     /// ----------
     /// dialect : str
-    ///     "codesys", "twincat", "segments", "rockwell" or "csv".
+    ///     Kind of controller: "codesys", "twincat", "segments", "rockwell" or "csv".
     /// points : int, optional
-    ///     Number of equal intervals per cycle; by default the smallest number that reproduces the law.
+    ///     Number of equal intervals per cycle. By default it is chosen so that the motion reproduces the law.
     ///
     /// Returns
     /// -------
     /// dict
-    ///     ``text`` of the file, its name ``file``, ``dialect``, ``points``, the RMS force errors ``rms_error_n`` (from the target)
-    ///     and ``added_rms_n`` (from the law), and ``added_percent`` relative to the mean force.
+    ///     ``text`` is the content of the file, ``file`` its name, ``dialect`` the kind of controller and ``points`` the number of
+    ///     intervals. ``rms_error_n`` is the RMS difference between the force and its target. ``added_rms_n`` is the RMS difference
+    ///     from the force of the law, and ``added_percent`` is this difference relative to the mean force.
     ///
     /// Raises
     /// ------
     /// InputError
-    ///     An unknown dialect; too few points to reproduce the law. The message states a sufficient number.
+    ///     The dialect is unknown, or the number of points is too small. The message contains a sufficient number.
     #[pyo3(signature = (dialect, points = None))]
     fn ecam<'py>(
         &self,
@@ -324,9 +325,10 @@ impl Design {
     /// Parameters
     /// ----------
     /// ax : matplotlib.axes.Axes, optional
-    ///     Axes to draw on; new ones by default.
+    ///     Axes for the plot; new axes by default.
     /// what : str
-    ///     "force" (N, with its target) or "law" (lift, mm) over the cam angle (°), or "profile" (mm).
+    ///     "force" plots the force and its target (N) over the cam angle (°), "law" the lift (mm) over the cam angle,
+    ///     and "profile" the profile of the cam (mm).
     ///
     /// Returns
     /// -------

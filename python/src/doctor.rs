@@ -1,4 +1,4 @@
-//! Faults of a scene or a recording.
+//! Diagnosis of a scene or a recording.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ use crate::error::{self, Raise};
 use crate::interrupt;
 use crate::scene::Scene;
 
-/// Examines a scene or a recording as ``gaitcam doctor`` does, and returns all faults.
+/// Checks a scene or a recording as ``gaitcam doctor`` does, and returns all errors.
 ///
 /// Parameters
 /// ----------
@@ -27,13 +27,14 @@ use crate::scene::Scene;
 /// Returns
 /// -------
 /// list of dict
-///     Faults, notes, open questions and the verdict: ``mark`` ("good", "doubtful", "bad"), ``code``, ``key`` of the
-///     scene or ``None``, ``sentence``, ``help`` or ``None``. The list is empty for a valid recording without notes.
+///     Errors, notes, open questions and the verdict. Each is a dictionary with ``mark`` ("good", "doubtful" or "bad"),
+///     ``code``, ``key`` (key of the scene or ``None``), ``sentence`` and ``help`` (text or ``None``). The list is empty for a
+///     valid recording without notes.
 ///
 /// Raises
 /// ------
 /// InputError
-///     A file that cannot be read or is not TOML.
+///     The file cannot be read, or a scene file is not TOML.
 #[pyfunction]
 #[pyo3(signature = (given, *, time_limit = 60.0, lang = "en"))]
 pub fn doctor<'py>(
@@ -65,7 +66,7 @@ pub fn doctor<'py>(
     convert::json(py, &Value::from(rows))
 }
 
-/// Row of a finding that requires an action, or of the verdict.
+/// Dictionary of a finding; `None` for a part without errors. The verdict of a design is always included.
 fn row(finding: &Finding, language: Language) -> Option<Value> {
     let words = catalogue(language);
     let mark = match finding.mark() {

@@ -1,4 +1,4 @@
-//! Faults as Python exceptions: message, key and remedy.
+//! Errors as Python exceptions, with message, key and suggested correction.
 
 use gaitcam::error::{Error, Place, Placed};
 use gaitcam::wording::Language;
@@ -12,23 +12,23 @@ create_exception!(
     gaitcam,
     InputError,
     PyValueError,
-    "A fault in what was given.\n\n\
+    "Error in an input: in a scene, a file or an argument.\n\n\
      Attributes\n----------\n\
-     key : str or None\n    Key of the scene, or argument, that is wrong: ``limits.stroke``.\n\
-     help : str or None\n    What would be right.\n\
-     code : str\n    Name of the fault for programs; it does not change with its wording.\n\
-     place : str\n    File, line or key, as text; empty where there is nothing to point at."
+     key : str or None\n    Key of the scene, or name of the argument, that is wrong, such as ``limits.stroke``.\n\
+     help : str or None\n    Suggested correction.\n\
+     code : str\n    Name of the error for use in programs. It does not change if the message is reworded.\n\
+     place : str\n    File, line or key of the error, as text; empty if the error has no place."
 );
 create_exception!(
     gaitcam,
     NoSuchCam,
     PyRuntimeError,
-    "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
+    "The design has no cam: its limits conflict, or a flat face cannot touch the profile everywhere."
 );
 
-/// Exception for a panic: `gaitcam.InternalError`, which `except Exception` catches.
+/// Class of the exception for a panic: `gaitcam.InternalError`, which `except Exception` catches.
 ///
-/// pyo3 converts a panic in any function or method into its own exception, so that no call needs separate handling.
+/// pyo3 raises this exception for a panic in any function or method, so that the functions need no code for panics.
 pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     let own = py.get_type::<PanicException>();
     own.setattr("__bases__", (py.get_type::<PyRuntimeError>(),))?;
@@ -37,7 +37,7 @@ pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     own.setattr("__module__", "gaitcam")?;
     own.setattr(
         "__doc__",
-        "A fault of gaitcam itself. Please report it with the scene.",
+        "Internal error of gaitcam. Please report it with the scene.",
     )?;
     let said =
         c"lambda fault: f'internal error ({fault.args[0]}); please report it with the scene'";
@@ -45,7 +45,7 @@ pub fn internal(py: Python<'_>) -> PyResult<Bound<'_, PyType>> {
     Ok(own)
 }
 
-/// Python exception for a fault, with its key, code, place and help.
+/// Python exception for an error, with the attributes `key`, `code`, `place` and `help`.
 pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     let help = fault.help(Language::En);
     let error = InputError::new_err(fault.sentence(Language::En));
@@ -63,7 +63,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     }
 }
 
-/// Key of a place without its file.
+/// Key or argument at which an error occurred, without the file; `None` for an error at another place.
 pub fn key(place: &Place) -> Option<String> {
     match place {
         Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),
@@ -72,9 +72,9 @@ pub fn key(place: &Place) -> Option<String> {
     }
 }
 
-/// Conversion of library results to Python results.
+/// Conversion of results of the library to results of Python functions.
 pub trait Raise<T> {
-    /// Value, or the exception for the fault.
+    /// Returns the value, or raises the Python exception for the error.
     fn raise(self, py: Python<'_>) -> PyResult<T>;
 }
 
@@ -84,7 +84,7 @@ impl<T> Raise<T> for gaitcam::error::Result<T> {
     }
 }
 
-/// Exception for an invalid argument.
+/// Exception for an invalid value of the argument `name`; `what` is the message.
 pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
     let fault = Error::own("python-argument", what).at_key(name);
     raised(py, fault)

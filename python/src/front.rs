@@ -1,4 +1,4 @@
-//! Best designs of a table.
+//! Pareto front of a table of designs.
 
 use gaitcam::sweep::{self, Admission, Objective};
 use gaitcam_base::wording::{Language, exact};
@@ -9,7 +9,7 @@ use crate::convert::{self, Reduced};
 use crate::error::Raise;
 use crate::html;
 
-/// Non-dominated designs of a table.
+/// Pareto front: the non-dominated designs of a table.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Front {
     names: Vec<String>,
@@ -19,10 +19,10 @@ pub struct Front {
     left_out: usize,
 }
 
-/// Fields of the object for pickling.
+/// Fields of a front, which are pickled.
 type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
-/// One name or several names.
+/// One column name, or a list of column names.
 #[derive(FromPyObject)]
 pub enum Names {
     One(String),
@@ -38,15 +38,15 @@ impl Names {
     }
 }
 
-/// Pareto front of a table of designs.
+/// Pareto front of a table of designs: the designs that no other design dominates.
 ///
 /// Parameters
 /// ----------
 /// table
-///     Table of a sweep: a table of gaitcam, pandas, polars or pyarrow, or a dictionary of columns.
+///     Table of a sweep: a table of gaitcam, pandas, polars or pyarrow, or a dictionary that maps names to columns.
 /// minimise, maximise : str or list of str
-///     Columns, by name or start of the name: ``["force_error", "torque_max"]``. By default, force error and prime radius
-///     are minimised.
+///     Objectives: names of columns, or the first part of the names: ``["force_error", "torque_max"]``. By default, force
+///     error and prime radius are minimised.
 /// low_speed : bool
 ///     Include designs that are not for high speed.
 /// all : bool
@@ -112,7 +112,7 @@ pub fn front(
     }))
 }
 
-/// Column names of any kind of table.
+/// Column names of a table of any supported kind.
 fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     for attribute in ["column_names", "columns"] {
         if let Ok(names) = table.getattr(attribute)
@@ -124,7 +124,7 @@ fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     convert::keys(table, "table")
 }
 
-/// Text column; a missing text is empty.
+/// Values of a text column; a missing value becomes an empty text.
 fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
     let column = table.get_item(name)?;
     // Values of pyarrow are not Python strings.
@@ -140,31 +140,32 @@ fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
 
 #[pymethods]
 impl Front {
-    /// Row indices of the designs in the table, sorted by the first objective; shape (n,).
+    /// Row indices of the non-dominated designs in the table, sorted by the first objective; shape (n,).
     #[getter]
     fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
         PyArray1::from_slice(py, &self.positions)
     }
 
-    /// Values of the objectives, SI; shape (n, objectives).
+    /// Values of the objectives in SI units; shape (n, objectives).
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         Ok(PyArray2::from_vec2(py, &self.values)?)
     }
 
-    /// Names of the compared columns.
+    /// Column names of the objectives.
     #[getter]
     fn objectives(&self) -> Vec<String> {
         self.names.clone()
     }
 
-    /// Row index of the best compromise, which is closest to the best value of every objective; ``None`` for an empty front.
+    /// Row index of the best compromise; ``None`` for an empty front. It is the design nearest to the ideal point, with each objective scaled
+    /// to the range 0 … 1 over the front.
     #[getter]
     fn best(&self) -> Option<i64> {
         self.best
     }
 
-    /// Number of designs left out because they are not for high speed.
+    /// Number of designs that were excluded because they are not for high speed.
     #[getter]
     fn left_out(&self) -> usize {
         self.left_out

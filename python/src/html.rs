@@ -1,21 +1,21 @@
-//! HTML output for notebooks.
+//! HTML representation of objects in notebooks.
 
 use gaitcam_base::text::escaped;
 
-/// Maximum number of displayed rows of a table, half from each end.
+/// Maximum number of rows of a table that are displayed: one half from the start, the other half from the end.
 const SHOWN: usize = 10;
 
-/// A name with its description.
+/// HTML paragraph with a name in bold and its description.
 pub fn head(name: &str, said: &str) -> String {
     format!("<p><b>{}</b>: {}</p>", escaped(name), escaped(said))
 }
 
-/// Preformatted text as HTML.
+/// HTML block with preformatted text.
 pub fn fixed(text: &str) -> String {
     format!("<pre>{}</pre>", escaped(text))
 }
 
-/// HTML table of the first and the last of `count` rows with their column names.
+/// HTML table with column names, and with the first and the last of `count` rows. `cells` returns the cells of a row.
 pub fn table(names: &[String], count: usize, cells: impl Fn(usize) -> Vec<String>) -> String {
     let line = |tag: &str, cells: &[String]| {
         let cells = cells

@@ -1,4 +1,4 @@
-//! Long computations without the interpreter's lock, interruptible by Ctrl-C.
+//! Long computations that release the lock of the interpreter (GIL) and can be stopped with Ctrl-C.
 
 use std::sync::{Arc, Mutex};
 use std::thread::{ThreadId, current};
@@ -9,15 +9,15 @@ use gaitcam::halt::Halt;
 use gaitcam::synth::Search;
 use pyo3::prelude::*;
 
-/// Time between two checks of Python's signals.
+/// Minimum time between two checks for Python signals.
 const LOOK: Duration = Duration::from_millis(50);
-/// Longest time limit, s; longer ones are ignored.
+/// Maximum time limit, s. A longer limit is replaced by it.
 const LONGEST_S: f64 = 1e9;
 
-/// Callback that is called whenever Python's signals are checked. An error ends the search.
+/// Function that is called at every check for Python signals. An error of the function ends the search.
 type Watch = Box<dyn Fn(Python<'_>) -> PyResult<()> + Send + Sync>;
 
-/// End condition of a search: a time limit, or an exception of a signal handler or callback.
+/// Stop condition of a search: a time limit, or an exception raised by a signal handler or by the callback.
 pub struct Interrupt {
     begun: Instant,
     limit: Duration,
@@ -32,12 +32,12 @@ struct State {
 }
 
 impl Interrupt {
-    /// End condition with a time limit from now, s.
+    /// Creates a stop condition with a time limit, s, that starts now.
     pub fn after(limit_s: f64) -> Arc<Interrupt> {
         Interrupt::watched(limit_s, None)
     }
 
-    /// End condition with a time limit from now, s. `watch` is called at every check of Python's signals.
+    /// Creates a stop condition with a time limit, s, that starts now. `watch` is called at every check for Python signals.
     pub fn watched(limit_s: f64, watch: Option<Watch>) -> Arc<Interrupt> {
         let begun = Instant::now();
         Arc::new(Interrupt {
@@ -52,13 +52,13 @@ impl Interrupt {
         })
     }
 
-    /// Halt condition that searches poll.
+    /// Stop condition of type [`Halt`], which searches check repeatedly.
     pub fn halt(self: &Arc<Self>) -> Halt {
         let own = Arc::clone(self);
         Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())
     }
 
-    /// Whether a signal handler has raised an exception. Signals are checked at most every 50 ms, from the calling thread only.
+    /// Whether a signal handler or the callback has raised an exception. Signals are checked at most every 50 ms, and only on the calling thread.
     pub fn is_raised(&self) -> bool {
         let Ok(mut state) = self.state.lock() else {
             return true;
@@ -84,23 +84,23 @@ impl Interrupt {
         is_raised
     }
 
-    /// The exception that ended the work, if any.
+    /// Raises the exception that ended the search, if there is one.
     pub fn result(&self) -> PyResult<()> {
         let raised = self.state.lock().ok().and_then(|mut s| s.raised.take());
         raised.map_or(Ok(()), Err)
     }
 
-    /// Time since the work began, s.
+    /// Time since the start of the search, s.
     pub fn elapsed_s(&self) -> f64 {
         self.begun.elapsed().as_secs_f64()
     }
 }
 
-/// Runs a search without the interpreter's lock.
+/// Runs a search without the lock of the interpreter.
 ///
 /// # Errors
 ///
-/// An invalid time limit; an exception of a signal handler. A fault of the search is the inner result.
+/// The time limit is invalid, or a signal handler raised an exception. An error of the search itself is in the inner result.
 pub fn run<T: Send>(
     py: Python<'_>,
     limit_s: f64,
@@ -111,7 +111,7 @@ pub fn run<T: Send>(
     interrupt.result().map(|()| found)
 }
 
-/// Checks a time limit given by the user, s.
+/// Checks that a time limit, s, is positive.
 pub fn limit(py: Python<'_>, seconds: f64) -> PyResult<f64> {
     if seconds > 0.0 {
         return Ok(seconds);

@@ -1,4 +1,4 @@
-//! Laws of motion as functions of arrays.
+//! Class `Law`: laws of motion as functions of arrays.
 
 use gaitcam::law::{self, Extent, Rise, Segment};
 use gaitcam::units::{Dimension, parse};
@@ -9,10 +9,10 @@ use pyo3::types::{IntoPyDict, PyDict, PyString, PyTuple};
 use crate::convert::{self, Reduced};
 use crate::error::Raise;
 
-/// A law of motion: ``law(theta)`` returns s, v, a, j, each of the shape of ``theta``.
+/// A law of motion. ``law(theta)`` returns lift, velocity, acceleration and jerk, each with the shape of ``theta``.
 ///
-/// The results are the lift s in m (for an oscillating follower: rad) and its exact derivatives by the cam angle, m/rad,
-/// m/rad², m/rad³. ``theta`` is in rad, in any turn. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
+/// The lift s is in m (for an oscillating follower: rad). The other results are its exact derivatives with respect to the cam angle, m/rad, m/rad²,
+/// m/rad³. ``theta`` is in rad, and any number of turns is allowed. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Law {
     name: String,
@@ -21,17 +21,17 @@ pub struct Law {
     origin: Origin,
 }
 
-/// Source of a law. It is pickled instead of the law.
+/// Origin of a law. The origin is pickled, and the law is computed from it again.
 enum Origin {
-    /// Name of the law in the catalogue.
+    /// Law of the catalogue, given by its name.
     Catalogue,
-    /// Programme: motion, lift in m and angle in rad of each segment.
+    /// Motion programme: motion, lift (m) and angle (rad) of each segment.
     Program(Vec<(String, f64, f64)>),
     Design(Py<PyAny>),
 }
 
 impl Law {
-    /// Law of a design, which is pickled with the design.
+    /// Law of a design. It is pickled together with the design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),
@@ -51,7 +51,7 @@ impl Law {
     }
 }
 
-/// Values of a function of angles. Each array has the shape of the argument.
+/// Evaluates N functions at an array of angles. The resulting arrays have the shape of `theta`.
 pub fn shaped<'py, const N: usize>(
     theta: &Bound<'py, PyAny>,
     mut of: impl FnMut(f64) -> [f64; N],
@@ -85,7 +85,7 @@ pub fn shaped<'py, const N: usize>(
 
 #[pymethods]
 impl Law {
-    /// Law of the catalogue with its parameters: ``Law("scca 0.25 0.25 0.5")``.
+    /// Law of the catalogue, given by its name and its parameters: ``Law("scca 0.25 0.25 0.5")``.
     #[new]
     fn new(py: Python<'_>, name: &str) -> PyResult<Law> {
         let law = || Rise::from_name(name).and_then(|rise| Law::of_rise(&rise));
@@ -101,37 +101,38 @@ impl Law {
         svaj.call1((s, v, a, j))
     }
 
-    /// Name of the law.
+    /// Name of the law, followed by its parameters for a law of the catalogue.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Maximum lift minus minimum lift.
+    /// Difference between the maximum and the minimum lift, in the unit of the lift.
     #[getter]
     fn stroke(&self) -> f64 {
         self.law.stroke()
     }
 
-    /// First angle and length of the law, rad.
+    /// First cam angle of the law, and the range of angles that it covers, rad.
     #[getter]
     fn extent(&self) -> (f64, f64) {
         self.law.extent()
     }
 
-    /// Whether the law repeats after its extent.
+    /// Whether the law repeats after its range of angles.
     #[getter]
     fn closed(&self) -> bool {
         self.law.is_closed()
     }
 
-    /// Breaks of the pieces, rad; shape (pieces + 1,).
+    /// Cam angles at which the spans of the law begin and end, rad; shape (spans + 1,).
     #[getter]
     fn breaks<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.law.breaks())
     }
 
-    /// Minimum and maximum of a derivative (0: lift … 3: jerk) of the continuous law, each with its angle: ``((least, at), (most, at))``.
+    /// Minimum and maximum of lift (0), velocity (1), acceleration (2) or jerk (3), each with its cam angle: ``((least, at), (most, at))``. They
+    /// are computed from the continuous law.
     fn extremes(
         &self,
         py: Python<'_>,
@@ -145,7 +146,7 @@ impl Law {
         Ok(((low.value, low.at), (high.value, high.at)))
     }
 
-    /// Peak factors of a law of the catalogue: ``cv``, ``ca``, ``cj``, ``ct``.
+    /// Peak factors of a law of the catalogue: velocity ``cv``, acceleration ``ca``, jerk ``cj``, torque ``ct``. ``None`` for other laws.
     #[getter]
     fn factors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let named = |f: &law::Factors| [("cv", f.cv), ("ca", f.ca), ("cj", f.cj), ("ct", f.ct)];
@@ -173,7 +174,7 @@ impl Law {
     }
 }
 
-/// Catalogue of rise laws: a dictionary from names to normalised laws.
+/// Catalogue of rise laws: a dictionary that maps names to normalised laws.
 #[pyfunction]
 pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let out = PyDict::new(py);
@@ -183,10 +184,9 @@ pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     Ok(out)
 }
 
-/// Law of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
+/// Law that consists of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
 ///
-/// Each segment is a motion of the catalogue, its lift (m, negative for a fall) and its angle (rad); numbers are SI, text
-/// has a unit.
+/// Each segment is a motion of the catalogue with its lift (negative for a fall) and its angle. Numbers are in m and rad; texts have a unit.
 #[pyfunction]
 pub fn program(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! The Python package `gaitcam` contains only bindings to the library, `gaitcam-app` and `gaitcam-output`, which the command uses too.
+//! Bindings of the Python package `gaitcam` to the library and to the crates `gaitcam-app` and `gaitcam-output`. The command uses the same crates.
 
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
@@ -58,7 +58,7 @@ mod _native {
 
     use pyo3::prelude::*;
 
-    /// Panics on a separate thread, to test the handling of internal errors.
+    /// Causes a panic on a separate thread, to test the conversion of panics to exceptions.
     #[pyfunction]
     fn _panic(py: Python<'_>) {
         py.detach(|| {

@@ -1,4 +1,4 @@
-//! Scenes: the complete definition of a problem.
+//! Class `Scene`: the complete definition of a design problem.
 
 use std::path::{Path, PathBuf};
 
@@ -12,17 +12,17 @@ use pyo3::types::PyDict;
 use crate::convert::{self, Argument, Reduced};
 use crate::error::{Raise, raised};
 
-/// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
+/// A scene: target force, drive (relation between lift and force), law of motion, cam and limits.
 ///
-/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes the sections of a scene file. Quantities are texts with their unit, or
-/// numbers under a key with its SI unit: ``"mass_kg": 8.0``. A scene without a force gets its force from :func:`synth`;
-/// ``Scene()`` is empty. Scenes are immutable: ``set`` returns a new scene.
+/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes the sections of a scene file. Quantities are texts with their unit, or numbers if the key ends
+/// with the SI unit: ``"mass_kg": 8.0``. A scene without a force gets its force from the arguments of :func:`synth`; ``Scene()`` is empty. Scenes
+/// are immutable: ``set`` returns a new scene.
 #[pyclass(frozen, module = "gaitcam", eq)]
 #[derive(Clone)]
 pub struct Scene {
-    /// Scene with its table and folder.
+    /// Parsed scene with its table and its folder.
     pub input: Input,
-    /// Error of the scene if no force is given.
+    /// Error of the scene if no force is added to it; `None` if the scene is complete.
     lacks_force: Option<Error>,
 }
 
@@ -34,7 +34,7 @@ impl PartialEq for Scene {
 }
 
 impl Scene {
-    /// Scene of a table. The force may be given later, by `synth` or a sweep.
+    /// Scene with the given table. `synth` or a sweep can add the force later.
     pub fn of_table(
         py: Python<'_>,
         table: toml::Table,
@@ -68,7 +68,7 @@ impl Scene {
         })
     }
 
-    /// A scene that specifies its force or a programme.
+    /// Scene that is complete: it defines its force or its motion programme.
     pub fn of_input(input: Input) -> Scene {
         Scene {
             input,
@@ -76,11 +76,11 @@ impl Scene {
         }
     }
 
-    /// The scene, which must specify its force or a programme.
+    /// The input of the scene, which must define a force or a motion programme.
     ///
     /// # Errors
     ///
-    /// The scene specifies neither.
+    /// The scene defines neither a force nor a motion programme.
     pub fn whole(&self, py: Python<'_>) -> PyResult<&Input> {
         match &self.lacks_force {
             Some(fault) => Err(raised(py, fault.clone())),
@@ -88,7 +88,7 @@ impl Scene {
         }
     }
 
-    /// The given scene, or the built-in footbridge by default.
+    /// The given scene; without a scene, the built-in footbridge.
     pub fn or_default(py: Python<'_>, scene: Option<&Scene>) -> PyResult<Scene> {
         match scene {
             Some(scene) => Ok(scene.clone()),
@@ -96,7 +96,7 @@ impl Scene {
         }
     }
 
-    /// Scene with changes to its table.
+    /// Copy of the scene in which the values of some keys are changed.
     pub fn changed(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
         let mut table = self.input.table.clone();
         for (key, value) in changes {
@@ -121,14 +121,14 @@ impl Scene {
         Scene::of_table(py, table, Disk::default(), None)
     }
 
-    /// Reads a scene file (TOML), or the scene in a ``summary.json``.
+    /// Scene from a scene file (TOML) or from a ``summary.json``.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Scene> {
         let table = gaitcam_app::scene::table(&path).raise(py)?;
         Scene::of_table(py, table, Disk::beside(&path), Some(path))
     }
 
-    /// Built-in scene with this name; see :meth:`builtins`.
+    /// Built-in scene with the given name; see :meth:`builtins`.
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
@@ -141,7 +141,7 @@ impl Scene {
         scene::SCENES.iter().map(|s| s.name).collect()
     }
 
-    /// Scene from the text of a scene file. Its paths are relative to ``folder``.
+    /// Scene from the text of a scene file. Paths in the text are relative to ``folder``.
     #[staticmethod]
     #[pyo3(signature = (text, folder = None, file = None))]
     fn from_toml(
@@ -154,19 +154,19 @@ impl Scene {
         Scene::of_table(py, table, Disk { folder }, file)
     }
 
-    /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})`` or, as a number in SI,
-    /// ``scene.set({"limits.stroke_m": 0.04})``.
+    /// New scene in which the values of some dotted keys are changed. Quantities are texts, as in ``scene.set({"limits.stroke": "40 mm"})``, or
+    /// numbers in SI units, as in ``scene.set({"limits.stroke_m": 0.04})``.
     fn set(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
         self.changed(py, changes)
     }
 
-    /// Scene as nested dictionaries in the form of ``Scene(...)``; paths are absolute.
+    /// Scene as nested dictionaries that ``Scene(...)`` accepts. Paths are absolute.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let table = serde_json::to_value(self.input.resolved()).unwrap_or_default();
         convert::json(py, &table)
     }
 
-    /// Scene as the text of a scene file; paths are absolute.
+    /// Scene as the text of a scene file. Paths are absolute.
     fn to_toml(&self) -> String {
         toml::to_string(&self.input.resolved()).unwrap_or_default()
     }
@@ -177,7 +177,7 @@ impl Scene {
         &self.input.scene.name
     }
 
-    /// Path of the recording in the scene, if any.
+    /// Path of the recording in the scene; ``None`` without a recording.
     #[getter]
     fn recording(&self) -> Option<PathBuf> {
         self.input.recording()
@@ -201,7 +201,7 @@ impl Scene {
     }
 }
 
-/// Key table: a list of dictionaries ``{key, section, kind, unit, default, range, choices, doc}``.
+/// All keys of scenes: a list of dictionaries ``{key, section, kind, unit, default, range, choices, doc}``.
 #[pyfunction]
 pub fn keys(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     convert::json(py, &scene::keys::json())

@@ -1,4 +1,4 @@
-//! Sweeps of thousands of designs, whose rows are the same on any machine.
+//! Class `Sweep`: thousands of designs, with rows that are the same on every machine.
 
 mod question;
 
@@ -22,37 +22,38 @@ use crate::scene::Scene;
 use crate::table::Table;
 use question::Question;
 
-/// A sweep. Row i depends only on the plan and on i, on any machine.
+/// A sweep over many designs. Each row depends only on the plan and on its row number. It is the same on every machine.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene or list of Scene, optional
-///     Base scenes; without one, the built-in footbridge.
+///     Base scenes; the built-in footbridge by default.
 /// force : Force, optional
-///     Target force of all scenes, instead of the one in each scene.
+///     Target force that replaces those of all scenes.
 /// vary : dict, optional
-///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list contains the values,
-///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` have the syntax of ``gaitcam sweep --vary``. With ``sample`` a range has no
-///     count: ``["1.5 Hz", "2.4 Hz"]``. Numbers under a key with its SI unit are values, or the two ends of a sampled
-///     range: ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``. Under ``gait.file`` a value may be a folder of walkers or a
-///     list of files.
+///     Dotted keys with their values, of which all combinations are computed. ``["1.5 Hz", "2.4 Hz", 10]`` is a range with the
+///     number of its values. Any other list contains the values themselves. ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` have
+///     the syntax of ``gaitcam sweep --vary``. With ``sample``, a range is given without a number of values:
+///     ``["1.5 Hz", "2.4 Hz"]``. If a key ends with its SI unit, its values are numbers, as in
+///     ``{"limits.stroke_m": np.linspace(0.03, 0.06, 4)}``. With ``sample``, two numbers are the ends of a range. A value of
+///     ``gait.file`` may be a folder of walkers or a list of files.
 /// rows : mapping, optional
-///     Values of several keys together, one list for each key; a column of a table of gaitcam by its own name
-///     (``limits.stroke_m``) has numbers in SI.
+///     Keys with lists of values that are combined row by row. Columns of a gaitcam table can be used with their own names,
+///     such as ``limits.stroke_m``; they contain numbers in SI units.
 /// recordings : list of paths, optional
-///     One design for each recording.
+///     Paths of recordings. Each is combined with all other values.
 /// sample : int, optional
-///     Number of points of the varied ranges, instead of a grid.
+///     Number of points sampled from the ranges of ``vary``, instead of all combinations.
 /// method : str
-///     Sampling method: "latin" (hypercube) or "sobol".
+///     Sampling method: "latin" (Latin hypercube) or "sobol" (Sobol sequence).
 /// seed : int
-///     Seed of the random numbers.
+///     Seed of the random number generator.
 /// tolerance : dict, optional
-///     Manufacturing errors of one design, instead of many scenes: ``{"profile": "0.02 mm", "mass": "1 %"}``. The rows
-///     are ``sample`` manufactured cams.
+///     Manufacturing tolerances of a single design: ``{"profile": "0.02 mm", "mass": "1 %"}``. Each row is one of ``sample``
+///     randomly manufactured cams. Tolerances cannot be combined with varied keys.
 /// time_limit : float
-///     Time limit of the search for one row, s. The row then contains this error. Only in this case does a row depend on
-///     the machine.
+///     Time limit of the search for one row, s. If it is reached, the row contains an error. Only such a row
+///     can depend on the speed of the machine.
 ///
 /// The plan contains the content of each recording once.
 #[pyclass(frozen, module = "gaitcam")]
@@ -115,10 +116,11 @@ impl Sweep {
         })
     }
 
-    /// Computes the rows ``start`` to ``stop`` (all by default) into a table whose first column is ``row``.
+    /// Computes the rows from ``start`` to ``stop`` - 1 (by default all rows). The result is a table whose first column is ``row``.
     ///
-    /// ``jobs`` is the number of threads, one per core by default. ``progress(begun, rows)`` is called some twenty times
-    /// a second with the number of rows begun, and at the end; an exception in it ends the sweep.
+    /// ``jobs`` is the number of threads, by default one per core. ``progress(begun, rows)`` is called about twenty times per second and at the
+    /// end. ``begun`` is the number of rows that have been started; ``rows`` is the number of rows of this call. An exception in ``progress``
+    /// ends the computation.
     #[pyo3(signature = (start = 0, stop = None, *, jobs = None, progress = None))]
     fn run(
         &self,
@@ -162,12 +164,13 @@ impl Sweep {
         Ok(Table::new(records, self.sweep.metadata()))
     }
 
-    /// Begins or continues the folder of this sweep. Returns the missing blocks, each with its first row, the row after its last row, and its file.
+    /// Opens or creates the folder of this sweep. Returns the missing blocks. Each block is given by its first row, the row after its last row, and
+    /// its file.
     ///
     /// Raises
     /// ------
     /// InputError
-    ///     The folder contains another sweep. The message names every difference, and no file is overwritten.
+    ///     The folder contains another sweep. The message lists all differences, and no file is overwritten.
     #[pyo3(signature = (folder, block_rows = 131_072))]
     fn begin(
         &self,
@@ -191,13 +194,13 @@ impl Sweep {
         Ok(missing.into_iter().map(entry).collect())
     }
 
-    /// Hexadecimal fingerprint of the whole plan, including the content of its recordings. It is part of the metadata of every table.
+    /// Hexadecimal fingerprint of the whole plan, including the content of its recordings. It is in the metadata of every table of the sweep.
     #[getter]
     fn fingerprint(&self) -> String {
         self.sweep.fingerprint()
     }
 
-    /// Plan as data, as in ``_plan.json``.
+    /// Plan of the sweep as data, as in ``_plan.json``.
     #[getter]
     fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         convert::json(py, &self.sweep.description())

@@ -1,4 +1,4 @@
-//! Design of a scene.
+//! Function `synth`, which designs the cam of a scene.
 
 use std::sync::Arc;
 
@@ -16,25 +16,25 @@ use crate::force::Force;
 use crate::interrupt::{self, Interrupt};
 use crate::scene::Scene;
 
-/// Designs a cam.
+/// Designs the cam for a scene.
 ///
 /// Parameters
 /// ----------
 /// scene : Scene, optional
 ///     Scene to design; the built-in footbridge by default.
 /// force : Force, optional
-///     Target force, instead of the one in the scene.
+///     Target force that replaces that of the scene.
 /// forces : sequence of Force, optional
-///     Cycles of several walkers for one cam, according to ``law.robust`` and ``gait.adjust``. Forces of the same name
-///     are cycles of one walker. ``summary["population"]`` contains the errors.
+///     Cycles of several walkers. One cam is designed for all of them, with the objective ``law.robust`` and the adjustment
+///     ``gait.adjust``. Forces of the same name are cycles of one walker. ``summary["population"]`` contains the errors.
 /// time_limit : float
-///     Time limit of the searches, s. They then return their best result.
+///     Time limit of the search, s. When it is reached, the best result so far is used.
 ///
 /// Returns
 /// -------
 /// Design
-///     A design is also returned if no cam satisfies the limits, or if there is no cam at all. ``verdict`` and
-///     ``summary["reasons"]`` then state this.
+///     A design is also returned if no cam satisfies the limits, or if there is no cam at all. In these cases, ``verdict`` is
+///     ``unacceptable`` and ``summary["reasons"]`` contains the reasons.
 ///
 /// Raises
 /// ------
@@ -53,9 +53,9 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// Scene of a call, the built-in footbridge by default, and the force that replaces that of the scene.
+/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. The force is `None` if that of the scene is used.
 ///
-/// The force does not contain walkers that the scene excludes by name.
+/// If there are several forces, those of walkers that the scene excludes by name are omitted.
 pub(crate) fn asked(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
@@ -79,7 +79,7 @@ pub(crate) fn asked(
     Ok((scene, force))
 }
 
-/// Design of a scene. A given force replaces that of the scene.
+/// Designs a scene. A given force replaces that of the scene.
 pub(crate) fn answer(
     py: Python<'_>,
     asked: Scene,

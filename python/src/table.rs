@@ -1,4 +1,4 @@
-//! A table of named columns that numpy, pandas, polars and pyarrow read without copies.
+//! Class `Table`: named columns that numpy, pandas, polars and pyarrow can read without copies.
 
 use gaitcam::sweep::{Field, FieldValues, Records, Words};
 use gaitcam_base::wording::{Language, exact};
@@ -11,33 +11,33 @@ use pyo3::types::{IntoPyDict, PyDict, PyList, PyString};
 use crate::convert::{self, Reduced};
 use crate::html;
 
-/// Pairs of keys and values.
+/// Pairs of keys and values of the metadata.
 type Pairs = Vec<(String, String)>;
 
-/// Indices of the words of a column in their list.
+/// Text column as codes, and the list of distinct words to which the codes refer.
 type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 
-/// A table of named columns of equal length.
+/// A table with named columns of equal length.
 ///
-/// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the table's memory, words as a list of
-/// ``str | None``. A missing number is NaN. The names contain the units.
+/// ``table["force_n"]`` is a column. A numeric column is a read-only numpy array that shares the memory of the table (float64, and uint64 for
+/// ``row``). A text column is a list of ``str | None``. A missing number is NaN. Column names end with the unit.
 ///
-/// ``t.to_pandas()`` is a DataFrame. With pyarrow, ``pip install 'gaitcam[arrow]'``, the table exports the Arrow PyCapsule
-/// interface: ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` read numbers without copies, words as a dictionary.
+/// ``t.to_pandas()`` returns a DataFrame. With pyarrow (``pip install 'gaitcam[arrow]'``), the table exports the Arrow PyCapsule interface.
+/// ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` then read numeric columns without copies, and text columns with dictionary encoding.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
     records: Records,
-    /// Keys and values for readers of the exported table.
+    /// Keys and values that are exported together with the table.
     metadata: Pairs,
 }
 
 impl Table {
-    /// Table of the columns of records, with metadata.
+    /// Table with the columns of `records`, and with metadata.
     pub fn new(records: Records, metadata: Pairs) -> Table {
         Table { records, metadata }
     }
 
-    /// Table of numeric columns.
+    /// Table of numeric columns without metadata.
     pub fn of_numbers(columns: Vec<(&'static str, Vec<f64>)>) -> Table {
         let fields = columns.into_iter().map(|(n, x)| Field::numbers(n, x));
         let fields = fields.collect();
@@ -51,7 +51,7 @@ impl Table {
 
 #[pymethods]
 impl Table {
-    /// Table(columns): a table from a mapping of names to arrays of numbers or lists of words.
+    /// Table(columns): a table from a mapping of column names to arrays of numbers or lists of strings.
     #[new]
     #[pyo3(signature = (columns, metadata = None))]
     fn of_columns(columns: &Bound<'_, PyDict>, metadata: Option<Pairs>) -> PyResult<Table> {
@@ -77,7 +77,7 @@ impl Table {
         Ok(Table::new(Records { fields }, metadata.unwrap_or_default()))
     }
 
-    /// Names of the columns, in order.
+    /// Names of the columns, in their order.
     #[getter]
     fn column_names(&self) -> Vec<&str> {
         let fields = self.records.fields.iter();
@@ -89,13 +89,13 @@ impl Table {
         self.column_names()
     }
 
-    /// Number of rows.
+    /// Number of rows of the table.
     #[getter]
     fn num_rows(&self) -> usize {
         self.records.len()
     }
 
-    /// Unit of each column that has one, SI.
+    /// SI unit of each column that has a unit, by column name.
     #[getter]
     fn units(&self) -> std::collections::BTreeMap<&str, &str> {
         let fields = self.records.fields.iter();
@@ -103,7 +103,7 @@ impl Table {
         units.filter(|u| !u.1.is_empty()).collect()
     }
 
-    /// Data about the whole table, such as the fingerprint of a sweep.
+    /// Metadata of the whole table, such as the fingerprint of a sweep.
     #[getter]
     fn metadata<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.metadata.iter().cloned().into_py_dict(py)
@@ -133,7 +133,7 @@ impl Table {
         }
     }
 
-    /// Codes and words of a text column; `None` for numbers. The code of a missing word is -1.
+    /// Codes and distinct words of a text column; `None` for a numeric column. The code of a missing word is -1.
     fn _coded<'py>(this: Bound<'py, Self>, name: &str) -> PyResult<Option<Coded<'py>>> {
         let field = this.get().field(name);
         let Some(FieldValues::Words(words)) = field.map(|f| &f.values) else {
@@ -143,7 +143,7 @@ impl Table {
         Ok(Some((shared(&words.codes, this.as_any())?, names)))
     }
 
-    /// Table as a ``pandas.DataFrame``. Words are categories.
+    /// Table as a ``pandas.DataFrame``. Text columns are categorical.
     fn to_pandas<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let module = this.py().import("gaitcam._arrow")?;
         module.call_method1("frame", (this,))
@@ -200,13 +200,13 @@ impl Table {
     }
 }
 
-/// Table as a record batch of pyarrow.
+/// Table as a pyarrow record batch.
 fn arrow<'py>(table: &Bound<'py, Table>) -> PyResult<Bound<'py, PyAny>> {
     let module = table.py().import("gaitcam._arrow")?;
     module.call_method1("batch", (table,))
 }
 
-/// Read-only column that shares the memory of the table.
+/// Read-only numpy array that shares the memory of a column of the table.
 fn shared<'py, T: Element>(values: &[T], table: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     // SAFETY: the table is frozen and never moves its columns, and the array keeps it alive.
     let array = unsafe { PyArray1::borrow_from_array(&ArrayView1::from(values), table.clone()) };
@@ -225,7 +225,7 @@ fn texts<'py>(py: Python<'py>, words: &Words) -> PyResult<Bound<'py, PyAny>> {
     Ok(PyList::new(py, words.codes.iter().map(word))?.into_any())
 }
 
-/// Column from Python: numbers, or words, some of which may be missing.
+/// Converts the values of a column: numbers, or strings, some of which may be missing.
 fn read(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Field> {
     if name == "row"
         && let Ok(rows) = values.extract::<Vec<u64>>()

@@ -1,8 +1,10 @@
-//! Folder of a sweep that is computed in blocks: one file per range of rows, each complete or absent.
+//! Folder of a sweep that is computed in blocks, with one file per block of rows. A file of a block is either complete or absent.
 //!
-//! `_plan.json` identifies the sweep. The name of a block contains its rows, `rows-000000131072-000000262144.parquet`; in the unfinished table of a
-//! single process also its checksum, `rows-000000000008-000000000072.1c291ca3.csv`. A block is written under a temporary name and then renamed. Any
-//! number of processes on any number of machines may therefore share the folder, and a second start computes only the missing blocks.
+//! `_plan.json` identifies the sweep. The name of a block contains its range of rows, `rows-000000131072-000000262144.parquet`. If a single process
+//! computes the sweep, the name of a block of the unfinished table also contains a checksum, `rows-000000000008-000000000072.1c291ca3.csv`.
+//!
+//! A block is written under a temporary name and then renamed. Therefore any number of processes on any number of machines can share the folder.
+//! After an interruption, only the missing blocks are computed.
 
 use std::collections::HashSet;
 use std::ffi::OsStr;
@@ -21,14 +23,14 @@ use crate::lock::is_plain;
 use crate::read::{cannot_be_read, read_bytes};
 use crate::scene::not_json;
 
-/// File that describes the sweep of the folder. Readers of Parquet folders ignore names that begin with an underscore or a dot.
+/// File that describes the sweep of the folder. Programs that read Parquet folders ignore it, because its name begins with an underscore.
 pub const PLAN: &str = "_plan.json";
 /// Default number of rows per block.
 pub const BLOCK_ROWS: u64 = 131_072;
-/// Beginning of the name of a block.
+/// Prefix of the names of block files.
 const NAME: &str = "rows-";
 
-/// Folder of a sweep that is computed in blocks.
+/// Folder for the blocks of one sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blocks {
     folder: PathBuf,
@@ -36,11 +38,11 @@ pub struct Blocks {
 }
 
 impl Blocks {
-    /// Opens or creates the folder of the sweep that `plan` describes. Its blocks are files with `ending`.
+    /// Opens or creates the folder of the sweep that `plan` describes. The names of its block files end with `ending`.
     ///
     /// # Errors
     ///
-    /// The folder is not writable, or contains another sweep (with all differences, in `language`), or blocks without a plan.
+    /// The folder is not writable; it contains another sweep (the error lists all differences, in `language`); it contains blocks but no plan.
     pub fn open(
         folder: &Path,
         plan: &Value,
@@ -59,13 +61,13 @@ impl Blocks {
         Ok(Blocks { folder, ending })
     }
 
-    /// Path of a block in the folder.
+    /// Path of the file for a block of rows.
     pub fn path(&self, rows: &Range<u64>) -> PathBuf {
         let name = format!("{NAME}{:012}-{:012}.{}", rows.start, rows.end, self.ending);
         self.folder.join(name)
     }
 
-    /// Moves a complete block to the folder.
+    /// Writes a complete block to the folder.
     ///
     /// # Errors
     ///
@@ -74,7 +76,7 @@ impl Blocks {
         put_whole(&self.path(rows), bytes)
     }
 
-    /// Moves a complete block to the folder. Its name contains the checksum (CRC-32) of its bytes.
+    /// Writes a complete block to the folder, under a name that contains the checksum (CRC-32) of its bytes.
     ///
     /// # Errors
     ///
@@ -84,7 +86,7 @@ impl Blocks {
         put_whole(&self.path(rows).with_extension(ending), bytes)
     }
 
-    /// Removes unfinished files of processes that were killed.
+    /// Removes incomplete files of processes that were killed.
     pub fn remove_abandoned(&self) {
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
             let (name, path) = (entry.file_name(), entry.path());
@@ -95,7 +97,7 @@ impl Blocks {
         }
     }
 
-    /// Existing blocks, in the order of their rows.
+    /// Row ranges of the existing blocks, in increasing order.
     ///
     /// # Errors
     ///
@@ -105,21 +107,21 @@ impl Blocks {
     }
 }
 
-/// Blocks of equal length in which several processes share a sweep.
+/// Sweep whose blocks of equal length are computed by several processes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SharedBlocks {
-    /// Folder that contains the blocks of the sweep.
+    /// Folder with the blocks of the sweep.
     pub blocks: Blocks,
     rows: u64,
     block_rows: u64,
 }
 
 impl SharedBlocks {
-    /// Opens or creates the folder of a sweep whose blocks have `block_rows` rows. New blocks are files with `ending`.
+    /// Opens or creates the folder of a sweep that is divided into blocks of `block_rows` rows. The names of its block files end with `ending`.
     ///
     /// # Errors
     ///
-    /// As [`Blocks::open`].
+    /// The errors of [`Blocks::open`].
     pub fn open(
         folder: &Path,
         sweep: &Sweep,
@@ -138,7 +140,7 @@ impl SharedBlocks {
         })
     }
 
-    /// Blocks that are still missing.
+    /// Row ranges of the missing blocks.
     ///
     /// # Errors
     ///
@@ -150,11 +152,12 @@ impl SharedBlocks {
         Ok(all.filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// Missing blocks in one of `parts` equal shares; share 0 is equivalent to share `parts`.
+    /// Missing blocks of share `part` of `parts` equal shares. Consecutive blocks belong to different shares. Shares are numbered from 1; share 0
+    /// is the same as share `parts`.
     ///
     /// # Errors
     ///
-    /// As [`SharedBlocks::missing`].
+    /// The errors of [`SharedBlocks::missing`].
     pub fn missing_of(&self, part: u64, parts: u64) -> Result<Vec<Range<u64>>> {
         let mut out = self.missing()?;
         out.retain(|rows| (rows.start / self.block_rows + 1) % parts == part % parts);
@@ -176,7 +179,7 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     write_whole(place, text.as_bytes())
 }
 
-/// Blocks in a folder that are plain files, with their rows, in the order of the rows.
+/// Row ranges and paths of the blocks in a folder, in the order of the rows. Entries that are not regular files are ignored.
 ///
 /// # Errors
 ///
@@ -195,7 +198,7 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
-/// Ranges of rows that are missing in the folder: gaps between blocks, and the rows after the last block.
+/// Ranges of rows that are missing in the folder: gaps between the blocks, and all rows after the last block.
 ///
 /// # Errors
 ///
@@ -235,7 +238,7 @@ fn checksum(bytes: &[u8]) -> String {
     format!("{:08x}", crc32fast::hash(bytes))
 }
 
-/// Whether the content of a block agrees with the checksum in its name.
+/// Whether the content of a block agrees with the checksum in its file name.
 pub fn is_whole(block: &Path) -> bool {
     let named = block
         .file_stem()
@@ -243,7 +246,7 @@ pub fn is_whole(block: &Path) -> bool {
     fs::read(block).is_ok_and(|bytes| named == Some(OsStr::new(&checksum(&bytes))))
 }
 
-/// Range of rows in the name of a block.
+/// Range of rows in a file name; `None` if the file is not a block.
 fn rows_of(name: &str) -> Option<Range<u64>> {
     let (rows, ending) = name.strip_prefix(NAME)?.split_once('.')?;
     let (start, end) = rows.split_once('-')?;

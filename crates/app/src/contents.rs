@@ -1,4 +1,4 @@
-//! Contents of the files of a design.
+//! Options that determine the files of a design and their contents.
 
 use gaitcam_output::Language;
 
@@ -7,7 +7,7 @@ use crate::workshop::Workshop;
 /// Default number of rows of law.csv and profile.csv.
 pub const ROWS: usize = 1440;
 
-/// Options for the contents of the files of a design.
+/// Options for the files of a design.
 #[derive(Debug, Clone, Copy)]
 pub struct Contents {
     /// Number of rows of law.csv and profile.csv.
@@ -16,7 +16,7 @@ pub struct Contents {
     pub png: bool,
     /// Language of figures and report.
     pub language: Language,
-    /// Options of the files for CAD and the workshop.
+    /// Options of the files for CAD and manufacturing.
     pub workshop: Workshop,
 }
 

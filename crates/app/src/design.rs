@@ -1,4 +1,4 @@
-//! Scene and summary of a design, and its folder.
+//! Scene file, summary and result folder of a design.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -21,27 +21,29 @@ use crate::inputs;
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
 
-/// `summary.json`: the design in numbers, and the scene from which it was made.
+/// Content of `summary.json`: the key figures of the design, and the scene from which it was computed.
 pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
     let mut out = json::summary(design, time);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }
 
-/// `summary.json` of a scene without a cam: the reason, and the key that causes it.
+/// Content of `summary.json` for a scene without a cam: the reason, and the key that causes it.
 pub fn summary_without_cam(name: &str, error: &Error, scene: &toml::Table, total_s: f64) -> Value {
     let mut out = json::summary_without_cam(name, error, total_s);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }
 
-/// Whether a key changes the machine but not the cam.
+/// Whether a key changes the machine in which a manufactured cam runs, but not the cam.
 pub fn is_of_machine(key: &str) -> bool {
     key.starts_with("drive.") || key.starts_with("machine.")
 }
 
-/// Places a manufactured cam in the machine of another scene, with its drive and target force. For a load model, the target belongs to the step
-/// frequency of the new speed. If it is not defined there, the second value is the reason.
+/// Places a manufactured cam in the machine of another scene, with the drive and the target force of that scene.
+///
+/// The target force of a load model is evaluated at the step frequency of the new speed. If the model is not defined there, the second value is the
+/// reason.
 ///
 /// # Errors
 ///
@@ -74,8 +76,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     Ok((design.moved_to(drive, target), missing))
 }
 
-/// Applies another force to a manufactured cam. Values of the machine that the scene does not specify, such as mass and speed, follow from this
-/// force.
+/// Applies another force to a manufactured cam. Values of the machine that the scene omits, such as mass and speed, are computed from this force.
 ///
 /// # Errors
 ///
@@ -86,7 +87,7 @@ pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<De
     Ok(design.moved_to(problem.drive, target))
 }
 
-/// Keys of the law for one cam of a cover: its objective, and the family and size that all cams share.
+/// Keys and values of `law` for one cam of a cover: the objective of the cam, and the family and size that all cams share.
 pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)> {
     let law = &cover.scene.law;
     let objective = cover.cams[cam].population.as_ref();
@@ -106,11 +107,11 @@ pub fn law_of_cam(cover: &Cover, cam: usize) -> Vec<(&'static str, toml::Value)>
         .collect()
 }
 
-/// Writes scene and summary, and moves the whole result into place.
+/// Writes the scene and the summary, and moves all files of the result into the folder.
 ///
 /// # Errors
 ///
-/// Files cannot be written or moved.
+/// A file cannot be written or moved.
 pub fn finish(
     folder: ResultFolder,
     input: &Input,
@@ -127,14 +128,14 @@ pub fn finish(
     Ok(path)
 }
 
-/// Step frequency for the drive of a cam, Hz.
+/// Step frequency at the speed of the drive, Hz; `None` for a law without load factors.
 fn step_frequency(design: &Design) -> Option<f64> {
     let of_step = design.load_factors().first()?.of_step;
     let period = design.cam.law.extent().1 / design.problem.drive.speed.abs();
     Some((1.0 / of_step).round() / period)
 }
 
-/// Writes the resolved scene: `scene.toml`, or `scene.used.toml` if the scene was read from `scene.toml` in this folder.
+/// Writes the resolved scene as `scene.toml`. The name is `scene.used.toml` if the scene was read from `scene.toml` in this folder.
 ///
 /// # Errors
 ///
@@ -149,11 +150,11 @@ pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<(
     folder.write(name, text.as_bytes())
 }
 
-/// Rejects a folder in which a design would replace one of its inputs. `more` contains inputs that the scene does not name.
+/// Checks that a design does not replace one of its own inputs in this folder. `more` contains inputs that the scene does not name.
 ///
 /// # Errors
 ///
-/// The input that would be replaced.
+/// An input would be replaced; the error contains its path.
 pub fn check_inputs_stay(folder: &Path, input: &Input, more: &[PathBuf]) -> Result<()> {
     let paths = input.paths()?;
     let paths = paths.iter().chain(more);

@@ -1,4 +1,4 @@
-//! Files on the disk, by their names in a scene.
+//! Access to files on the disk by their names in a scene.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,16 +11,16 @@ use toml::Table;
 use crate::read::{read_bytes, read_motion};
 use crate::recordings::inside;
 
-/// Files on the disk, by their names in a scene. They are searched in the folder of the scene file, among the built-in files, and in the working
-/// directory, in this order. A built-in scene has no folder.
+/// Access to files on the disk by their names in a scene. A file is looked up first in the folder of the scene file, then among the built-in files,
+/// then in the working directory. A built-in scene has no folder.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Disk {
-    /// Folder of the scene file.
+    /// Folder of the scene file; `None` for a built-in scene.
     pub folder: Option<PathBuf>,
 }
 
 impl Disk {
-    /// Access to the files in the folder of a scene file.
+    /// Access to files for a scene in `file`: its folder is searched first.
     pub fn beside(file: &Path) -> Disk {
         let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
         Disk {
@@ -28,13 +28,13 @@ impl Disk {
         }
     }
 
-    /// Path of a file in the folder of the scene.
+    /// Path of a file in the folder of the scene; `None` if there is no such file.
     fn own(&self, name: &Path) -> Option<PathBuf> {
         let beside = self.folder.as_ref()?.join(name);
         beside.exists().then_some(beside)
     }
 
-    /// Path of the file with this name; `None` for a built-in file.
+    /// Path of the file with this name in a scene; `None` for a built-in file.
     pub fn place(&self, name: &Path) -> Option<PathBuf> {
         match (self.own(name), scene::built_in_file(name)) {
             (Some(place), _) => Some(place),
@@ -43,7 +43,7 @@ impl Disk {
         }
     }
 
-    /// Table of a scene in which the rows of every motion replace the file name.
+    /// Copy of the table of a scene in which the file name of every motion is replaced by the rows of the file.
     ///
     /// # Errors
     ///
@@ -85,7 +85,7 @@ impl Files for Disk {
     }
 }
 
-/// Table of subjects in the folder of a table of stances, if it exists.
+/// Content of the table of subjects that is in the same folder as a table of stances; `None` without such a table.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
     read_bytes(&force::metadata_name(path)?).ok()
 }

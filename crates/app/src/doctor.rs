@@ -1,7 +1,7 @@
-//! Lists all errors of a scene or a recording, with suggested changes.
+//! Diagnosis of a scene or a recording: a list of all errors, with suggested changes.
 //!
-//! The functions are those of `synth` and `gait`, applied step by step. Invalid keys of a scene are removed, so that errors after them are found as
-//! well.
+//! The functions of `synth` and `gait` are applied step by step. Invalid keys are removed from the scene, so that errors in the following keys are
+//! also reported.
 
 use std::path::Path;
 
@@ -17,23 +17,23 @@ use crate::disk::{Disk, metadata};
 use crate::read::read_bytes;
 use crate::scene::Input;
 
-/// Maximum number of listed errors of one scene.
+/// Maximum number of errors that are listed for one scene.
 const MOST: usize = 25;
 
-/// Result of the examination of one part of a scene or recording.
+/// Result of the diagnosis of one part of a scene or recording.
 #[derive(Debug, Clone)]
 pub enum Finding {
-    /// A part without errors: message of the command, with its data.
+    /// A valid part, with the name of its message and the data of the message.
     Good(&'static str, Value),
-    /// An error of a key or of a file.
+    /// An error in a key or in a file.
     Fault(Error),
-    /// A recording without a cycle.
+    /// Reason why a recording has no usable cycle.
     NoCycle(Error),
     /// An assumption, an exclusion or an implausible value.
     Note(Note),
-    /// Question that only the user can answer.
+    /// An open question that only the user can answer.
     Open(OpenQuestion),
-    /// The design of the scene.
+    /// The design for the scene, with its verdict.
     Design(Box<Design>),
 }
 
@@ -44,7 +44,7 @@ pub enum Mark {
     Good,
     /// The user should check the finding.
     Doubtful,
-    /// The finding is an error of the scene.
+    /// The finding is an error, an open question, or an unacceptable design.
     Bad,
 }
 
@@ -64,13 +64,13 @@ impl Finding {
     }
 }
 
-/// Whether the ending of a path is that of a file other than a scene.
+/// Whether the file is examined as a recording: its extension is neither `toml` nor `json`, the extensions of scenes and summaries.
 pub fn is_recording(path: &Path) -> bool {
     let ending = path.extension().map(|e| e.to_ascii_lowercase());
     ending.is_some_and(|e| e != "toml" && e != "json")
 }
 
-/// Findings on a recording on the disk.
+/// Findings about a recording on the disk.
 ///
 /// # Errors
 ///
@@ -83,7 +83,7 @@ pub fn recording_file(path: &Path) -> Result<Vec<Finding>> {
     recording(path, &read_bytes(path)?, &options)
 }
 
-/// Findings on a recording.
+/// Findings about a recording in memory.
 ///
 /// # Errors
 ///
@@ -114,11 +114,11 @@ pub fn recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec
     Ok(out)
 }
 
-/// Findings on a scene, and the scene if nothing must be corrected before its design. `name` is its name in messages.
+/// Findings about a scene, and the scene itself if it contains no errors. `name` is the name of the scene in messages.
 ///
 /// # Errors
 ///
-/// Motions or recordings cannot be read.
+/// A motion or a recording cannot be read.
 pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Option<Input>)> {
     let data = json!({"file": name, "keys": leaves(&table)});
     let mut out = vec![Finding::Good("toml", data)];
@@ -146,7 +146,7 @@ pub fn scene(name: &str, table: Table, files: Disk) -> Result<(Vec<Finding>, Opt
     Ok((out, (!is_bad).then_some(input)))
 }
 
-/// Designs the scene.
+/// Designs the scene, with suggested changes if the design is unacceptable. The finding is the design or an error.
 ///
 /// # Errors
 ///
@@ -161,7 +161,7 @@ pub fn design(input: &Input, search: &Search) -> Result<Finding> {
     })
 }
 
-/// Number of values in a table.
+/// Number of values in a table, including those in nested tables.
 fn leaves(table: &Table) -> usize {
     let count = |value: &toml::Value| match value {
         toml::Value::Table(table) => leaves(table),
@@ -176,7 +176,7 @@ fn leaves(table: &Table) -> usize {
     table.values().map(count).sum()
 }
 
-/// The scene without its invalid keys, and the error of each invalid key.
+/// The scene without its invalid keys, and the error of each removed key. The scene is `None` if removing keys is not sufficient.
 fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
     let mut left = table.clone();
     let mut faults: Vec<Error> = Vec::new();

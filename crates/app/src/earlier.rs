@@ -1,4 +1,4 @@
-//! Files of an earlier result in the same folder that do not belong to the new result.
+//! Files of earlier results that do not belong to the new result in the same folder.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::lock::is_plain;
 
 /// File name of the resolved scene.
 pub(crate) const SCENE: &str = "scene.toml";
-/// File name of the resolved scene if the input is named `scene.toml`.
+/// File name of the resolved scene if the scene was read from `scene.toml` in the same folder.
 pub(crate) const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// Files that `simulate` adds to the folder of a design.
 pub const OF_RUN: [&str; 7] = [
@@ -40,16 +40,16 @@ pub const OF_IDENTIFICATION: [&str; 4] = [
     "identify.png",
 ];
 
-/// File of a target force that was given as arrays, not as a file.
+/// Name of the file with the target force, if the force was given as arrays instead of a file.
 pub const FORCE: &str = "force.csv";
 
-/// File that exists only while all files of the folder belong together.
+/// Name of the summary. It is absent while the other files of the folder do not belong together.
 pub(crate) const SUMMARY: &str = "summary.json";
 
-/// Maximum number of cams of a cover.
+/// Maximum number of cams in a cover.
 pub const MOST_CAMS: usize = 50;
 
-/// Tables and figure of a cover. The first file exists only while the files of the folder belong together.
+/// Tables and figures of a cover. The first file is absent while the other files of the folder do not belong together.
 pub const OF_COVER: [&str; 6] = [
     "cover.csv",
     "assignment.csv",
@@ -59,12 +59,12 @@ pub const OF_COVER: [&str; 6] = [
     "cycles.csv",
 ];
 
-/// File name of the scene for one cam of a cover; both numbers count from 1.
+/// File name of the scene for one cam of a cover with `cams` cams; cams are numbered from 1.
 pub fn scene_of_cover(cams: usize, cam: usize) -> String {
     format!("cams_{cams}/cam_{cam}.toml")
 }
 
-/// All files of a cover.
+/// File names of all files that a cover may have.
 pub fn of_cover() -> impl Iterator<Item = &'static str> {
     static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| {
         let numbers = (1..=MOST_CAMS).flat_map(|cams| (1..=cams).map(move |cam| (cams, cam)));
@@ -77,7 +77,7 @@ pub fn of_cover() -> impl Iterator<Item = &'static str> {
         .chain(SCENES.iter().map(String::as_str))
 }
 
-/// All files of a result.
+/// File names of all files that any result may have.
 pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     let design = files::ALL.iter().map(|file| file.name);
     let rest = [SCENE, SCENE_BESIDE_INPUT, FORCE].into_iter().chain(OF_RUN);
@@ -85,17 +85,18 @@ pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     design.chain(rest).chain(added).chain(of_cover())
 }
 
-/// Whether a file exists only while the files of its folder belong together.
+/// Whether the file is written last, so that it is absent while the other files of its folder do not belong together.
 pub(crate) fn is_last(name: &str) -> bool {
     name == SUMMARY || name == OF_COVER[0]
 }
 
-/// All files that `synth` may write or remove.
+/// File names of all files that `synth` may write or remove.
 pub fn of_design() -> Vec<&'static str> {
     files::ALL.iter().map(|file| file.name).collect()
 }
 
-/// Names of files of an earlier result in `folder` that do not belong to a result of `scene` (as TOML). Empty if the folder contains no result.
+/// Names of files of an earlier result in `folder` that do not belong to a new result of `scene` (text in TOML). The list is empty if the folder
+/// contains no earlier result.
 pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     let design = holds_design(folder);
     if !design && !holds(folder, "simulation.json", ["model", "lost_fraction"]) {
@@ -106,7 +107,8 @@ pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     [own, run.to_vec()].concat()
 }
 
-/// Names of the design files in `folder`, if they were made from a scene other than `scene` (as TOML). A run is not written there.
+/// Names of the design files in `folder` if they belong to a scene other than `scene` (text in TOML), otherwise an empty list. A simulation does
+/// not write to a folder of another design.
 pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
     if holds_design(folder) && !is_of(folder, scene) {
         of_design()
@@ -119,21 +121,21 @@ fn holds_design(folder: &Path) -> bool {
     holds(folder, SUMMARY, ["outcome", "solver"])
 }
 
-/// Whether a file of the folder is a JSON object with the given keys.
+/// Whether a file of the folder contains a JSON object with both keys.
 fn holds(folder: &Path, name: &str, keys: [&str; 2]) -> bool {
     let bytes = content(&folder.join(name));
     let object = serde_json::from_slice::<serde_json::Value>(&bytes);
     object.is_ok_and(|o| keys.iter().all(|key| o.get(key).is_some()))
 }
 
-/// Whether the result in the folder belongs to this scene.
+/// Whether the result in the folder was computed from this scene (text in TOML).
 fn is_of(folder: &Path, scene: &str) -> bool {
     [SCENE, SCENE_BESIDE_INPUT]
         .iter()
         .any(|name| content(&folder.join(name)) == scene.as_bytes())
 }
 
-/// Content of a plain file; pipes and devices are not read.
+/// Content of a regular file. Pipes, devices and unreadable files give no bytes.
 fn content(path: &Path) -> Vec<u8> {
     match is_plain(path) {
         true => fs::read(path).unwrap_or_default(),

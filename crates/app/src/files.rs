@@ -1,4 +1,4 @@
-//! Files of a design: one table with names and functions, shared by the command, the Python package and the studio.
+//! Files of a design. One table contains their names and the functions that make them, for the command, the Python package and the studio.
 
 use std::cell::OnceCell;
 
@@ -13,18 +13,18 @@ use crate::workshop::Piece;
 pub use crate::workshop::usual_cutter;
 use crate::workshop::{Made, Remark};
 
-/// Kinds of designs for which a file exists.
+/// Kind of design for which a file exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
     /// All designs, including infeasible ones.
     All,
     /// Designs with a cam.
     Cams,
-    /// Rotating cams with a follower.
+    /// Rotating disc cams, but not translating and barrel cams.
     Discs,
     /// All cams except barrel cams.
     Profiles,
-    /// All cams except barrel cams. The file is offered only for rotating cams, because no other cam is a plate.
+    /// All cams except barrel cams. Lists offer the file only for rotating cams, because a translating cam is not a plate.
     Plates,
     /// Conjugate pairs of cams.
     Pairs,
@@ -38,20 +38,20 @@ enum Of {
     Walks,
 }
 
-/// Option of [`Contents`] that requests a file, and the function that makes the file.
+/// Condition under which a file is written, and the function that makes it.
 #[derive(Debug, Clone, Copy)]
 enum Maker {
-    /// The file needs no option and is always written.
+    /// The file is always written.
     Always(fn(&Source) -> Made),
-    /// Figures as PNG files.
+    /// The file is a figure in PNG format, which is written if [`Contents`] requests PNG.
     Png(fn(&Source) -> Made),
-    /// Files for the workshop.
+    /// The file is for CAD or manufacturing, and its option is in [`Contents`].
     Workshop(Piece),
-    /// The file needs no option. It is written last, by [`design::finish`](crate::design::finish).
+    /// The file is always written, after all others, by [`design::finish`](crate::design::finish).
     Finish,
 }
 
-/// Sources of the files. Each figure is drawn once for SVG and PNG.
+/// Data from which the files are made. Each figure is drawn only once, for SVG and PNG.
 pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
@@ -59,12 +59,12 @@ pub struct Source<'a> {
     pictures: [OnceCell<Picture>; 6],
 }
 
-/// A file that a design may have.
+/// File that a design may have.
 #[derive(Debug, Clone, Copy)]
 pub struct File {
-    /// Name of the file in the folder of the design.
+    /// Name of the file in the result folder.
     pub name: &'static str,
-    /// Purpose of the file, by which lists are grouped.
+    /// Purpose of the file, by which lists of files are grouped.
     pub group: Group,
     of: Of,
     maker: Maker,
@@ -88,7 +88,7 @@ const fn piece(group: Group, name: &'static str, of: Of, piece: Piece) -> File {
     file(group, name, of, Maker::Workshop(piece))
 }
 
-/// All files that a design may have except its scene, in the order in which they are written.
+/// All files that a design may have, in the order in which they are written. The scene is not included.
 pub const ALL: [File; 38] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Maker::{Always, Finish, Png};
@@ -232,7 +232,7 @@ fn second_profile(source: &Source) -> Made {
 }
 
 impl<'a> Source<'a> {
-    /// Creates the source from a design, its computing time, and the options for the contents of its files.
+    /// Creates the source from a design, its computing time, and the options of its files.
     pub fn new(design: &'a Design, time: Timing, contents: &'a Contents) -> Self {
         Source {
             design,
@@ -268,7 +268,7 @@ impl<'a> Source<'a> {
 }
 
 impl File {
-    /// Content of the file, if it can be made, and remarks on it.
+    /// Makes the content of the file, which is `None` if the file cannot be made, and remarks on the file.
     ///
     /// # Errors
     ///
@@ -314,14 +314,14 @@ impl File {
     }
 }
 
-/// Files of a design according to its kind, without the program for a wire, whose radius the user must give.
+/// Files that exist for this kind of design. The program for wire cutting is not included, because the user must give the radius of the wire.
 pub fn of(design: &Design) -> impl Iterator<Item = &'static File> {
     let is_plate = !design.cam.follower.is_unrolled();
     let offered = move |f: &&File| !f.is(Piece::Wire) && (f.of != Of::Plates || is_plate);
     ALL.iter().filter(offered).filter(|file| file.suits(design))
 }
 
-/// Makes the requested files and passes each of them to `put`. Returns remarks on them.
+/// Makes the requested files and passes the name and content of each to `put`. Returns remarks on the files.
 ///
 /// # Errors
 ///

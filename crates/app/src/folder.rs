@@ -1,4 +1,4 @@
-//! Atomic writing of files: a file is either complete or absent.
+//! Atomic writing of files, so that a file is either complete or absent.
 
 use std::ffi::OsString;
 use std::fs;
@@ -11,13 +11,13 @@ use tempfile::{Builder, NamedTempFile};
 use crate::inputs;
 use gaitcam_output::Picture;
 
-/// A folder to which files can be written.
+/// Folder to which files are written atomically.
 pub struct Folder {
     path: PathBuf,
 }
 
 impl Folder {
-    /// Creates the folder if necessary, and checks that it is writable before any computation.
+    /// Creates the folder if necessary. Checks that it is writable, so that errors occur before a long computation.
     pub fn open(path: &Path) -> Result<Folder> {
         let fault = |e: std::io::Error| {
             WriteError::FolderRefuses {
@@ -32,12 +32,12 @@ impl Folder {
         })
     }
 
-    /// Writes one file, first under a temporary name, and renames it.
+    /// Writes one file atomically: the file is written under a temporary name and then renamed.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         write_whole(&self.path.join(name), bytes)
     }
 
-    /// Writes a figure as SVG and PNG.
+    /// Writes a figure as `name.svg` and `name.png`.
     pub fn write_picture(&self, name: &str, picture: &Picture) -> Result<()> {
         self.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         self.write(&format!("{name}.png"), &picture.png())
@@ -58,8 +58,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// As [`write_whole`], but the temporary file is hidden, and it is synced before it is renamed. Used in folders that other processes read at the
-/// same time.
+/// Writes `bytes` as [`write_whole`] does, but the temporary file is hidden, and it is synced to the disk before it is renamed. This is required in
+/// folders that other processes read at the same time.
 ///
 /// # Errors
 ///
@@ -68,11 +68,11 @@ pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     through_temporary(path, ".", bytes, fs::File::sync_all)
 }
 
-/// Writes a new file, complete or not at all.
+/// Writes a new file atomically. An existing file is not replaced.
 ///
 /// # Errors
 ///
-/// [`AlreadyExists`](std::io::ErrorKind::AlreadyExists), or the file cannot be written.
+/// The file exists ([`AlreadyExists`](std::io::ErrorKind::AlreadyExists)) or cannot be written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let temporary = temporary(path, ".", bytes)?;
     temporary.persist_noclobber(path).map_err(|e| e.error)?;
@@ -96,7 +96,7 @@ fn through_temporary(
     })
 }
 
-/// Temporary file with a unique name in the folder of `path`. It is removed when the value is dropped.
+/// Creates a temporary file with a unique name in the folder of `path`. The file is removed when the value is dropped.
 fn temporary(path: &Path, prefix: &str, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());

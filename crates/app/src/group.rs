@@ -1,22 +1,22 @@
-//! Groups of the files of a design in lists.
+//! Groups into which lists of files are divided.
 
-/// Purpose of a file, by which lists of files are grouped.
+/// Purpose of a file. Lists of files are grouped by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
-    /// Tables of numbers: CSV, JSON and workbooks.
+    /// Tables of numbers, as CSV, JSON and workbooks.
     Tables,
-    /// Drawings of the cam at true scale.
+    /// Drawings of the cam's outline at true scale.
     Drawings,
     /// Figures of the design.
     Pictures,
     /// The HTML report of a design or a run.
     Report,
-    /// Solids, workshop drawing, machine programs.
+    /// Files for manufacturing: solids, workshop drawing, machine programs.
     Workshop,
 }
 
 impl Group {
-    /// All groups, in the order of the list.
+    /// All groups, in the order of the lists.
     pub const ALL: [Group; 5] = [
         Group::Tables,
         Group::Drawings,
@@ -25,7 +25,7 @@ impl Group {
         Group::Workshop,
     ];
 
-    /// Name of the group in data.
+    /// Name of the group in JSON data.
     pub fn name(self) -> &'static str {
         match self {
             Group::Tables => "tables",

@@ -1,4 +1,4 @@
-//! Protection of inputs: a command does not replace a file that it reads.
+//! Protection of inputs: a command must not replace a file that it reads.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::sync::{Mutex, PoisonError};
 
 use gaitcam::error::{FileError, Placed, Result};
 
-/// Files read so far, with links resolved; `None` in a program that processes several requests.
+/// Paths of the files read so far, with links resolved; `None` if inputs are not protected, because the program processes several requests.
 static READ: Mutex<Option<BTreeSet<PathBuf>>> = Mutex::new(None);
 
-/// Protects every file that is read from now on, in a program that processes a single request.
+/// Starts the protection of all files that are read from now on. Only a program that processes a single request calls this function.
 pub fn protect() {
     with(|read| *read = Some(BTreeSet::new()));
 }
@@ -18,7 +18,7 @@ fn with<T>(act: impl FnOnce(&mut Option<BTreeSet<PathBuf>>) -> T) -> T {
     act(&mut READ.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Records that a file was read.
+/// Registers a file as read.
 pub fn note(path: &Path) {
     with(|read| {
         if let Some(read) = read {
@@ -27,7 +27,7 @@ pub fn note(path: &Path) {
     });
 }
 
-/// Rejects the replacement of a file that was read.
+/// Checks that a file to be written has not been read.
 ///
 /// # Errors
 ///
@@ -39,11 +39,11 @@ pub fn check(place: &Path) -> Result<()> {
     })
 }
 
-/// Rejects the replacement of one of the given files, whose links are resolved.
+/// Checks that a file to be written is not one of the given inputs, whose links must be resolved.
 ///
 /// # Errors
 ///
-/// The file is one of them; the error contains its path.
+/// The file is one of the inputs; the error contains its path.
 pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     // Links in the path are resolved only if files were read.
     let replaces = || place.canonicalize().is_ok_and(|p| inputs.contains(&p));
@@ -56,11 +56,11 @@ pub fn check_among(inputs: &BTreeSet<PathBuf>, place: &Path) -> Result<()> {
     Err(FileError::Replaced { file }.in_file(folder.unwrap_or(place)))
 }
 
-/// Checks the files of a folder before any computation.
+/// Checks that no file to be written to a folder has been read. The check precedes the computation.
 ///
 /// # Errors
 ///
-/// The first file that would be replaced.
+/// A file was read and would be replaced; the error contains the path of the first such file.
 pub fn check_in<'a>(folder: &Path, names: impl IntoIterator<Item = &'a str>) -> Result<()> {
     let mut names = names.into_iter();
     names.try_for_each(|name| check(&folder.join(name)))

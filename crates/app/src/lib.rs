@@ -1,8 +1,7 @@
-//! Application layer of gaitcam, which the command, the Python package and the page share: reading scenes and recordings, writing results and sweeps,
-//! and requests of the page.
+//! Application layer of gaitcam: reading of scenes and recordings, writing of results and sweeps, and requests of the page.
 //!
-//! The library `gaitcam` does not access files. All user interfaces read and write files with these functions, so scenes and results are equal for
-//! every user.
+//! The library `gaitcam` does not access files. The command, the Python package and the page all read and write files with the functions of this
+//! crate. The same scene therefore gives the same results in every user interface.
 
 #![deny(unsafe_code, missing_docs)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]

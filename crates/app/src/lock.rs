@@ -1,4 +1,4 @@
-//! Lock files: only one process writes to a folder at a time.
+//! Lock files, so that only one process at a time writes to a folder.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read, Result, Write};
@@ -8,19 +8,19 @@ use std::time::{Duration, Instant};
 
 use gaitcam::error::{self, FileError, Placed, WriteError};
 
-/// Default waiting time for another process that writes.
+/// Default maximum waiting time for a lock that another process holds.
 pub const PATIENCE: Duration = Duration::from_secs(60);
-/// Time between two attempts.
+/// Time between two attempts to create the lock.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// A lock file that contains the number of its process. It is removed when the lock is released.
+/// Lock file that contains the number of the process that created it. The file is removed when the lock is released.
 pub struct Lock {
     path: PathBuf,
     _file: File,
 }
 
 impl Lock {
-    /// Locks `name` in a folder. If another process holds the lock, waits for at most `patience`.
+    /// Creates the lock file `name` in a folder. If another process holds the lock, the function waits for at most `patience`.
     ///
     /// # Errors
     ///
@@ -90,12 +90,12 @@ impl Drop for Lock {
     }
 }
 
-/// Whether a path is a plain file, not a link to one.
+/// Whether a path is a regular file and not a link to one.
 pub(crate) fn is_plain(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_file())
 }
 
-/// Process number written in a lock file.
+/// Process number in a lock file, as text; `None` if the file contains no number.
 fn holder(path: &Path) -> Option<String> {
     let mut text = String::new();
     let file = File::open(path).ok()?;
@@ -103,7 +103,7 @@ fn holder(path: &Path) -> Option<String> {
     text.parse::<u32>().ok().map(|process| process.to_string())
 }
 
-/// Whether an open file is still the file at its path.
+/// Whether an open file is still the file at its path, that is, it was neither removed nor replaced.
 #[cfg(unix)]
 fn is_still_there(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -113,7 +113,7 @@ fn is_still_there(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Whether a file exists at the path. On this system the path is not compared with the open file.
+/// Whether any file exists at the path. On this system the open file cannot be compared with the file at the path.
 #[cfg(not(unix))]
 fn is_still_there(_: &File, path: &Path) -> bool {
     path.exists()

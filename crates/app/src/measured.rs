@@ -1,4 +1,4 @@
-//! Points of a coordinate measuring machine: a table with units in the column names.
+//! Points measured on a coordinate measuring machine, read from a table with units in the column names.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use gaitcam::error::{FileError, Placed, Result};
 
 use crate::read::{not_csv, read_bytes};
 
-/// Accepted column names, with the quantity and the factor to SI.
+/// Accepted column names, each with its quantity and its conversion factor to SI units.
 const COLUMNS: [(&str, Kind, f64); 11] = [
     ("x_mm", Kind::X, 1e-3),
     ("y_mm", Kind::Y, 1e-3),
@@ -29,28 +29,29 @@ enum Kind {
     Radius,
 }
 
-/// A column of the table: its index, and its factor to SI.
+/// Index of a column, and its conversion factor to SI units.
 type Column = (usize, f64);
 
-/// Columns that contain the coordinates of a point.
+/// Columns with the coordinates of a point, in one of the accepted combinations.
 enum Coordinates {
     Cartesian([Column; 2]),
     Polar([Column; 2]),
 }
 
-/// Points of a file, m, with the line of each point.
+/// Measured points in m, each with its line in the file.
 pub struct Points {
-    /// Measured coordinates x and y, m.
+    /// Measured coordinates x and y in the frame of the file, m.
     pub xy: Vec<[f64; 2]>,
     /// Line of each point in the file, counted from 1.
     pub lines: Vec<usize>,
 }
 
-/// Reads `x_mm,y_mm` or `angle_deg,radius_mm` (or m, in, rad) from a table with commas, semicolons or tabs. Other columns are ignored.
+/// Reads points from a table with the columns `x_mm,y_mm` or `angle_deg,radius_mm`. The units m, in and rad are also accepted. Separators are
+/// commas, semicolons or tabs. Other columns are ignored.
 ///
 /// # Errors
 ///
-/// The file cannot be read; columns are missing; a cell is not a finite number (with its line).
+/// The file cannot be read; columns are missing; a cell is not a finite number (the error contains its line).
 pub fn read(path: &Path) -> Result<Points> {
     let bytes = read_bytes(path)?;
     let head = bytes.split(|b| *b == b'\n').next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Reading complete input files of limited size.
+//! Reading of complete input files with a limited size.
 
 use std::fs::{self, File, Metadata};
 use std::io::{ErrorKind, Read};
@@ -9,31 +9,31 @@ use gaitcam::scene::LARGEST_MOTION;
 
 use crate::inputs;
 
-/// Maximum size of a scene file, bytes.
+/// Maximum size of a scene file and of text on standard input, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
 /// Maximum size of other inputs that are read into memory, bytes.
 const LARGEST_FILE: u64 = 64 << 30;
-/// Maximum number of bytes read from standard input, a pipe or a device.
+/// Maximum number of bytes that are read from standard input, a pipe or a device.
 const LARGEST_STREAM: u64 = 512 << 20;
 
-/// Reads a whole file, such as a recording, a table or a summary.
+/// Content of a whole file, such as a recording, a table or a summary.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_FILE)
 }
 
-/// Reads a whole file with a motion.
+/// Content of a whole file with the rows of a motion.
 pub fn read_motion(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_MOTION)
 }
 
-/// Reads the text of a scene or of a list of values.
+/// Text of a whole file with a scene or a list of values.
 pub fn read_text(path: &Path) -> Result<String> {
     let bytes = read_at_most(path, LARGEST_SCENE)?;
     String::from_utf8(bytes)
         .map_err(|e| FileError::NotUtf8.at_byte(path, e.utf8_error().valid_up_to()))
 }
 
-/// Reads the scene from standard input.
+/// Text of a scene from standard input.
 pub fn read_standard_input() -> Result<String> {
     let place = Path::new("standard input");
     let bytes = limited(std::io::stdin().lock(), place, LARGEST_SCENE)?;
@@ -41,11 +41,11 @@ pub fn read_standard_input() -> Result<String> {
         .map_err(|e| FileError::NotUtf8.at_byte(place, e.utf8_error().valid_up_to()))
 }
 
-/// Opens a file for reading in parts.
+/// Opens a regular file for reading in parts.
 ///
 /// # Errors
 ///
-/// The path is a folder, or a pipe or device, which may never end.
+/// The file cannot be opened; the path is a folder; the path is a pipe or a device, which may never end.
 pub fn open(path: &Path) -> Result<File> {
     checked(path)?;
     File::open(path).map_err(|e| cannot_be_read(path, &e))
@@ -63,11 +63,11 @@ fn checked(path: &Path) -> Result<Metadata> {
     Ok(about)
 }
 
-/// Reads a whole file of at most `most` bytes.
+/// Content of a whole file of at most `most` bytes.
 ///
 /// # Errors
 ///
-/// As [`open`]; a larger file.
+/// The errors of [`open`], or the file is larger.
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let about = checked(path)?;
     let most = match about.is_file() {
@@ -92,7 +92,7 @@ fn limited(reader: impl Read, path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether a path denotes standard input, or a file that the shell has opened.
+/// Whether a path refers to standard input, or to a file that the shell has opened.
 fn is_open_already(path: &Path) -> bool {
     path == Path::new("/dev/stdin")
         || path.starts_with("/dev/fd")
@@ -103,7 +103,7 @@ fn too_large(path: &Path, most: u64) -> Error {
     FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
-/// Name of a system error in the messages; the text of the operating system if there is no such name.
+/// Name of a system error in messages; the text of the operating system for other errors.
 pub fn fault(e: &std::io::Error) -> String {
     let known = match e.kind() {
         ErrorKind::NotFound => "missing",
@@ -115,13 +115,13 @@ pub fn fault(e: &std::io::Error) -> String {
     known.to_string()
 }
 
-/// Error for a file that the system cannot read.
+/// Error for a file that cannot be read, with the cause from the operating system.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = fault(e);
     FileError::CannotRead { fault }.in_file(path)
 }
 
-/// Error of a CSV file, with its line.
+/// Converts an error of the CSV reader to an error with the file and its line.
 pub fn not_csv(path: &Path) -> impl Fn(csv::Error) -> Error {
     move |e| {
         let line = e.position().map_or(1, |p| p.line() as usize);

@@ -1,4 +1,4 @@
-//! Recordings in a folder.
+//! Search for recordings in a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -6,11 +6,11 @@ use gaitcam::error::Result;
 
 use crate::read::cannot_be_read;
 
-/// File endings of recordings. A folder may contain other files.
+/// Extensions of recordings. Files with other extensions are ignored in folders.
 pub const ENDINGS: [&str; 13] = [
     "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
 ];
-/// Prefixes of the names of texts about a folder, and of the table of subjects.
+/// First words in the names of files that describe a folder and are not recordings.
 const ABOUT: [&str; 7] = [
     "readme",
     "license",
@@ -21,16 +21,16 @@ const ABOUT: [&str; 7] = [
     "changelog",
 ];
 
-/// Files found in a folder and in its subfolders.
+/// Files in a folder and in its subfolders.
 #[derive(Debug, Default)]
 pub struct Inside {
-    /// Files with endings of recordings, in alphabetical order.
+    /// Recordings, recognised by their extensions, in alphabetical order.
     pub recordings: Vec<PathBuf>,
     /// Names of the other files.
     pub others: Vec<String>,
 }
 
-/// Files of a folder and of its subfolders; hidden files are skipped. Links to folders are not followed, because they may form a loop.
+/// Lists the files of a folder and of its subfolders. Hidden files are skipped. Links to folders are not followed, because they may form a loop.
 ///
 /// # Errors
 ///

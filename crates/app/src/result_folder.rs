@@ -1,10 +1,13 @@
-//! A folder with one result, which is replaced as a whole.
+//! Result folder whose files are replaced all together.
 //!
-//! New files are first written to a hidden folder inside it. When all files are complete, this folder is renamed to `READY`. From then on, every
-//! gaitcam process that writes to the folder first completes the move. A process that is killed therefore leaves either the old result or the new
-//! one. A lock makes a second process wait. `summary.json` is removed first and written last, so that it always belongs to the other files. The
-//! folder may come from an untrusted source. File names are never taken from it: only plain files with the names that gaitcam writes are moved or
-//! removed.
+//! New files are first written to a hidden folder inside the result folder. When all of them are complete, the hidden folder is renamed to `READY`.
+//! Then its files are moved into place. Every gaitcam process that opens the result folder first completes such a move if it was interrupted. A
+//! process that is killed therefore leaves either the old result or the new one. A lock file makes a second process wait.
+//!
+//! `summary.json` is removed first and written last, so that it always belongs to the other files.
+//!
+//! The folder may come from an untrusted source. Therefore file names are never taken from the folder. Only regular files with names that gaitcam
+//! writes are moved or removed.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -20,14 +23,14 @@ use crate::inputs;
 use crate::lock::{Lock, is_plain};
 use crate::read::read_bytes;
 
-/// Folder with the new files before they are moved into place.
+/// Name of the hidden folder that contains the complete new files until they are moved into place.
 const READY: &str = ".gaitcam.ready";
-/// Name of the file that lists the files of the earlier result, one per line.
+/// Name of the file in the hidden folder that lists the files of the earlier result to be removed, one per line.
 const STALE: &str = ".stale";
-/// Name of the lock file of the writing process.
+/// Name of the lock file of the process that writes to the folder.
 const LOCK: &str = ".gaitcam.lock";
 
-/// A result folder to which a process writes.
+/// Result folder that is open for writing.
 pub struct ResultFolder {
     path: PathBuf,
     stage: PathBuf,
@@ -36,7 +39,8 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Creates the folder if necessary, waits up to `patience` for another process, and checks that the folder is writable, before any computation.
+    /// Opens a result folder for writing, before any computation. Creates the folder if necessary, waits for at most `patience` until no other
+    /// process writes to it, and checks that it is writable.
     ///
     /// # Errors
     ///
@@ -60,12 +64,12 @@ impl ResultFolder {
         })
     }
 
-    /// Path of the folder.
+    /// Path of the result folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes a file of the new result with one of the file names of results.
+    /// Writes a file of the new result to the hidden folder. `name` must be the name of a result file.
     ///
     /// # Errors
     ///
@@ -86,11 +90,11 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Moves the new files into place and removes the files in `others` that the new result does not contain.
+    /// Moves the new files into place, and removes the files in `others` that are not part of the new result.
     ///
     /// # Errors
     ///
-    /// Files cannot be moved.
+    /// A file cannot be moved.
     pub fn commit(self, others: &[&str]) -> Result<()> {
         let written = self.written.borrow();
         let stale: Vec<&str> = others
@@ -111,7 +115,7 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Reads a file of the result, also if a killed process left it in the hidden folder. Nothing is changed.
+/// Content of a file of the result. A file that a killed process left in the hidden folder is also found. The folder is not changed.
 ///
 /// # Errors
 ///
@@ -128,7 +132,7 @@ pub fn read(folder: &Path, name: &str) -> Result<Vec<u8>> {
     read_bytes(&folder.join(name))
 }
 
-/// Moves the files of [`READY`] into place. Each step may be repeated.
+/// Moves the files of [`READY`] into place. If the function is interrupted, it can be repeated.
 fn complete(path: &Path) -> Result<()> {
     let ready = path.join(READY);
     if !is_folder(&ready) {
@@ -178,7 +182,8 @@ fn put(path: &Path, ready: &Path, new: &[&str]) -> io::Result<()> {
     Ok(())
 }
 
-/// Checks that the path of a file is not a folder, and that its parent is a real folder or does not exist yet.
+/// Checks that a result file can be written to its path. The path must not be a folder. Its parent must be a real folder (not a link) or must not
+/// exist yet.
 fn check_place(path: &Path, name: &str) -> Result<()> {
     match is_folder(&path.join(name)) || !is_inside(path, name) {
         true => Err(FileError::Foreign.in_file(&path.join(name))),
@@ -186,7 +191,7 @@ fn check_place(path: &Path, name: &str) -> Result<()> {
     }
 }
 
-/// Whether a file is in the result folder itself or in a subfolder. The subfolder is a real folder (not a link) or does not exist yet.
+/// Whether a file name leads to the result folder or to a real subfolder. Links are not accepted; a subfolder may be missing.
 fn is_inside(path: &Path, name: &str) -> bool {
     let parent = Path::new(name)
         .parent()
@@ -197,7 +202,7 @@ fn is_inside(path: &Path, name: &str) -> bool {
     })
 }
 
-/// Removes the subfolder of a file if it is empty.
+/// Removes the subfolder of a result file if it is empty.
 fn remove_empty_parent(path: &Path, name: &str) {
     if name.contains('/')
         && let Some(parent) = path.join(name).parent()
@@ -206,13 +211,14 @@ fn remove_empty_parent(path: &Path, name: &str) {
     }
 }
 
-/// Whether a name is that of an empty folder whose files are already in place.
+/// Whether `name` is an empty subfolder for result files. [`names_in`] lists a subfolder only if it is empty, because its files are already in
+/// place.
 fn is_emptied(path: &Path, name: &str) -> bool {
     let is_parent = |own: &str| Path::new(own).parent() == Some(Path::new(name));
     is_folder(&path.join(name)) && own().any(is_parent)
 }
 
-/// Names of the files in a folder and in its subfolders, and names of empty folders.
+/// Relative names of the files in a folder and its subfolders, and of empty subfolders.
 fn names_in(folder: &Path) -> io::Result<Vec<String>> {
     let mut out = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -235,7 +241,7 @@ fn cannot_place(path: &Path, e: &io::Error) -> gaitcam::error::Error {
     FileError::CannotPlace { fault }.in_file(path)
 }
 
-/// Whether a path is a folder, not a link to one.
+/// Whether a path is a folder and not a link to one.
 fn is_folder(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|about| about.is_dir())
 }
@@ -247,7 +253,7 @@ fn remove_plain(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Removes a hidden folder with the files that gaitcam writes there. A folder with other files is kept.
+/// Removes a hidden folder and the files in it that gaitcam writes. If it contains other files, they and the folder remain.
 fn discard(folder: &Path) -> io::Result<()> {
     for name in names_in(folder)? {
         if is_emptied(folder, &name) {
@@ -260,7 +266,7 @@ fn discard(folder: &Path) -> io::Result<()> {
     fs::remove_dir(folder)
 }
 
-/// Removes the hidden folders of processes that were killed. The lock ensures that none of them is still running.
+/// Removes the hidden folders of processes that were killed. The lock ensures that these processes are no longer running.
 fn remove_abandoned_stages(path: &Path) {
     for entry in fs::read_dir(path).into_iter().flatten().flatten() {
         let name = entry.file_name();

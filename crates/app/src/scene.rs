@@ -1,4 +1,4 @@
-//! Scenes from files, with their input files.
+//! Reading of scenes from files, with their input files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,23 +11,23 @@ use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, Scene, Source, plates};
 
-/// A scene with its input files.
+/// Scene with the files from which it was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The parsed scene, before its force is read.
+    /// The parsed scene, without the data of its force file.
     pub scene: Scene,
-    /// Table of the scene as written, with the changes applied.
+    /// Table of the scene as in its file, with the changes of the user.
     pub table: Table,
-    /// Table of the scene in which the rows of every motion replace the file name.
+    /// Table of the scene, in which the file name of every motion is replaced by the rows of the file.
     pub whole: Table,
-    /// Input files of the scene.
+    /// Access to the input files of the scene.
     pub files: Disk,
-    /// Path of the scene file, if any.
+    /// Path of the scene file; `None` if the scene was not read from a file.
     pub file: Option<PathBuf>,
 }
 
 impl Input {
-    /// Creates the input from the table of a scene and the file from which it was read, if any.
+    /// Creates the input from the table of a scene. `file` is the file from which the table was read, if there is one.
     ///
     /// # Errors
     ///
@@ -45,16 +45,17 @@ impl Input {
         })
     }
 
-    /// Reads the scene in a TOML file or in a `summary.json`.
+    /// Reads the scene from a TOML file or from a `summary.json`.
     ///
     /// # Errors
     ///
-    /// The file cannot be read; errors of [`Input::new`].
+    /// The file cannot be read, or an error of [`Input::new`].
     pub fn open(path: &Path) -> Result<Input> {
         Input::new(table(path)?, Disk::beside(path), Some(path.to_path_buf()))
     }
 
-    /// Resolved scene with its changes, independent of its folder: the path of a recording is absolute, and rows of motions replace their files.
+    /// Table of the scene that does not depend on its folder. Paths of recordings are absolute, and file names of motions are replaced by the rows
+    /// of the files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
         let absolute = |name: &PathBuf| {
@@ -84,7 +85,7 @@ impl Input {
         table
     }
 
-    /// Recording of the scene, and recordings of further walkers.
+    /// File name of the scene's recording, and file names of the recordings of further walkers. `None` without a recording.
     fn recordings(&self) -> Option<(&PathBuf, &[PathBuf])> {
         let gait = self.scene.gait.as_ref()?;
         match &gait.source {
@@ -93,12 +94,12 @@ impl Input {
         }
     }
 
-    /// Path of the recording of the scene, if there is one.
+    /// Path of the scene's recording; `None` without a recording.
     pub fn recording(&self) -> Option<PathBuf> {
         Some(self.files.shown(self.recordings()?.0))
     }
 
-    /// Paths of all files from which the scene was read: the scene file, recordings and motions.
+    /// Paths of all files from which the scene was read: scene file, recordings and motions.
     ///
     /// # Errors
     ///
@@ -112,7 +113,7 @@ impl Input {
         Ok(self.file.iter().cloned().chain(named).collect())
     }
 
-    /// Title block for a drawing of the scene.
+    /// Entries of the title block for a drawing of the scene: revision, date and accuracy.
     #[cfg(feature = "cad")]
     pub fn title(&self) -> gaitcam_cad::drawing::Title {
         gaitcam_cad::drawing::Title {
@@ -121,11 +122,11 @@ impl Input {
         }
     }
 
-    /// Force curve of the scene, if it has a force.
+    /// Force curve of the scene; `None` if the scene has no force.
     ///
     /// # Errors
     ///
-    /// Errors of the load model, the file or the recording.
+    /// The load model, the file or the recording is invalid.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         let gait = self.scene.gait.as_ref();
         let force = gait.map(|gait| gait.force(&self.files)).transpose();
@@ -134,7 +135,7 @@ impl Input {
     }
 }
 
-/// Day of the last change of a file, as days since 1970-01-01 (UTC).
+/// Date of the last change of a file, in days since 1970-01-01 (UTC).
 #[cfg(feature = "cad")]
 fn last_change(file: &Path) -> Option<u64> {
     const SECONDS: u64 = 86_400;
@@ -142,7 +143,7 @@ fn last_change(file: &Path) -> Option<u64> {
     Some(time.duration_since(std::time::UNIX_EPOCH).ok()?.as_secs() / SECONDS)
 }
 
-/// Table of a TOML file, or of the scene in a `summary.json`.
+/// Table of a scene, read from a TOML file or from a `summary.json`.
 ///
 /// # Errors
 ///
@@ -155,7 +156,7 @@ pub fn table(path: &Path) -> Result<Table> {
     parse(&text, Some(path))
 }
 
-/// Table of a scene file, or of the built-in scene with this name if there is no such file, with the input files.
+/// Table of a scene and access to its input files. If there is no file with this path, the built-in scene with this name is used.
 ///
 /// # Errors
 ///
@@ -173,11 +174,11 @@ pub fn named(path: &Path) -> Result<(Table, Disk)> {
     }
 }
 
-/// Parses the text of a scene; `path` names the file in errors.
+/// Parses the text of a scene. `path` is the file in the location of errors.
 ///
 /// # Errors
 ///
-/// The text is not TOML; the error contains the line if there is a file.
+/// The text is not TOML. The error contains the line if a file is given.
 pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
     text.parse()
         .map_err(|e: toml::de::Error| not_toml(path, text, &e))
@@ -191,7 +192,7 @@ fn of_summary(path: &Path, text: &str) -> Result<Table> {
     serde_json::from_value(scene.clone()).map_err(|_| missing())
 }
 
-/// Error for a text that is not JSON.
+/// Error for a text that is not JSON, with the line of the error in the text.
 pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
     let fault = e.to_string();
     FileError::NotJson { fault }.at_line(path, e.line())
@@ -209,7 +210,7 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     }
 }
 
-/// Sets the location of the error for a missing recording to the key that names it.
+/// If the error is a missing recording, changes its location to the key that contains the name of the recording.
 fn at_key_if_missing(e: Error) -> Error {
     let is_missing =
         |f: &FileError| matches!(f, FileError::CannotRead { fault } if fault == "missing");
@@ -222,7 +223,7 @@ fn at_key_if_missing(e: Error) -> Error {
     }
 }
 
-/// Adds the name of the scene file to the location of an error.
+/// Adds the path of the scene file to the location of an error.
 fn name_file(path: Option<&Path>, mut e: Error) -> Error {
     if let (Some(path), Place::Key(key)) = (path, &e.place) {
         e.place = Place::Key(format!("{}: {key}", path.display()));

@@ -1,4 +1,4 @@
-//! Definition of a sweep, shared by the command, the Python package and the page.
+//! Definition of a sweep as the user gives it, for the command, the Python package and the page.
 
 use std::sync::Arc;
 
@@ -10,17 +10,17 @@ use gaitcam::sweep::{
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
-/// Default number of manufactured cams.
+/// Default number of cams that are sampled from the manufacturing tolerances.
 const SAMPLES: u64 = 10_000;
 
-/// A varied key with its values.
+/// Key to be varied, with its values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Varied {
-    /// Text as for `gaitcam sweep --vary`: `KEY=START:STOP:COUNT`, `KEY=A,B`; for a sample `KEY=START:STOP`.
+    /// Text in the syntax of `gaitcam sweep --vary`: `KEY=START:STOP:COUNT` or `KEY=A,B`, and `KEY=START:STOP` for a sample.
     Text(String),
-    /// Key and values as written in a scene file.
+    /// Key, and its values as written in a scene file.
     Listed(String, Vec<String>),
-    /// Key with its unit, as in tables, and numbers in SI units.
+    /// Key with its unit, as in the columns of tables, and its values in SI units.
     Numbers(String, Vec<f64>),
 }
 
@@ -37,7 +37,8 @@ impl Varied {
     }
 }
 
-/// A scene that lacks keys because they are varied, with their first values; any other scene unchanged.
+/// Completes a scene that is invalid only because it lacks varied keys: each of these keys gets its first value. Any other scene is returned
+/// unchanged.
 pub fn completed(table: Table, varied: &[Varied], is_sampled: bool) -> Table {
     if scene::read(&table).is_ok() {
         return table;
@@ -57,43 +58,44 @@ pub fn completed(table: Table, varied: &[Varied], is_sampled: bool) -> Table {
     }
 }
 
-/// Subject of a sweep: scenes with a list, a grid or a sample of values, or one scene with manufacturing tolerances.
+/// Definition of a sweep. It varies keys of scenes over a list, a grid or a sample of values, or it samples one scene with manufacturing
+/// tolerances.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepQuestion {
-    /// Base scenes, stored as text.
+    /// Base scenes of the sweep. They are not part of the serialised definition.
     #[serde(skip)]
     pub scenes: Vec<NamedScene>,
-    /// Values of several keys, row by row.
+    /// Keys whose values are combined row by row: all first values, all second values, and so on.
     pub list: Vec<Varied>,
-    /// Recordings; each is combined with all values of `vary`.
+    /// File names of recordings. Each recording is combined with all values of `vary`.
     pub recordings: Vec<String>,
-    /// Keys and values that are combined.
+    /// Keys of which all combinations of values are computed.
     pub vary: Vec<Varied>,
-    /// Number of sampled points, instead of all combinations.
+    /// Number of sampled points; `None` computes all combinations of values.
     pub sample: Option<u64>,
-    /// Sampling method.
+    /// Sampling method: Latin hypercube or Sobol sequence.
     pub method: Method,
-    /// Seed of the random numbers.
+    /// Seed of the random number generator.
     pub seed: u64,
-    /// Manufacturing tolerances, such as `profile=0.02 mm`.
+    /// Manufacturing tolerances as text, such as `profile=0.02 mm`.
     pub tolerances: Vec<String>,
 }
 
 impl SweepQuestion {
-    /// The sweep with its recordings. `files` returns the files of a base scene by its index.
+    /// Prepares the sweep and reads its recordings. `files` returns the access to the files of the base scene with the given index.
     ///
     /// # Errors
     ///
-    /// As [`SweepQuestion::subject`] and [`Sweep::new`].
+    /// The errors of [`SweepQuestion::subject`] and [`Sweep::new`].
     pub fn sweep<'a, F: Files + 'a>(&self, files: impl Fn(usize) -> &'a F) -> Result<Sweep> {
         Sweep::new(self.subject()?, files)
     }
 
-    /// Subject of the sweep.
+    /// Converts the definition to the subject of a sweep: varied designs, or sampled tolerances of one design.
     ///
     /// # Errors
     ///
-    /// Keys or values that cannot be varied; tolerances together with varied keys.
+    /// A key or value cannot be varied; tolerances are combined with varied keys.
     pub fn subject(&self) -> Result<Subject> {
         if !self.tolerances.is_empty() {
             return self.scattered().map(Subject::Scatter);

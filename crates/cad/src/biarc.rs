@@ -1,22 +1,22 @@
-//! The profile as circular arcs within a given tolerance.
+//! Approximation of the profile by circular arcs within a given tolerance.
 //!
-//! Between two points of the profile, with their exact tangents, two arcs with a common tangent meet (biarc). Intervals whose arcs exceed the
-//! tolerance are halved.
+//! Two points of the profile, with their exact tangents, are joined by a biarc: two arcs with a common tangent where they meet. An interval whose
+//! biarc exceeds the tolerance is halved.
 
 use gaitcam::cam::Cam;
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Maximum width of the interval of one biarc, rad.
+/// Maximum range of the cam angle for one biarc, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
-/// Number of points of an interval at which the distance is measured for fitting.
+/// Number of parts into which an interval is divided for the first, coarse measurement of the distance.
 const TRIED: usize = 16;
 const PROVED: usize = 64;
-/// Maximum number of halvings of an interval; more would mean a corner.
+/// Maximum number of times that an interval is halved. More halvings are needed only at a corner.
 const DEEPEST: usize = 14;
 /// Bulge below which an arc becomes a chord, because the radius would have a large rounding error.
 const FLAT: f64 = 1e-10;
 
-/// A chain of arcs.
+/// Curve of consecutive circular arcs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
     /// Vertices x, y (m) and the bulge of the following edge: tan of a quarter of the arc's angle, positive counter-clockwise. For an open chain, the
@@ -29,7 +29,7 @@ pub struct Arcs {
 }
 
 impl Arcs {
-    /// Vertices of chords with at most this distance from the arcs, m; their bulges are 0.
+    /// Vertices x, y (m) of a polyline of chords that is within `distance` (m) of the arcs. All bulges are 0.
     pub fn chords(&self, distance: f64) -> Vec<[f64; 3]> {
         let count = self.vertices.len();
         let mut out = Vec::with_capacity(count);
@@ -64,21 +64,21 @@ impl Arcs {
     }
 }
 
-/// Biarc: start, joint, end, and both bulges.
+/// Biarc: start, joint and end, and the bulges of both arcs.
 struct Biarc {
     points: [[f64; 2]; 3],
     bulges: [f64; 2],
-    /// Tangent at the joint.
+    /// Direction of the common tangent at the joint, not normalised.
     tangent: [f64; 2],
 }
 
-/// Arcs within `tolerance` m of the profile. `None` for an undercut profile (its tangent reverses at cusps) and for a law with velocity jumps. Also
-/// `None` if the tolerance is not positive or below rounding errors.
+/// Approximates the profile by arcs within `tolerance` m. The result is `None` if the profile is undercut (its tangent reverses at cusps) or if the
+/// velocity of the law jumps. It is also `None` if the tolerance is not positive or below the rounding errors.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// Arcs within a tolerance of any edge to be cut.
+/// Approximates any edge to be cut by arcs within `tolerance` m.
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -144,7 +144,8 @@ fn follow(
 }
 
 impl Biarc {
-    /// Biarc with equal arms d at both ends: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
+    /// Biarc between the points P₀ and P₁ with the unit tangents T₀ and T₁. The inner corners of its control polygon are P₀ + d T₀ and P₁ − d T₁,
+    /// and their distance is 2d.
     fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
@@ -174,12 +175,12 @@ impl Biarc {
         }
     }
 
-    /// Circles of both arcs.
+    /// Circles of both arcs; `None` for an arc that is a chord.
     fn circles(&self) -> [Option<Circle>; 2] {
         [0, 1].map(|k| circle(self.points[k], self.points[k + 1], self.bulges[k]))
     }
 
-    /// Distance between a biarc and a nearby point.
+    /// Distance between a biarc and a point near it, m.
     fn distance(&self, q: [f64; 2], circles: [Option<Circle>; 2]) -> f64 {
         let joint = self.points[1];
         let k = usize::from(dot([q[0] - joint[0], q[1] - joint[1]], self.tangent) > 0.0);
@@ -192,7 +193,7 @@ impl Biarc {
     }
 }
 
-/// Distance of `q` from the line through `a` and `b`.
+/// Distance of `q` from the line through `a` and `b`, in the unit of the coordinates.
 fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let c = [b[0] - a[0], b[1] - a[1]];
     let length = libm::hypot(c[0], c[1]);
@@ -202,7 +203,7 @@ fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs()
 }
 
-/// Centre and radius of a circle.
+/// Circle, given by its centre and its radius.
 pub(super) type Circle = ([f64; 2], f64);
 
 /// Centre and radius of the arc from `a` to `b`; `None` for a chord.
@@ -221,7 +222,7 @@ pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     Some((centre, radius.abs()))
 }
 
-/// Extreme points in ±x and ±y of an arc that is shorter than a semicircle, except its ends.
+/// Points of an arc with extreme x or y, without the ends of the arc. The arc is shorter than a semicircle.
 pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
     let Some(([x, y], r)) = circle(a, b, bulge) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Path of a milling cutter's centre, and positions at which the cutter would gouge the cam.
+//! Path of the centre of a milling cutter, and the places where the cutter damages the cam (gouges).
 
 use std::fmt::Write;
 
@@ -6,10 +6,10 @@ use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Minimum depth of gouging, m; rounding errors of the profile are smaller.
+/// Minimum depth that counts as a gouge, m. Rounding errors of the profile are smaller.
 const TOUCH: f64 = 1e-9;
 
-/// Centre of the cutter at one cam angle.
+/// Position of the cutter's centre at one cam angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutterPoint {
     /// Cam angle of the profile point that is cut, rad.
@@ -20,17 +20,17 @@ pub struct CutterPoint {
     pub y: f64,
 }
 
-/// Reasons why a cutter damages the profile.
+/// Damage to the profile by the cutter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gouge {
-    /// The radius of the cutter exceeds a concave radius of the profile.
+    /// The radius of the cutter exceeds the minimum concave radius of the profile.
     Hollow {
-        /// Cam angle of the minimum concave radius, rad.
+        /// Cam angle at the minimum concave radius, rad.
         at: f64,
-        /// Minimum concave radius, m: the maximum radius of a cutter.
+        /// Minimum concave radius of curvature, m. A larger cutter does not fit.
         radius: f64,
     },
-    /// The cutter penetrates the profile at an angle other than the one that is cut.
+    /// While the cutter cuts one point, it penetrates the profile at another point.
     Elsewhere {
         /// Cam angle of the point that is cut, rad.
         at: f64,
@@ -46,18 +46,19 @@ pub enum Gouge {
     },
 }
 
-/// A cutter path with its gouges.
+/// Path of the cutter's centre, with the damage that the cutter causes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutterPath {
-    /// Path of the cutter's centre. For a closed law it ends at its first point.
+    /// Positions of the cutter's centre. The last one equals the first one if the law is closed.
     pub points: Vec<CutterPoint>,
-    /// Damage by the cutter; empty if it does not damage the cam.
+    /// Damage by the cutter; empty if the cutter does not damage the cam.
     pub gouges: Vec<Gouge>,
 }
 
-/// Path of a cutter of radius `tool` (m) around the outside of the cam. It is the parallel curve of the profile at this distance, along the exact
-/// normals, at `points` equal steps of the cam angle. Gouging in concave parts is detected by the exact curvature, elsewhere at the `points` of the
-/// profile.
+/// Path of a cutter of radius `tool` (m) around the outside of the cam.
+///
+/// The path is the parallel curve of the profile at the distance `tool`, along the exact normals, at `points` equal steps of the cam angle. Damage
+/// in concave parts is detected from the exact curvature. Damage at other places is detected only at the `points` of the profile.
 ///
 /// # Errors
 ///
@@ -117,7 +118,8 @@ pub(crate) fn positive(radius: f64) -> Result<f64> {
     .into())
 }
 
-/// Maximum penetration of the cutter at any profile point: index of the point that is cut, index of the damaged point, depth.
+/// Position on the path at which the cutter penetrates the profile most. Returns the index of the point that is cut, the index of the damaged
+/// point, and the depth in m. `None` if the cutter does not damage the profile.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;
     for (i, c) in path.iter().enumerate() {
@@ -135,7 +137,7 @@ fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usi
     worst
 }
 
-/// The path as a table `theta_rad,x_m,y_m` in full precision.
+/// The path as CSV with the columns `theta_rad,x_m,y_m`, in full precision.
 pub fn csv(path: &CutterPath) -> String {
     let mut out = String::from("theta_rad,x_m,y_m\n");
     for p in &path.points {

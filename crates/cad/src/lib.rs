@@ -1,18 +1,18 @@
-//! A finished cam as files for CAD, printing and machining.
+//! Export of a designed cam to files for CAD, printing and machining.
 //!
-//! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles of a conjugate pair, the walls of a
-//! barrel's groove ([`Edge`](gaitcam::synth::Edge)). Every exporter is a pure function from the design to the bytes of one file at true scale.
-//! Lengths are in millimetres; in DXF files, drawings and programs they are in [`Units`]. The same design gives the same bytes.
+//! A [`Design`](gaitcam::synth::Design) has one or more edges to cut ([`Edge`](gaitcam::synth::Edge)): the profile of a disc, both profiles of a
+//! conjugate pair, or the walls of a barrel's groove. Every exporter is a pure function from the design to the bytes of one file at true scale.
+//! Lengths are in millimetres; DXF files, drawings and programs can have other [`Units`]. Equal designs result in equal bytes.
 //!
 //! | module | output | accuracy |
 //! |---|---|---|
 //! | [`dxf`] | outline as polyline, arcs or splines (R12, R2000) | vertices on the profile; arcs and splines within a tolerance |
-//! | [`svg`] | outline for a laser or a page | vertices on the profile |
+//! | [`svg`] | outline for a laser cutter or for printing | vertices on the profile |
 //! | [`step`] | solid with B-spline faces (AP214) | [`step::FAITHFUL`] |
 //! | [`solid`] | STL and 3MF of the plate, walls of a barrel's groove | vertices on the profile |
-//! | [`drawing`] | PDF sheet with views, dimensions, table of radii | three decimals of a millimetre |
-//! | [`ecam`] | electronic cam for a motion controller | executed again in the numbers of the controller |
-//! | [`gcode`], [`cutter`] | programs for a mill, a rotary axis, a wire; gouging | [`biarc`] within a tolerance |
+//! | [`drawing`] | PDF sheet with views, dimensions, table of radii | lengths with three decimals of a millimetre |
+//! | [`ecam`] | electronic cam for a motion controller | evaluated in the number type of the controller |
+//! | [`gcode`], [`cutter`] | programs for milling, a rotary axis and wire cutting; detection of gouges | arcs within a tolerance ([`biarc`]) |
 //!
 //! ```
 //! use gaitcam::scene::built_in;

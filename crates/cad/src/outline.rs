@@ -1,18 +1,18 @@
-//! Annotations of outline drawings: layers, marks, and the arrow of rotation.
+//! Additions to drawings of the outline: names of layers, marks, and the arrow of rotation.
 
 use gaitcam::synth::Design;
 
 /// Half the length of the strokes of the centre mark, m.
 const MARK: f64 = 0.003;
 
-/// Name of a layer as an SVG identifier.
+/// Name of a layer as an SVG identifier: without the prefix `CUT_` or `REF_`, in lower case, with hyphens.
 pub fn id(layer: &str) -> String {
     let name = layer.split_once('_').map_or(layer, |(_, name)| name);
     name.to_lowercase().replace('_', "-")
 }
 
-/// Reference lines of the drawing with their layers, m. They mark the centre of a disc, the foot of a translating cam, and the start of each turn of
-/// an unrolled barrel.
+/// Reference lines of the drawing, each with its layer and its end points (m). They mark the centre of a disc, the foot of a translating cam, and
+/// the start of each turn of an unrolled barrel.
 pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;
     let (start, length) = synthesis.cam.law.extent();
@@ -37,17 +37,17 @@ pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
         .collect()
 }
 
-/// Mark of θ = 0, along the motion of the follower (+y), from the middle between bore and base circle to the base circle. The radii and the result
-/// have the same unit.
+/// Mark of θ = 0, a line along the motion of the follower (+y). It extends from the middle between bore and base circle to the base circle. The
+/// radii and the result have the same unit.
 pub fn zero_mark(base: f64, bore: f64) -> [[f64; 2]; 2] {
     [[0.0, 0.5 * (base + bore)], [0.0, base]]
 }
 
 /// Arrow in the direction of rotation: an arc about the centre, on the side opposite to the mark of θ = 0.
 pub struct Arrow {
-    /// Whether θ decreases; the polar angle of the profile then increases counter-clockwise.
+    /// Whether the cam rotates clockwise, with decreasing θ.
     pub clockwise: bool,
-    /// Radius of the arrow.
+    /// Radius of the arrow's arc, in the unit of the radii given to [`Arrow::new`].
     pub radius: f64,
     /// Start and tip of the arrow.
     pub ends: [[f64; 2]; 2],
@@ -59,7 +59,7 @@ impl Arrow {
     /// Angle of the arc, rad.
     pub const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-    /// Radius halfway between bore and base circle.
+    /// Arrow whose arc is halfway between bore and base circle; `base` and `bore` are their radii, in any unit.
     pub fn new(base: f64, bore: f64, clockwise: bool) -> Self {
         let radius = 0.5 * (base + bore);
         let sense = if clockwise { -1.0 } else { 1.0 };

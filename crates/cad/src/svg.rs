@@ -13,7 +13,8 @@ const MM: f64 = 1000.0;
 /// Width of the empty margin around the drawing, mm.
 const MARGIN: f64 = 5.0;
 
-/// Edges to be cut, with pitch curve, base and prime circle and centre mark. Printed at 100 %, the drawing has the size of the cam.
+/// Drawing of the edges to be cut, the pitch curve, the base and prime circles, and the centre mark. Printed at 100 %, the drawing has the size of
+/// the cam.
 ///
 /// The edges have `points` vertices at equal steps of the cam angle. Width and height are in mm; the cam's y axis points up.
 pub fn profile(synthesis: &Design, points: usize) -> String {
@@ -76,7 +77,8 @@ pub fn profile(synthesis: &Design, points: usize) -> String {
     out
 }
 
-/// Adds base circle, prime circle and bore of a rotating cam, the mark of θ = 0 and the arrow; radii in mm.
+/// Adds the base circle, prime circle and bore of a rotating cam, the mark of θ = 0 and the arrow of rotation. The radii `base` and `prime` are in
+/// mm.
 fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     let _ = writeln!(
         out,
@@ -145,7 +147,7 @@ fn rotation(out: &mut String, arrow: &Arrow) {
     );
 }
 
-/// Path data in mm with y downwards, to a nanometre.
+/// Path data in mm with y downwards, rounded to a nanometre.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {

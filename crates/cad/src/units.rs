@@ -1,6 +1,6 @@
-//! Unit of lengths in files for the workshop.
+//! Unit of lengths in files for manufacturing.
 
-/// Unit of lengths in drawings and programs.
+/// Unit of lengths in DXF files, drawings and programs.
 ///
 /// ```
 /// use gaitcam_cad::Units;
@@ -25,7 +25,7 @@ impl Units {
         }
     }
 
-    /// Symbol of the unit after a number.
+    /// Symbol of the unit: `mm` or `in`.
     pub fn name(self) -> &'static str {
         match self {
             Units::Millimetres => "mm",
@@ -33,7 +33,7 @@ impl Units {
         }
     }
 
-    /// A length in m as a number with a given number of decimals of a millimetre, and one more for inches.
+    /// Text of a length, given in m, without its unit. `decimals` applies to millimetres; inches have one more decimal.
     pub fn number(self, length: f64, decimals: usize) -> String {
         let decimals = decimals + usize::from(self == Units::Inches);
         format!("{:.decimals$}", self.per_metre() * length)

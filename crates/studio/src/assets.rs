@@ -1,4 +1,4 @@
-//! Files of the page, stored in the binary.
+//! Files of the page, which are included in the program.
 
 use crate::http::Response;
 use gaitcam::wording::Language;
@@ -11,10 +11,11 @@ const STYLE: &str = "text/css; charset=utf-8";
 
 /// Name, media type and content of each file, listed by the build script.
 const FILES: &[(&str, &str, &str)] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// A file of the page that the report also contains.
+/// File of the page that the report contains as well.
 const MOTION: &str = "core/motion.js";
 
-/// The page itself. Its other files are below `base`. If `language` is `None`, the page uses the language of the browser.
+/// Response with the main HTML file of the page. `base` is the URL prefix of its other files. If `language` is `None`, the page uses the language
+/// of the browser.
 pub fn page(base: &str, language: Option<Language>) -> Response {
     let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
     let page = page
@@ -24,7 +25,7 @@ pub fn page(base: &str, language: Option<Language>) -> Response {
     Response::new(HTML, page)
 }
 
-/// Response with one of the page's files.
+/// Response with one of the page's files; `None` for an unknown name.
 pub fn file(name: &str) -> Option<Response> {
     if name == MOTION {
         return Some(Response::new(SCRIPT, MOTION_SCRIPT));
@@ -34,7 +35,8 @@ pub fn file(name: &str) -> Option<Response> {
     Some(Response::new(found.1, text))
 }
 
-/// Content of the file in the source tree, so that development builds show changes after a reload.
+/// Content of the file in the source tree, so that a development build shows changes after a reload. `None` in other builds, or if the file cannot
+/// be read.
 fn fresh(name: &str) -> Option<String> {
     if !cfg!(debug_assertions) {
         return None;

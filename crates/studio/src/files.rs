@@ -1,4 +1,4 @@
-//! Scenes of the opened folder: reading, and saving under an unused name.
+//! Opening and saving of scenes in the opened folder. A scene is saved under a name that is not used yet.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use gaitcam::error::{Placed, Result};
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Named, table};
 
-/// Text of a scene in the folder.
+/// Text of a scene file in the opened folder, with its path.
 ///
 /// # Errors
 ///
@@ -22,15 +22,15 @@ pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     Ok(json!({"scene": text, "file": path.display().to_string()}))
 }
 
-/// A scene to be saved, with the dropped recording that it names.
+/// Request to save a scene, with the dropped recording to which the scene refers.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Save {
     /// TOML text of the scene.
     pub scene: String,
-    /// Name of the saved file.
+    /// Requested name of the scene file.
     pub name: String,
-    /// Stored files that the scene names.
+    /// Stored files to which the scene refers.
     #[serde(default)]
     pub files: Vec<Named>,
     /// Language of the error messages.
@@ -38,7 +38,7 @@ pub struct Save {
     pub language: String,
 }
 
-/// Saves a scene, and next to it the dropped file that it names. No file is replaced.
+/// Saves a scene, and in the same folder the dropped file to which it refers. Existing files are not replaced.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The opened folder. Its files may be read and new files may be written. Files outside the folder are not accessed.
+//! Access to the opened folder. Its files can be read, and new files can be written. Files outside the folder are not accessed.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -14,19 +14,19 @@ use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Hash, Recent};
 use gaitcam_app::read::read_at_most;
 
-/// Content of a file with its hash.
+/// Hash and content of a file.
 type Content = (Hash, Arc<Vec<u8>>);
 
-/// Maximum size of a file that is read, bytes.
+/// Maximum size of a file that can be read, bytes.
 const LARGEST: u64 = 256 << 20;
-/// Maximum number of listed files, and of subfolders searched.
+/// Maximum number of files that are listed; [`DEPTH`] limits the levels of subfolders.
 const LISTED: usize = 500;
 const DEPTH: usize = 3;
 
-/// Number of files in the cache; a cached file is valid until the file changes.
+/// Number of files in the cache. A cached file is used until the file on the disk changes.
 const READ: usize = 8;
 
-/// State of a file: path, size, time of the last change.
+/// Version of a file: path, size in bytes, and time of the last change.
 type Stamp = (PathBuf, u64, Option<SystemTime>);
 
 /// Folder that is opened in the studio.
@@ -45,7 +45,7 @@ pub struct Listed {
 }
 
 impl Folder {
-    /// Opens a folder.
+    /// Opens an existing folder.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ impl Folder {
         &self.root
     }
 
-    /// Real path of a file in the folder.
+    /// Real path of a file in the folder, with links resolved.
     ///
     /// # Errors
     ///
@@ -84,17 +84,17 @@ impl Folder {
     ///
     /// # Errors
     ///
-    /// As [`Folder::find`]; the path is not a plain file, or the file is too large.
+    /// The errors of [`Folder::find`]; the path is not a regular file; the file is too large.
     pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
         let found = self.find(path)?;
         read_at_most(&found, LARGEST).map_err(|e| e.placed(Place::File(path.to_path_buf())))
     }
 
-    /// Content of a file with its hash, for files that are requested repeatedly.
+    /// Content of a file with its hash. It is cached, for files that are requested repeatedly.
     ///
     /// # Errors
     ///
-    /// As [`Folder::read`].
+    /// The errors of [`Folder::read`].
     pub fn hashed(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
         let found = self.find(path)?;
         let about = fs::metadata(&found).map_err(|e| unread(path, &e))?;
@@ -109,8 +109,8 @@ impl Folder {
         Ok(read)
     }
 
-    /// Writes a new file under a plain name and returns the name. If the name exists, the first free number is added (`walk.toml`, `walk-2.toml`). No
-    /// file is replaced.
+    /// Writes a new file and returns its name. If the requested name is used, the first free number is added (`walk.toml`, `walk-2.toml`). Existing
+    /// files are not replaced.
     ///
     /// # Errors
     ///
@@ -151,7 +151,7 @@ impl Folder {
         Ok(name.to_string())
     }
 
-    /// Scenes and recordings in the folder.
+    /// Scenes and recordings in the folder and its subfolders, in alphabetical order.
     pub fn list(&self) -> Vec<Listed> {
         let mut out = Vec::new();
         self.look(&self.root, 0, &mut out);
@@ -192,7 +192,7 @@ impl Folder {
     }
 }
 
-/// Whether a TOML file contains one of the tables of a scene.
+/// Whether a TOML file contains at least one of the tables of a scene.
 fn is_scene(path: &Path) -> bool {
     let small = fs::metadata(path).is_ok_and(|m| m.len() < 1 << 20);
     let text = if small {

@@ -1,4 +1,4 @@
-//! Access control: only pages of this server that have its token are admitted.
+//! Access control of the server: it accepts only requests from its own pages that contain its token.
 
 use std::fs;
 use std::io::{self, Write};
@@ -6,29 +6,29 @@ use std::path::{Path, PathBuf};
 
 use crate::http::{Head, Response, Status};
 
-/// Number of bytes of the token.
+/// Number of bytes in the token.
 const LENGTH: usize = 16;
 
-/// Secret from which tokens are computed.
+/// Secret of the user, from which tokens are computed.
 type Secret = [u8; 32];
 
-/// Token and port of a running server.
+/// Access control with the token and the port of a running server.
 pub struct Guard {
     token: String,
     port: u16,
 }
 
-/// Token and preferred port of a folder. They are equal at every start, so that a page finds its studio again. Both are computed from the path of the
-/// folder and a secret of the user, so that others cannot guess them.
+/// Token and preferred port for a folder. They are the same at every start, so that an open page can reconnect after a restart. They are computed
+/// from the path of the folder and a secret of the user, so that others cannot guess them.
 pub struct Place {
-    /// Secret token that every address must contain.
+    /// Secret token, which every request must contain.
     pub token: String,
     /// Port in the range for private use.
     pub port: u16,
 }
 
 impl Place {
-    /// Computes token and port of a folder.
+    /// Computes the token and the port for a folder.
     ///
     /// # Errors
     ///
@@ -45,7 +45,7 @@ impl Place {
     }
 }
 
-/// File with the secret of the user, in the system's folder for application data; `None` without such a folder.
+/// Path of the file with the secret of the user, in the folder of the system for application data; `None` without such a folder.
 fn secret_file() -> Option<PathBuf> {
     let folder = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty());
     let below = |name: &str, more: &str| folder(name).map(|home| PathBuf::from(home).join(more));
@@ -59,7 +59,7 @@ fn secret_file() -> Option<PathBuf> {
     Some(state?.join("gaitcam").join("studio.key"))
 }
 
-/// Secret in the file. It is created at first use and is readable only by its user.
+/// Secret of the user from its file. The file is created at first use, and only the user can read it.
 fn kept_secret(file: &Path) -> io::Result<Secret> {
     if let Ok(bytes) = fs::read(file)
         && let Ok(secret) = bytes.try_into()
@@ -83,23 +83,23 @@ fn fresh() -> io::Result<Secret> {
 }
 
 impl Guard {
-    /// Creates a guard with the token of its folder.
+    /// Creates the access control of a server with this port and token.
     pub fn new(port: u16, token: String) -> Guard {
         Guard { token, port }
     }
 
-    /// Address of the page, with the token.
+    /// URL of the page, which contains the token.
     pub fn url(&self) -> String {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token)
     }
 
-    /// Path prefix with the token.
+    /// Prefix of paths: the token between two slashes.
     pub fn base(&self) -> String {
         format!("/{}/", self.token)
     }
 
-    /// Whether a request is admitted. The host must be this server, and the origin must not be a different one. The query or the first part of the
-    /// path must contain the token, and the path must not contain parent folders.
+    /// Accepts or rejects a request. The host must be this server, and the origin, if any, must be one of its pages. The token must be in the query
+    /// or in the first part of the path. The path must not contain the parts `.` and `..`, backslashes or zero bytes.
     pub fn admit(&self, head: &Head) -> Result<(), Response> {
         let own = [
             format!("127.0.0.1:{}", self.port),
@@ -125,7 +125,7 @@ impl Guard {
             .any(|given| same(given.as_bytes(), self.token.as_bytes()))
     }
 
-    /// Path without the token.
+    /// Path without the token prefix.
     pub fn inside<'p>(&self, path: &'p str) -> &'p str {
         let path = path.trim_start_matches('/');
         match path.strip_prefix(self.token.as_str()) {
@@ -135,7 +135,7 @@ impl Guard {
     }
 }
 
-/// Compares bytes in constant time.
+/// Whether two byte strings are equal. The comparison time does not depend on their contents.
 fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |d, (x, y)| d | (x ^ y)) == 0
 }

@@ -1,8 +1,8 @@
-//! `gaitcam studio`: a local web application in which the cam changes with the sliders.
+//! `gaitcam studio`: a local web application in which the design changes with the sliders.
 //!
-//! The page contains no computations. Each change of a field is one request with the whole scene; the response is a design with all its curves,
-//! checks and messages. The server provides the files of the page and passes requests to the engine, which the page may also contain. It reads and
-//! writes the files of one folder.
+//! The JavaScript of the page does no computations. Each change of a field is sent as one request with the whole scene. The response is a design
+//! with all its curves, checks and messages. The server delivers the files of the page and passes requests to the engine. In a page without a
+//! server, the same engine runs as WebAssembly. The server reads and writes files of one folder only.
 //!
 //! ```text
 //! http/      connections, heads, responses       guard.rs    token, host, origin
@@ -34,18 +34,18 @@ use gaitcam_app::page::{Engine, Start, set_language, table};
 use guard::{Guard, Place};
 use http::Server;
 
-/// Options with which the studio is opened.
+/// Options of the command `gaitcam studio`.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// A scene file, a folder, or the name of a built-in scene. `None` selects the working directory with the default scene.
+    /// Scene file, folder, or name of a built-in scene. `None` opens the default scene in the working directory.
     pub open: Option<PathBuf>,
-    /// Port; 0 selects a free port.
+    /// Port number; 0 selects a free port.
     pub port: u16,
     /// Initial language of the page; `None` selects the language of the browser.
     pub language: Option<Language>,
 }
 
-/// State of a running studio server.
+/// State of a running studio.
 struct Studio {
     guard: Guard,
     folder: Folder,
@@ -56,25 +56,25 @@ struct Studio {
     began: Instant,
 }
 
-/// A studio that listens but does not respond yet.
+/// Studio that already listens on its port but does not process requests yet.
 pub struct Ready {
     server: Server,
     studio: Studio,
 }
 
 impl Ready {
-    /// Address to open, with its token.
+    /// URL of the page, which contains the token.
     pub fn url(&self) -> String {
         self.studio.guard.url()
     }
 
-    /// Serves requests until the process ends.
+    /// Processes requests until the program ends.
     pub fn serve(self) -> ! {
         self.server.serve(self.studio)
     }
 }
 
-/// Opens the folder and starts listening on the loopback address.
+/// Opens the folder and listens on its port of the loopback address.
 ///
 /// # Errors
 ///
@@ -135,7 +135,7 @@ fn opened(path: Option<&Path>) -> Result<(Folder, Start)> {
     Ok((folder, start))
 }
 
-/// Locks the mutex. A panic of another thread leaves no inconsistent state.
+/// Locks the mutex, also after a panic in another thread, because such a panic leaves no inconsistent data.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! URL routing of the studio.
+//! URL routing of the studio's server.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use gaitcam::wording::Language;
 use gaitcam_app::page::fault::StudioError;
 use gaitcam_app::page::{Answer, Body, Hash, Host, LONGEST, Start, set_language};
 
-/// Maximum size of the body of a request, bytes.
+/// Maximum size of a request body, bytes.
 const QUESTION: usize = 4 << 20;
 const KEPT: usize = 64 << 20;
 
@@ -96,7 +96,7 @@ fn answered(answer: Answer) -> Response {
     Response { status, ..response }
 }
 
-/// A request to the engine. Its search ends when the page disconnects.
+/// Host of the engine for one request. The search of the request ends when the page disconnects.
 struct Asking<'s> {
     studio: &'s Studio,
     halt: Halt,

@@ -1,4 +1,4 @@
-//! The target force: arrays or recordings.
+//! Class `Force`: the target force, from arrays or from a recording.
 
 mod options;
 mod origin;
@@ -20,10 +20,10 @@ use crate::table::Table;
 use options::{OF_ARRAYS, OF_FILE, table_of_arrays};
 pub use origin::{FILE, Origin};
 
-/// One cycle of vertical force.
+/// One cycle of a vertical force.
 ///
-/// ``Force(t_s, f_n)`` is one cycle from its times (s) and forces (N), one-dimensional arrays of equal length. The times
-/// increase. The first sample may be repeated at the end.
+/// ``Force(t_s, f_n)`` defines a cycle by its times and forces, one-dimensional arrays of equal length. The times must increase. The first sample
+/// may be repeated at the end.
 ///
 /// Parameters
 /// ----------
@@ -32,7 +32,7 @@ pub use origin::{FILE, Origin};
 /// f_n : array of shape (n,)
 ///     Vertical forces, N.
 /// period_s : float, optional
-///     Duration of the cycle, s; by default the cycle ends one step after its last sample.
+///     Duration of the cycle, s. By default the cycle ends one time step after the last sample.
 /// mass_kg : float, optional
 ///     Mass of the walker, kg.
 /// name : str, optional
@@ -40,15 +40,15 @@ pub use origin::{FILE, Origin};
 #[pyclass(frozen, module = "gaitcam")]
 #[derive(Clone)]
 pub struct Force {
-    /// Cycle of the force.
+    /// Mean cycle of the force.
     pub curve: ForceCurve,
-    /// Source of the force.
+    /// Data from which the force was computed.
     pub origin: Origin,
     /// Name of the walker.
     pub name: String,
 }
 
-/// Default name of a force.
+/// Name of a force for which no name is given.
 const UNNAMED: &str = "force";
 
 impl Argument for Force {
@@ -56,13 +56,13 @@ impl Argument for Force {
 }
 
 impl Force {
-    /// Value of the argument `force`, if given.
+    /// Converts the argument `force`; `None` if it is not given.
     pub fn of_argument(force: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Force>> {
         let force = force.map(|f| Force::given(f, "force")).transpose()?;
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// Mean cycle of a recording, with the given name or that of its file.
+    /// Mean cycle of a recording. Without a name, the force has that of its file.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -75,7 +75,7 @@ impl Force {
         })
     }
 
-    /// Several walkers as one target. Forces of the same name are cycles of one walker; unnamed forces are numbered.
+    /// Combines several walkers into one target force. Forces of the same name are cycles of one walker; forces without a name are numbered.
     pub fn of_walkers(py: Python<'_>, forces: &[PyRef<'_, Force>]) -> PyResult<Force> {
         let walker = |(number, force): (usize, &PyRef<'_, Force>)| {
             let name = match force.name.as_str() {
@@ -88,7 +88,7 @@ impl Force {
         Force::of_population(py, &walkers)
     }
 
-    /// Population of walkers as one target force.
+    /// Combines a population of walkers into one target force.
     pub fn of_population(py: Python<'_>, walkers: &[Walker]) -> PyResult<Force> {
         let table = force::population_csv(walkers);
         let origin = Origin::Recording {
@@ -99,7 +99,7 @@ impl Force {
         Force::of_recording(py, origin, None)
     }
 
-    /// Content of a file of this force: of the recording, of its table of subjects, or of [`FILE`].
+    /// Content of a file that belongs to this force: the recording, its table of subjects, or [`FILE`]. `None` for other files.
     pub fn content(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
         match &self.origin {
             Origin::Arrays => {
@@ -110,11 +110,11 @@ impl Force {
         }
     }
 
-    /// Scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
+    /// Copy of a scene in which this force is the source in `[gait]`. Scale, band, phase and weights are unchanged.
     ///
     /// # Errors
     ///
-    /// A scene that is invalid with this force.
+    /// The scene is invalid with this force.
     pub fn named_in(&self, input: &Input) -> gaitcam::error::Result<Input> {
         let table = self.origin.named_in(&input.whole);
         let scene = scene::read(&table)?;
@@ -153,10 +153,10 @@ impl Force {
         })
     }
 
-    /// Mean cycle of a recording of walking from arrays. Stances are found and averaged as in :func:`read_gait`.
+    /// Mean cycle of a recording of walking that is given as arrays. Stances are detected and averaged as in :func:`read_gait`.
     ///
-    /// ``t_s`` has shape (n,), s; ``f_n`` has shape (n,) or (n, plates), N. The name is "recording" by default. The
-    /// options are those of :func:`read_gait` without names of columns and rate.
+    /// ``t_s`` (s) has shape (n,). ``f_n`` (N) has shape (n,) or (n, plates). The default name is "recording". The options are those of
+    /// :func:`read_gait`, without the names of columns and the sampling rate.
     #[staticmethod]
     #[pyo3(signature = (t_s, f_n, name = None, **options), text_signature = "(t_s, f_n, name=None, *, feet=None, mass=None, \
         mass_kg=None, unit=None, kind=None, accept=None, period=None, period_s=None, span=None, span_rad=None, noise=None,
@@ -176,7 +176,7 @@ impl Force {
         Force::of_recording(py, origin, name)
     }
 
-    /// Samples of one cycle at equal steps of phase from heel strike on, N; shape (n,).
+    /// Samples of one cycle at equal steps of phase, starting at heel strike, N; shape (n,).
     #[getter]
     fn force_n<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.curve.force_n)
@@ -190,7 +190,7 @@ impl Force {
         PyArray1::from_iter(py, times)
     }
 
-    /// Step-to-step standard deviation at the same phases, N; shape (n,); ``None`` if no cycles were averaged.
+    /// Step-to-step standard deviation of the force at the phases of ``force_n``, N; shape (n,). ``None`` if no cycles were averaged.
     #[getter]
     fn spread_n<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let spread = self.curve.spread_n.as_ref()?;
@@ -203,7 +203,7 @@ impl Force {
         self.curve.period_s
     }
 
-    /// Mean force, N.
+    /// Mean force over the cycle, N.
     #[getter]
     fn mean_n(&self) -> f64 {
         self.curve.mean_n()
@@ -215,19 +215,19 @@ impl Force {
         self.curve.mass_kg
     }
 
-    /// Name of the walker in all tables and results: the given name, else the stem of the file.
+    /// Name of the walker in all tables and results: the given name, otherwise the file name without its extension.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
-    /// Recorded movement: "walking", "running", …; ``None`` for a cycle from arrays.
+    /// Recorded movement: "walking", "running", …; ``None`` for a cycle that is given as arrays.
     #[getter]
     fn kind(&self) -> Option<&'static str> {
         Some(self.curve.recording.as_ref()?.kind?.name())
     }
 
-    /// Open questions about a recording that the options do not accept: "kind", "clock", "mass", "clipped".
+    /// Open questions about a recording that the options do not accept: "kind", "clock", "mass" or "clipped".
     #[getter]
     fn open(&self, py: Python<'_>) -> PyResult<Vec<&'static str>> {
         let accepted = self.origin.gait().raise(py)?.accept;
@@ -237,23 +237,24 @@ impl Force {
         Ok(open.map(OpenQuestion::name).collect())
     }
 
-    /// Contacts of a recording in order of time: a table of ``column``, ``foot``, ``start_s``, ``end_s`` (clock of the file),
-    /// ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` (reason for 0). It is empty for a
-    /// given cycle.
+    /// Contacts of a recording in the order of time, as a table. The columns are ``column``, ``foot``, ``start_s`` and ``end_s`` (clock of the
+    /// file), ``p1_n``, ``valley_n``, ``p2_n``, ``impulse`` (N s), ``used`` (1 or 0) and ``why`` (the reason if ``used`` is 0). A cycle that is
+    /// given as arrays has no contacts.
     #[getter]
     fn stances(&self) -> Table {
         let recording = self.curve.recording.as_ref();
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Complete strides of both feet with the columns of :attr:`stances`: peaks of the first stance, impulse of both feet.
+    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are those of the first stance; the impulse is that
+    /// of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();
         steps::table(&recording.map_or(Vec::new(), |r| r.stride_rows()))
     }
 
-    /// Warnings about a recording, as sentences: assumptions, exclusions and doubtful data.
+    /// Warnings about a recording, as sentences: assumptions, exclusions and implausible data.
     #[getter]
     fn warnings(&self) -> Vec<String> {
         let notes = self.curve.warnings();
@@ -327,15 +328,16 @@ impl Force {
     }
 }
 
-/// Reads a recording (C3D, OpenSim, text, insole exports) into its mean cycle of force.
+/// Reads a recording (C3D, OpenSim, text, insole exports) and computes its mean force cycle.
 ///
 /// Parameters
 /// ----------
-/// path : path of the file, or a list of paths: the plates of one trial in one file each
+/// path : path or list of paths
+///     File of the recording, or the files of the plates of one trial, one file per plate.
 /// name : str, optional
-///     Name of the walker in tables and results; the file's stem by default.
+///     Name of the walker in tables and results; by default the file name without its extension.
 /// feet : str
-///     Feet whose force is used: "both" (default), "one", "left", "right", "total".
+///     Feet whose force is used: "both" (default), "one", "left", "right" or "total".
 /// rate : str ("1000 Hz"), rate_hz : float
 ///     Sampling rate, if the file does not contain it.
 /// mass : str ("72.6 kg"), mass_kg : float
@@ -343,22 +345,23 @@ impl Force {
 /// unit : str ("kN")
 ///     Unit of the force columns.
 /// kind : str
-///     Movement: "walking", "running", "standing", "jumping", "sit-to-stand", "other".
+///     Kind of movement: "walking", "running", "standing", "jumping", "sit-to-stand" or "other".
 /// accept : str ("clock, mass")
-///     Accepted open questions; see :attr:`Force.open`.
+///     Open questions for which the assumption is accepted; see :attr:`Force.open`.
 /// time : str, force : str or list of str
-///     Names of the columns.
+///     Names of the columns with the time and with the force.
 /// period : str ("0.5 s"), period_s : float
-///     Duration of the cycle, if the file is one cycle for any machine.
+///     Duration of the cycle, if the file contains one cycle of any machine instead of a recording.
 /// span : str ("256 deg"), span_rad : float
-///     Part of the turn that the file covers.
+///     Range of the cam angle that the file covers.
 /// noise : str ("8 N" or "auto"), noise_n : float
-///     RMS noise of the readings, which limits the automatic accuracy.
+///     RMS noise of the sensor, which limits the automatically chosen accuracy.
 ///
 /// Raises
 /// ------
 /// InputError
-///     A file that cannot be read or has no cycle; an invalid option, with its key in ``[gait]`` of a scene.
+///     The file cannot be read or contains no cycle, or an option is invalid. The error contains the key of the option in
+///     ``[gait]``.
 #[pyfunction]
 #[pyo3(signature = (path, name = None, **options), text_signature = "(path, name=None, *, feet=None, rate=None, rate_hz=None, \
     mass=None, mass_kg=None, unit=None, kind=None, accept=None, time=None, force=None, period=None, period_s=None, \
@@ -395,7 +398,7 @@ pub fn read_gait(
     Force::of_recording(py, origin, name)
 }
 
-/// A recording in one file, or the plates of one trial in one file each.
+/// Path of a recording, or the paths of the plates of one trial, with one file for each plate.
 #[derive(FromPyObject)]
 pub enum Paths {
     One(PathBuf),

@@ -1,4 +1,4 @@
-//! Options of the reader of recordings: keys of `[gait]` as keywords of Python.
+//! Options for reading recordings: keys of `[gait]` as keyword arguments.
 
 use std::path::Path;
 
@@ -11,22 +11,22 @@ use toml::{Table, Value};
 use crate::convert;
 use crate::error::{Raise, argument};
 
-/// Options for a file. A quantity is a text with its unit, or a number under the name with the SI unit.
+/// Options for a file. A quantity is a text with its unit, or a number if the option name ends with the SI unit.
 pub const OF_FILE: [&str; 16] = [
     "feet", "rate", "rate_hz", "mass", "mass_kg", "unit", "kind", "accept", "time", "force",
     "period", "period_s", "span", "span_rad", "noise", "noise_n",
 ];
-/// Options for arrays, which have times and units and no column names.
+/// Options for arrays. They contain no options for the sampling rate and for names of columns, which arrays do not need.
 pub const OF_ARRAYS: [&str; 12] = [
     "feet", "mass", "mass_kg", "unit", "kind", "accept", "period", "period_s", "span", "span_rad",
     "noise", "noise_n",
 ];
 
-/// Section `[gait]` for a file with the options of a call.
+/// Section `[gait]` for a recording, from the keyword arguments of a call.
 ///
 /// # Errors
 ///
-/// `TypeError` with the accepted names for an unknown option, or for a quantity that is given twice.
+/// `TypeError` for an unknown option, with the accepted names, and for a quantity that is given twice.
 pub fn gait(
     py: Python<'_>,
     options: Option<&Bound<'_, PyDict>>,
@@ -47,11 +47,11 @@ pub fn gait(
     Ok(gait)
 }
 
-/// Name of a walker: the given one, else the default.
+/// Name of a walker: the given name, otherwise the default.
 ///
 /// # Errors
 ///
-/// A name that is blank or has control characters.
+/// The name is blank or contains control characters.
 pub fn name(py: Python<'_>, given: Option<&str>, default: &str) -> PyResult<String> {
     let Some(name) = given.map(str::trim) else {
         return Ok(default.to_string());
@@ -63,11 +63,11 @@ pub fn name(py: Python<'_>, given: Option<&str>, default: &str) -> PyResult<Stri
     Ok(name.to_string())
 }
 
-/// Table of a recording from arrays: times in s, one column in N per plate.
+/// Text table of a recording that is given as arrays: times in s, and one column in N for each plate.
 ///
 /// # Errors
 ///
-/// Arrays without numbers or of different lengths.
+/// The arrays do not contain numbers or have different lengths.
 pub fn table_of_arrays(t_s: &Bound<'_, PyAny>, f_n: &Bound<'_, PyAny>) -> PyResult<String> {
     let py = t_s.py();
     let np = py.import("numpy")?;

@@ -1,4 +1,4 @@
-//! Source of a force: arrays, or the content of a recording.
+//! Data from which a force is computed: arrays, or the content of a recording.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,21 +8,21 @@ use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, Gait};
 use toml::{Table, Value};
 
-/// File name of a force from arrays, in the folder of the result.
+/// Name of the file in the result folder that contains a force from arrays.
 pub use gaitcam_app::design::FORCE as FILE;
 
-/// Source of a force.
+/// Data from which a force is computed.
 #[derive(Clone)]
 pub enum Origin {
-    /// Force from arrays.
+    /// Arrays with one cycle.
     Arrays,
-    /// Force from a recording.
+    /// Recording, with the options for reading it.
     Recording {
-        /// Keys of the `[gait]` section.
+        /// Options for reading: keys of the section `[gait]`.
         gait: Table,
-        /// Content of the file.
+        /// Content of the recording file.
         bytes: Arc<Vec<u8>>,
-        /// Content of the table of subjects in the folder of the file, if any.
+        /// Content of the table of subjects in the folder of the file; `None` without such a table.
         metadata: Option<Vec<u8>>,
     },
 }
@@ -52,7 +52,7 @@ impl Files for Origin {
     }
 }
 
-/// Keys of `[gait]` that specify a force.
+/// Keys of `[gait]` that define the source of a force.
 const OF_SOURCE: [&str; 13] = [
     "file",
     "model",
@@ -70,7 +70,7 @@ const OF_SOURCE: [&str; 13] = [
 ];
 
 impl Origin {
-    /// Keys of `[gait]` that specify this force.
+    /// Keys of `[gait]` that define this force.
     pub fn keys(&self) -> Table {
         match self {
             Origin::Arrays => Table::from_iter([("file".to_string(), Value::from(FILE))]),
@@ -78,7 +78,7 @@ impl Origin {
         }
     }
 
-    /// Path of the first file of this force.
+    /// Path of the file of this force; for several files, of the first one.
     pub fn file(&self) -> PathBuf {
         let keys = self.keys();
         let name = keys.get("file").and_then(Value::as_str).unwrap_or(FILE);
@@ -86,28 +86,28 @@ impl Origin {
         PathBuf::from(first.unwrap_or(name))
     }
 
-    /// Section `[gait]` of this force.
+    /// Section `[gait]` that defines this force.
     ///
     /// # Errors
     ///
-    /// Invalid options.
+    /// An option is invalid.
     pub fn gait(&self) -> gaitcam::error::Result<Gait> {
         let gait = Value::Table(self.keys());
         let scene = scene::read_keys(&Table::from_iter([("gait".to_string(), gait)]))?;
         Ok(scene.gait.unwrap_or_default())
     }
 
-    /// Cycle of the force.
+    /// Mean cycle of the force.
     ///
     /// # Errors
     ///
-    /// Invalid options; a recording that cannot be read.
+    /// An option is invalid, or the recording cannot be read.
     pub fn curve(&self) -> gaitcam::error::Result<ForceCurve> {
         let curve = self.gait()?.force(self)?;
         curve.ok_or_else(|| SceneError::NoForceNamed.into())
     }
 
-    /// Table of a scene with this force in its `[gait]`, with unchanged scale, band, phase and weights.
+    /// Copy of the table of a scene in which this force is the source in `[gait]`. Scale, band, phase and weights are unchanged.
     pub fn named_in(&self, scene: &Table) -> Table {
         let mut table = scene.clone();
         let own = table.get("gait").and_then(Value::as_table).cloned();

@@ -1,4 +1,4 @@
-//! Measured points of a manufactured cam.
+//! Inspection of a manufactured cam by measured points.
 
 use std::path::PathBuf;
 
@@ -20,21 +20,21 @@ use crate::table::Table;
 /// ----------
 /// design : Design
 /// points : path, or array of shape (n, 2)
-///     Points in any order, in the coordinates of the measuring machine: a csv with the columns x_mm,y_mm
-///     or angle_deg,radius_mm (or m, in, rad), or an array of x and y in m.
+///     Measured points in any order, in the coordinates of the measuring machine: a CSV file with the columns x_mm,y_mm
+///     or angle_deg,radius_mm (units m, in and rad are also accepted), or an array of x and y in m.
 /// ball : float (m) or str ("1 mm"), optional
-///     Radius of the probing ball, if the points are its centres.
+///     Radius of the probing ball. It is required if the points are the centres of the ball.
 ///
 /// Returns
 /// -------
 /// Inspection
-///     ``summary``, a dict as in ``inspection.json``, and ``table`` with the ``deviation_m`` along the normal over
-///     ``theta_rad``; its ``line`` is the line of the file, or the row of the array, from 1.
+///     ``summary`` is a dictionary as in ``inspection.json``. ``table`` contains the deviation along the normal,
+///     ``deviation_m``, at the cam angle ``theta_rad``. ``line`` is the line in the file or the row of the array, counted from 1.
 ///
 /// Raises
 /// ------
 /// InputError
-///     Points that do not fit this cam; a file or an array without points.
+///     The points do not fit this cam, or there are no points.
 /// NoSuchCam
 ///     The design has no cam.
 #[pyfunction]
@@ -64,7 +64,7 @@ pub fn inspect<'py>(
     class.call1((convert::json(py, &json)?, Table::new(records, Vec::new())))
 }
 
-/// Points of a file, or of an array of x and y in m.
+/// Measured points from a file, or from an array of x and y in m.
 fn read(given: &Bound<'_, PyAny>) -> PyResult<Points> {
     let py = given.py();
     if let Ok(path) = given.extract::<PathBuf>() {

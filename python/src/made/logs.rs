@@ -1,4 +1,4 @@
-//! Logs of a running machine: its parameters, and the next cam.
+//! Use of machine logs: identification of machine parameters, and design of the next cam.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::interrupt;
 use crate::scene::Scene;
 use crate::synth::answer;
 
-/// Columns of a log from arrays.
+/// Names of the columns in a log from arrays.
 const COLUMNS: [&str; 5] = [
     "time_s",
     "theta_rad",
@@ -26,7 +26,7 @@ const COLUMNS: [&str; 5] = [
     "torque_n_m",
 ];
 
-/// Options of the columns of files.
+/// Options that name the columns of log files.
 const OPTIONS: [&str; 6] = [
     "time",
     "angle",
@@ -36,30 +36,32 @@ const OPTIONS: [&str; 6] = [
     "counts_per_turn",
 ];
 
-/// Identifies the machine from its logs; the result is that of ``gaitcam identify --json``.
+/// Identifies the parameters of a machine from its logs. The result is that of ``gaitcam identify --json``.
 ///
 /// Parameters
 /// ----------
 /// design : Design
 /// logs : path, mapping of arrays, or a list of these
-///     Steady runs, also at several speeds. A file has columns of force and of time or cam angle (or both), and optionally
-///     of speed and torque, with their units. A mapping has ``force_n`` and ``time_s`` or ``theta_rad``, and
-///     optionally ``speed_rad_per_s`` and ``torque_n_m``: arrays of shape (n,) in SI.
+///     Logs of steady running, at one or several speeds. A file must contain columns of the force, and of the time or the cam
+///     angle (or both). Columns of speed and torque are optional. Columns are recognised by their names and units. A
+///     mapping must contain ``force_n``, and ``time_s`` or ``theta_rad``. ``speed_rad_per_s`` and ``torque_n_m`` are optional.
+///     The values of the mapping are arrays of shape (n,) in SI units.
 /// time, angle, force, speed, torque : str
-///     Columns of the files by name or number, if they are not recognised.
+///     Name or number of the column in the files, if the column is not recognised automatically.
 /// counts_per_turn : float
-///     Encoder counts per turn of the cam, if the column of the angle contains counts.
+///     Encoder counts per turn of the cam, if the angle is given in counts.
 ///
 /// Returns
 /// -------
 /// dict
-///     ``parameters`` (each ``key``, ``value``, ``low``, ``high``, ``identifiable``), ``noise_rms_n``,
-///     ``repeatable_rms_n``, ``next_run``.
+///     ``parameters`` is a list of dictionaries with ``key``, ``value``, ``low`` and ``high`` (limits of the 95 % interval), and
+///     ``identifiable``. ``noise_rms_n`` and ``repeatable_rms_n`` are the RMS noise and the RMS repeatable force error, N.
+///     ``next_run`` is a further run that would identify more parameters, or ``None``.
 ///
 /// Raises
 /// ------
 /// InputError
-///     A log without a steady run of this machine, with the reason.
+///     A log contains no steady running of this machine. The message contains the reason.
 /// NoSuchCam
 ///     The design has no cam.
 #[pyfunction]
@@ -85,20 +87,21 @@ pub fn identify<'py>(
 /// ----------
 /// design : Design
 /// logs, time, angle, force, speed, torque, counts_per_turn
-///     As for :func:`identify`. The log closest to the speed of the design is used for the correction, the others for the
-///     identification.
+///     The arguments of :func:`identify`. The log with the speed closest to that of the design is used for the correction. The
+///     other logs are used only for the identification.
 ///
 /// Returns
 /// -------
 /// Design
-///     ``summary["recut"]`` contains the force error before the correction and the predicted one.
+///     Design of the next cam. ``summary["recut"]`` contains the measured force error before the correction and the predicted
+///     force error after it.
 ///
 /// Raises
 /// ------
 /// InputError
-///     A log without a steady run of this machine.
+///     A log contains no steady running of this machine.
 /// NoSuchCam
-///     The difference of the logs from the design is noise.
+///     The differences between logs and design are only noise, or the design has no cam.
 #[pyfunction]
 #[pyo3(signature = (design, logs, **columns), text_signature = "(design, logs, *, time=None, angle=None, force=None, \
     speed=None, torque=None, counts_per_turn=None)")]
@@ -136,7 +139,7 @@ pub fn recut(
     Ok(cut)
 }
 
-/// Logs, and the paths of their files.
+/// Reads logs from files or arrays. Returns the logs, and the paths of those from files.
 fn read(
     given: &Bound<'_, PyAny>,
     columns: Option<&Bound<'_, PyDict>>,
@@ -177,7 +180,7 @@ fn read(
     Ok((logs, files))
 }
 
-/// Columns in SI from a mapping of arrays.
+/// Columns of a log in SI units, from a mapping of names to arrays.
 fn arrays(log: &Bound<'_, PyAny>) -> PyResult<LogColumns> {
     let mut columns: [Option<Vec<f64>>; 5] = Default::default();
     for name in convert::keys(log, "logs")? {

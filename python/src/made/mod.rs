@@ -1,4 +1,4 @@
-//! Manufactured cams: simulation, inspection, and logs of their machines.
+//! Functions for a manufactured cam: simulation, inspection, and evaluation of machine logs.
 
 pub mod inspect;
 pub mod logs;

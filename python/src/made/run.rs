@@ -1,4 +1,4 @@
-//! Simulation of the emitted cam.
+//! Simulation of the cam with the numbers of its exported files.
 
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
@@ -16,7 +16,7 @@ use crate::html;
 use crate::scene::Scene;
 use crate::table::Table;
 
-/// Result of a simulation of the emitted cam.
+/// Result of a simulation of the cam with the numbers of its exported files.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Run {
     outcome: Outcome,
@@ -28,19 +28,20 @@ pub struct Run {
     force: Option<Py<PyAny>>,
 }
 
-/// Simulates the emitted cam of a design, instead of its law.
+/// Simulates the cam of a design with the numbers of its exported files, instead of the exact law.
 ///
 /// Parameters
 /// ----------
 /// design : Design
 /// model : str
-///     "auto" (the simplest that is sufficient), "rigid", "flexible" or "contact".
+///     Model of the machine: "rigid", "flexible", "contact", or "auto" for the simplest sufficient model.
 /// machine : dict, optional
-///     Another machine around the same cam, by dotted keys of a scene: ``{"drive.mass": "9 kg", "drive.speed": "150 rpm",
-///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*`` are allowed, because the cam is made.
+///     Changes of the machine in which the cam runs, by dotted keys of a scene: ``{"drive.mass": "9 kg", "drive.speed": "150 rpm",
+///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*`` are allowed, because the
+///     cam does not change.
 /// force : Force, optional
-///     Force of another walker, which is the target of this run. It determines mass and speed of the machine if the
-///     scene does not state them.
+///     Force of another walker, which is the target in this simulation. If the scene contains no mass or speed of the machine,
+///     they are computed from this force.
 ///
 /// Raises
 /// ------
@@ -88,7 +89,7 @@ pub fn simulate(
     })
 }
 
-/// The scene of a design with another machine and another force.
+/// Scene of a design in which the machine is changed and the force is replaced.
 fn scene_of(
     py: Python<'_>,
     design: &Design,
@@ -120,25 +121,25 @@ impl Run {
         self.outcome.model.name()
     }
 
-    /// Reason for the selected model, as a sentence.
+    /// Reason why this model was selected, as a sentence.
     #[pyo3(signature = (lang = "en"))]
     fn why(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
         Ok(self.outcome.why.sentence(crate::asked::language(py, lang)?))
     }
 
-    /// Class of the cam after this run.
+    /// Verdict on the cam after the simulation: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
     #[getter]
     fn verdict(&self) -> &'static str {
         self.verdict
     }
 
-    /// Whether the follower leaves the cam.
+    /// Whether the follower loses contact with the cam.
     #[getter]
     fn contact_lost(&self) -> bool {
         self.outcome.contact_lost
     }
 
-    /// Findings, as in ``gaitcam simulate --json``, in SI units; the names contain the units.
+    /// Results as in ``gaitcam simulate --json``. Numbers are in SI units, and names end with the unit.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut json = simulation::json(&self.outcome);
@@ -146,7 +147,7 @@ impl Run {
         convert::json(py, &json)
     }
 
-    /// One repetition of the motion at equal angles, as in ``dynamics.csv``.
+    /// One repetition of the motion at equal steps of the cam angle, as in ``dynamics.csv``.
     #[getter]
     fn table(&self) -> Table {
         Table::of_numbers(simulation::columns(&self.outcome))

@@ -1,4 +1,4 @@
-//! Definition of a sweep, as given and as pickled.
+//! Definition of a sweep from the arguments of a call or from its pickled state.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -17,15 +17,15 @@ use crate::error::{Raise, argument};
 use crate::force::Force;
 use crate::scene::Scene;
 
-/// Definition of a sweep: scenes, force and axes.
+/// Definition of a sweep: base scenes, force and varied keys.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// Force of all scenes, until its content is among the files of the sweep.
+    /// Force that replaces those of all scenes; `None` if the definition was restored from a pickle, which contains the files instead.
     force: Option<Force>,
     asked: SweepQuestion,
 }
 
-/// Files of a base scene: those of the given force, then those on the disk.
+/// Access to the files of a base scene: first those of the given force, then those on the disk.
 struct Given {
     force: Option<Force>,
     disk: Disk,
@@ -61,7 +61,7 @@ impl scene::Files for Given {
     }
 }
 
-/// Base scenes of a list.
+/// Base scenes from a list of scenes or from a single scene.
 pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     let mut out = Vec::new();
     let all = list.try_iter();
@@ -75,7 +75,7 @@ pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
     Ok(out)
 }
 
-/// Axis of a key: a range, a list, or the syntax of the command line.
+/// Varied key with a range or a list of values, or with a text in the syntax of the command line.
 fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Varied> {
     if let Ok(text) = values.cast::<PyString>() {
         return Ok(Varied::Text(format!("{key}={text}")));
@@ -110,7 +110,7 @@ fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Va
     })
 }
 
-/// A column of a list.
+/// Varied key with the values of one column of `rows`.
 fn of_column(name: String, values: &Bound<'_, PyAny>) -> PyResult<Varied> {
     if convert::si_key(&name).is_some() {
         let numbers = convert::numbers(values, &name)?.as_array().to_vec();
@@ -129,7 +129,7 @@ fn starts_number(value: &Bound<'_, PyAny>) -> bool {
         .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// Value in the form of a scene file.
+/// Text of a value as in a scene file.
 fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
     if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
         return Ok(value.str()?.to_string());
@@ -148,7 +148,7 @@ fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
 }
 
 impl Question {
-    /// Definition with scenes but without axes.
+    /// Creates a definition with base scenes that does not vary any key yet.
     pub fn new(
         py: Python<'_>,
         scenes: Vec<Scene>,
@@ -174,7 +174,7 @@ impl Question {
         })
     }
 
-    /// Sets one force for all scenes, instead of the one in each scene.
+    /// Sets a force that replaces the force of every scene.
     pub fn force(&mut self, py: Python<'_>, force: Option<Force>) -> PyResult<()> {
         for (scene, force) in self.scenes.iter_mut().zip(force.iter().cycle()) {
             *scene = Scene::of_input(force.named_in(&scene.input).raise(py)?);
@@ -184,7 +184,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds axes of the sweep.
+    /// Adds keys of which all combinations of values are computed.
     pub fn vary(&mut self, axes: Option<&Bound<'_, PyDict>>, sampled: bool) -> PyResult<()> {
         for (key, values) in axes.into_iter().flatten() {
             let axis = of_axis(key.extract()?, &values, sampled)?;
@@ -193,7 +193,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds columns of values that vary together.
+    /// Adds keys whose values are combined row by row.
     pub fn rows(&mut self, rows: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let Some(rows) = rows else { return Ok(()) };
         for name in convert::keys(rows, "rows")? {
@@ -203,7 +203,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds the axis of recordings before all others. Without recordings, scenes without a force are rejected.
+    /// Adds recordings, each of which is combined with all other values. Without recordings, scenes without a force are rejected.
     pub fn recordings(&mut self, py: Python<'_>, paths: Option<Vec<PathBuf>>) -> PyResult<()> {
         let Some(paths) = paths else {
             return self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()));
@@ -217,7 +217,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds manufacturing tolerances.
+    /// Adds manufacturing tolerances, each with its half width.
     pub fn tolerances(&mut self, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         for (part, width) in parts.into_iter().flatten() {
             let part: String = part.extract()?;
@@ -231,7 +231,7 @@ impl Question {
     ///
     /// # Errors
     ///
-    /// Invalid axes, rows, tolerances and recordings.
+    /// A varied key, a row, a tolerance or a recording is invalid.
     pub fn sweep(&self, files: Option<Files>) -> Result<gaitcam::sweep::Sweep> {
         if let Some(files) = files {
             return gaitcam::sweep::Sweep::with_files(self.asked.subject()?, files);
@@ -244,7 +244,7 @@ impl Question {
         self.asked.sweep(|index| &files[index])
     }
 
-    /// Pickled state: scenes as text, other data as given, and the content of every file once.
+    /// State for pickling: the scenes, the definition as JSON, and the content of every file once.
     pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
         // The same object twice is pickled once.
         let mut contents: HashMap<*const Vec<u8>, Bound<'py, PyBytes>> = HashMap::new();
@@ -260,7 +260,7 @@ impl Question {
         Ok(state.into_pyobject(py)?.into_any())
     }
 
-    /// Definition and files restored from [`Question::state`].
+    /// Definition and files from a state that [`Question::state`] returned.
     pub fn restore(state: &Bound<'_, PyAny>) -> PyResult<(Question, Files)> {
         let item = |i: usize| state.get_item(i);
         let mut files = Files::new();
@@ -294,7 +294,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// Base scene with its name in the rows.
+/// Base scene with the name that it has in the rows.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),

@@ -1,8 +1,10 @@
-//! Functions that a browser calls: memory for a request, its response, bytes to store.
+//! Functions that a browser calls: to reserve memory for a request, to process the request, to store a file, and to free the response.
 //!
-//! Only numbers are passed: addresses and lengths. The first four bytes of a response are its length. The response for a file is a JSON object with
-//! the media type, a line break, and the bytes. This module owns the memory that the page may read or write. A wrong address therefore leads to an
-//! empty request and never to invalid access.
+//! Only addresses and lengths are passed. The first four bytes of a response are its length. The response for a file consists of a JSON object with
+//! the media type, a line break, and the bytes of the file.
+//!
+//! This module owns the memory that the page may read or write. A wrong address is therefore treated as an empty request and never leads to an
+//! invalid access.
 #![allow(unsafe_code)] // Exported names and the imported clock; there is no unsafe block.
 
 use std::collections::BTreeMap;
@@ -22,11 +24,11 @@ use gaitcam::scene;
 
 #[link(wasm_import_module = "env")]
 unsafe extern "C" {
-    /// Clock of the page, s.
+    /// Current time of the page's clock, s.
     safe fn seconds() -> f64;
 }
 
-/// Host in a browser. It has no folder, and a search ends with its worker or after the time limit.
+/// Host in a browser. It has no folder. A search ends at the time limit, or when the page stops its worker.
 struct Page;
 
 impl Host for Page {
@@ -52,7 +54,7 @@ impl Host for Page {
 }
 
 static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
-/// Requests written and responses read by the page, by their addresses.
+/// Memory of requests that the page writes and of responses that it reads, by address.
 static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 fn share(mut bytes: Vec<u8>) -> *mut u8 {
@@ -65,26 +67,26 @@ fn taken(at: *mut u8) -> Vec<u8> {
     lock(&SHARED).remove(&(at as usize)).unwrap_or_default()
 }
 
-/// Address of bytes for the page, preceded by their length.
+/// Stores bytes for the page, preceded by their length, and returns their address.
 fn given(bytes: &[u8]) -> *mut u8 {
     let mut all = (bytes.len() as u32).to_le_bytes().to_vec();
     all.extend_from_slice(bytes);
     share(all)
 }
 
-/// Address of `length` bytes, which the page fills and passes to [`ask`] or [`keep`].
+/// Reserves `length` bytes and returns their address. The page fills the memory and passes the address to [`ask`] or [`keep`].
 #[unsafe(no_mangle)]
 extern "C" fn room(length: usize) -> *mut u8 {
     share(vec![0; length])
 }
 
-/// Frees the memory of a response that the page has copied.
+/// Frees the memory of a response after the page has copied it.
 #[unsafe(no_mangle)]
 extern "C" fn free(at: *mut u8) {
     taken(at);
 }
 
-/// Processes a request: a route, a line break, and the request body. Returns the address of the response.
+/// Processes a request, which consists of a route, a line break and the request body. Returns the address of the response.
 #[unsafe(no_mangle)]
 extern "C" fn ask(at: *mut u8) -> *mut u8 {
     let all = taken(at);
@@ -102,7 +104,7 @@ extern "C" fn ask(at: *mut u8) -> *mut u8 {
     }
 }
 
-/// Stores the bytes of a file. The response is their hash.
+/// Stores the bytes of a file. Returns the address of a response with the hash of the bytes.
 #[unsafe(no_mangle)]
 extern "C" fn keep(at: *mut u8) -> *mut u8 {
     given(ENGINE.keep(taken(at)).as_str().as_bytes())

@@ -1,4 +1,4 @@
-//! Responses and their errors as data.
+//! Responses to the page, including errors as data.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -7,7 +7,7 @@ use crate::page::fault::StudioError;
 use crate::page::{plain, remedies, words};
 use gaitcam::error::{Error, Place, ReadError, Result};
 
-/// Pairs of columns that contain the coordinates of a contour, by the first words of their names.
+/// Pairs of columns that contain the coordinates of a contour, given by the first words of the column names.
 const CONTOURS: [[&str; 2]; 4] = [
     ["x", "y"],
     ["angle", "radius"],
@@ -22,7 +22,7 @@ pub enum Body {
     Json(Vec<u8>),
     /// A file of a design.
     File {
-        /// Name under which the file is saved.
+        /// Name under which the user saves the file.
         name: String,
         /// Media type of the file.
         kind: &'static str,
@@ -31,17 +31,17 @@ pub enum Body {
     },
 }
 
-/// A response to the page.
+/// Response to a request of the page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Whether the request was valid; a fault of the scene is a valid response too.
+    /// Whether the request itself was valid. It may be valid although the scene in it is invalid.
     pub understood: bool,
     /// Content of the response.
     pub body: Body,
 }
 
 impl Answer {
-    /// Response to a valid request, with `value` as JSON.
+    /// Response to a valid request, with `value` converted to JSON.
     pub fn json(value: &impl Serialize) -> Answer {
         // Structs with string keys: this cannot fail.
         let body = Body::Json(serde_json::to_vec(value).unwrap_or_default());
@@ -49,7 +49,7 @@ impl Answer {
         Answer { understood, body }
     }
 
-    /// Response with data, or with the error as data.
+    /// Response to a valid request: the data, or the error converted to JSON.
     pub fn of<T: Serialize>(result: Result<T>) -> Answer {
         match result {
             Ok(value) => Answer::json(&value),
@@ -57,7 +57,7 @@ impl Answer {
         }
     }
 
-    /// Response for an invalid request.
+    /// Response to an invalid request, with the reason `fault`.
     pub(crate) fn bad(fault: String) -> Answer {
         let error = Error::from(StudioError::BadRequest { fault });
         Answer {
@@ -67,7 +67,7 @@ impl Answer {
     }
 }
 
-/// Error as data for the page.
+/// Error as JSON for the page: code, key, location, message, help and corrections.
 pub fn fault_json(error: &Error) -> Value {
     let language = words::current();
     if let Some(contour) = contour(error) {
@@ -97,7 +97,7 @@ pub fn fault_json(error: &Error) -> Value {
     }})
 }
 
-/// Error for a table whose columns are the coordinates of a contour instead of a force.
+/// Specific error for a table whose columns are the coordinates of a contour; `None` for other errors.
 fn contour(error: &Error) -> Option<Error> {
     let Some(ReadError::NoForceColumn { columns }) = error.fault() else {
         return None;

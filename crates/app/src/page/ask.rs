@@ -1,4 +1,4 @@
-//! Requests by their routes.
+//! Assignment of requests to functions by their routes.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -14,8 +14,8 @@ use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
 impl Engine {
-    /// Processes a request. `of` in every response is the hash of the request. If a named file is not stored, the response consists of its hash in
-    /// `missing`.
+    /// Processes a request. JSON responses contain the hash of the request as `of`. If files of the request are not stored, the response contains
+    /// the list `missing` with their hashes instead of a result.
     pub fn answer(&self, host: &dyn Host, route: &str, question: &[u8]) -> Answer {
         let mut answer = match serde_json::from_slice::<Map<String, Value>>(question) {
             Ok(object) => self.routed(host, route, object),
@@ -64,7 +64,7 @@ impl Engine {
         }
     }
 
-    /// Processes requests that the first module of the page passes to the second.
+    /// Processes the requests that need the second WebAssembly module, which includes CAD. The first module of the page forwards them.
     fn whole(&self, files: &Files, route: &str, object: Map<String, Value>) -> Answer {
         match route {
             "simulate" => asked(object, |q| runs::simulate(files, q)),
@@ -81,7 +81,7 @@ impl Engine {
     }
 }
 
-/// Parses a request and computes its response.
+/// Parses the body of a request and passes it to `reply`. Returns the response.
 fn asked<Q: DeserializeOwned, A: Serialize>(
     object: Map<String, Value>,
     reply: impl Fn(&Q) -> Result<A>,

@@ -1,4 +1,4 @@
-//! Changes of a scene's table: values by their keys, and entries of lists.
+//! Changes of a scene's table: values of keys, and entries of lists.
 
 use std::collections::BTreeMap;
 
@@ -11,18 +11,18 @@ use gaitcam::error::{Error, Place, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene, unset};
 
-/// A change of a scene.
+/// One change of a scene.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Edit {
-    /// Sets a value as written in a scene file. An empty value removes the key.
+    /// Sets a key to a value as written in a scene file. An empty value removes the key.
     Set {
         /// Dotted key of the value.
         key: String,
-        /// New value of the key.
+        /// New value of the key, as text.
         value: String,
     },
-    /// Adds an entry to a list, as a copy of the preceding one or as the first entry.
+    /// Inserts an entry in a list. It is a copy of the preceding entry, or a valid default if the list is empty.
     Insert {
         /// Dotted name of the list.
         list: String,
@@ -45,17 +45,17 @@ pub enum Edit {
         /// Number of the entry after the move.
         to: usize,
     },
-    /// Replaces all segments of the programme. The family becomes the programme, and contradicting keys are removed. Without segments the family is
-    /// removed.
+    /// Replaces all segments of the motion programme. The family becomes `program`, and keys that contradict it are removed. Without segments, the
+    /// family is removed.
     Programme {
-        /// Texts of each segment by column. Empty texts are left out.
+        /// Texts of each segment, by the names of its columns. Empty texts are omitted.
         segments: Vec<BTreeMap<String, String>>,
     },
 }
 
-/// Maximum number of attempts to complete a scene after a choice.
+/// Maximum number of corrections that complete a scene after a choice of the user.
 const MENDINGS: usize = 12;
-/// Keys that do not apply to a programme: the target force with all derived keys, and keys of other families.
+/// Keys that do not apply to a motion programme: the target force, the keys that depend on it, and keys of other families.
 const SET_ASIDE: [&str; 15] = [
     "gait",
     "accuracy",
@@ -73,17 +73,17 @@ const SET_ASIDE: [&str; 15] = [
     "law.point",
     "law.dwell",
 ];
-/// Shaft speed of a programme in a scene whose speed was derived from its force.
+/// Shaft speed that replaces a speed computed from the force, if a scene becomes a motion programme.
 const SPEED: &str = "60 rpm";
 
-/// Function that reads a scene with the files of its motions.
+/// Function that parses the table of a scene and reads the files of its motions.
 pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
 
-/// Applies a change.
+/// Applies a change to the table of a scene.
 ///
 /// # Errors
 ///
-/// Paths through values; missing entries.
+/// The path of a key leads through a value that is not a table, or a list entry does not exist.
 pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
     match edit {
         Edit::Set { key, value } if value.trim().is_empty() => {
@@ -140,7 +140,7 @@ fn no_entry(list: &str, number: usize) -> Error {
     StudioError::NoEntry { list, number }.into()
 }
 
-/// Entries of a list in the table of a scene.
+/// Entries of a list in the table of a scene. A list that does not exist is an error.
 fn entries<'t>(table: &'t mut Table, list: &str) -> Result<&'t mut Vec<Value>> {
     let (section, name) = list.split_once('.').unwrap_or(("", list));
     let inside = match section {
@@ -176,7 +176,7 @@ fn insert(table: &mut Table, list: &str, number: usize) -> Result<()> {
     Ok(())
 }
 
-/// First entry of a list that is still empty.
+/// Valid default for the first entry of a list.
 fn first(list: &str) -> Value {
     let pairs: &[(&str, &str)] = match list {
         "law.point" => &[("angle", "0"), ("lift", "0")],
@@ -189,7 +189,7 @@ fn first(list: &str) -> Value {
     Value::Table(entry.collect())
 }
 
-/// Adds the keys that a choice requires and removes those that do not exist for it.
+/// Adds the keys that a choice of the user requires, and removes the keys that do not exist with this choice.
 fn mend(table: &mut Table, read: &Read) {
     for _ in 0..MENDINGS {
         let Err(fault) = read(table) else {
@@ -218,13 +218,13 @@ fn mend(table: &mut Table, read: &Read) {
     }
 }
 
-/// Valid value of a key.
+/// Valid value of a key, as text.
 fn example(key: &Key) -> String {
     let example = key.example(&Scene::default());
     example.split('"').nth(1).unwrap_or("0").to_string()
 }
 
-/// Replaces the law by the segments of a programme.
+/// Replaces the law of the scene by the segments of a motion programme.
 fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Read) -> Result<()> {
     if segments.is_empty() {
         unset(table, "law.segment");
@@ -261,7 +261,7 @@ fn programme(table: &mut Table, segments: &[BTreeMap<String, String>], read: &Re
     Ok(())
 }
 
-/// Removes keys that contradict a programme. A mass or a speed that was derived from the force has no source then.
+/// Removes keys that contradict a motion programme. A mass or a speed that was computed from the force is replaced.
 fn set_aside(table: &mut Table) -> Result<()> {
     for key in SET_ASIDE {
         unset(table, key);

@@ -1,4 +1,4 @@
-//! Faults of the page and its server. Their messages are in `words/`.
+//! Errors of the page and of its server. Their messages are in `words/`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -7,7 +7,7 @@ use crate::page::words::WORDS;
 use gaitcam::error::Fault;
 use gaitcam::wording::Catalogue;
 
-/// Faults of the requests of the page, and of its server.
+/// Error in a request of the page, or in its server.
 #[allow(missing_docs)] // The fields are the arguments of the sentences.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -15,9 +15,9 @@ use gaitcam::wording::Catalogue;
 pub enum StudioError {
     /// The path is outside the opened folder.
     Outside,
-    /// The system cannot read a file.
+    /// The operating system cannot read a file.
     CannotRead { fault: String },
-    /// The system cannot write a file.
+    /// The operating system cannot write a file.
     CannotWrite { fault: String },
     /// The file name is invalid.
     FileName { name: String },
@@ -25,19 +25,19 @@ pub enum StudioError {
     NotToml { line: usize, fault: String },
     /// The server does not support the request.
     BadRequest { fault: String },
-    /// The file was not provided to a page without a folder.
+    /// The user has not provided the file to a page without a folder.
     NotDropped,
     /// The design has no file of this name.
     NoFile { name: String },
     /// The list entry does not exist.
     NoEntry { list: String, number: usize },
-    /// The port is in use.
+    /// The network port is used by another program.
     Port { port: u16, fault: String },
     /// The force has no single mean cycle.
     NoCycle,
     /// The file contains the contour of a cam instead of a recording.
     Contour { columns: String },
-    /// The points of a force are too few, too many or not finite.
+    /// The points of a drawn force are too few, too many or not finite.
     FewPoints,
 }
 

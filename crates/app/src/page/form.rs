@@ -1,4 +1,4 @@
-//! Contents of the form's fields for one scene: text, placeholder, slider.
+//! Contents of the form for one scene: text, placeholder and slider of each field.
 
 use std::collections::BTreeMap;
 
@@ -11,24 +11,24 @@ use gaitcam::scene::keys::{KEYS, Key, Kind, Range};
 use gaitcam::synth::{Design, FIGURES, Figure, Figures};
 use gaitcam::units::{Dimension, parse};
 
-/// A field of the form.
+/// Contents of one field of the form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Field {
-    /// Text in the scene file; empty if the key is absent.
+    /// Text of the value in the scene file; empty if the scene omits the key.
     pub text: String,
-    /// Value that is used without text: that of the design, or the default.
+    /// Value that applies if the field is empty: the value of the design, or the default.
     pub placeholder: String,
-    /// Value in the design for a key that the scene omits.
+    /// Value of the design for a key that the scene omits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
     pub acts: bool,
-    /// Slider, for keys with a meaningful range.
+    /// Slider of the field; `None` if no meaningful range is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slider: Option<Slider>,
 }
 
-/// A slider in the unit of its field.
+/// Range and position of a slider, in the unit of its field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slider {
     /// Lower end of the slider, in `unit`.
@@ -39,11 +39,11 @@ pub struct Slider {
     pub step: f64,
     /// Position of the slider, in `unit`.
     pub at: f64,
-    /// Unit after the number in a scene file, with its blank; empty for a count.
+    /// Unit after the number in a scene file, with the space before it; empty for a count.
     pub unit: String,
 }
 
-/// Fields of a scene by their keys. The keys of list entries contain their numbers.
+/// Fields of all keys that exist in the scene, by key. The keys of list entries contain the numbers of the entries.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
     let figures = design.map(Figures::of);
     let several = design
@@ -115,7 +115,7 @@ fn length(table: &Table, list: &str) -> usize {
         .map_or(0, Vec::len)
 }
 
-/// Text of a value in its field: texts without their quotes; empty if the scene has no value.
+/// Text of a value in its field, without quotation marks; empty if the scene omits the key.
 pub fn typed(table: &Table, path: &str) -> String {
     match at(table, path) {
         None => String::new(),
@@ -127,7 +127,7 @@ pub fn typed(table: &Table, path: &str) -> String {
     }
 }
 
-/// Value in the design of a key that the scene omits, SI.
+/// Value, in SI units, that the design has for a key; `None` if it is unknown.
 fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
     let figures = figures?;
     let value = match path {
@@ -148,7 +148,7 @@ fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Opti
     value.is_finite().then_some(value)
 }
 
-/// Number in the customary unit of scenes.
+/// Text of a value, given in SI units, in the customary unit of scene files.
 fn shown(value: f64, dimension: Dimension) -> String {
     let unit = Unit::of(dimension);
     let (number, name) = (short(value * unit.factor), unit.name);
@@ -159,7 +159,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
     }
 }
 
-/// Number with four significant digits, without trailing zeros.
+/// Text of a number with four significant digits, without trailing zeros.
 fn short(value: f64) -> String {
     let text = format!("{value:.3e}");
     text.parse::<f64>().map_or(text, |x| format!("{}", x + 0.0))
@@ -208,7 +208,7 @@ fn slider(
     })
 }
 
-/// Usual range of a key, narrower than its permitted range, SI; `None` for other keys.
+/// Customary range of a key in SI units, narrower than its permitted range; `None` for other keys.
 fn usual(path: &str) -> Option<(f64, f64)> {
     match path {
         "gait.step_frequency" => Some((1.0, 3.0)),
@@ -217,7 +217,8 @@ fn usual(path: &str) -> Option<(f64, f64)> {
     }
 }
 
-/// Ends of a slider as round numbers with the value well inside. Positive values start close to zero.
+/// Ends of a slider for the value `at`, in the unit of the field. The ends are simple numbers, and the value is not close to them. For a positive
+/// value, the lower end can be near zero.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
         Range::Acute => (
@@ -255,7 +256,7 @@ fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64
     Some(ends)
 }
 
-/// Smallest of the numbers 1, 2 and 5 times a power of ten that is at least `x`.
+/// Smallest number that is 1, 2 or 5 times a power of ten and at least `x`.
 fn round_above(x: f64) -> f64 {
     let power = libm::pow(10_f64, libm::log10(x).floor());
     let times = [1.0, 2.0, 5.0, 10.0].into_iter();
@@ -263,12 +264,12 @@ fn round_above(x: f64) -> f64 {
     tidy(round.unwrap_or(10.0 * power))
 }
 
-/// Number with four significant digits, so that products of units have no rounding digits.
+/// Number rounded to four significant digits, so that a product with a unit factor has no digits from rounding errors.
 fn tidy(x: f64) -> f64 {
     short(x).parse().unwrap_or(x)
 }
 
-/// Unit as typed, or the customary unit, with the blank before it.
+/// Unit of the text, or the customary unit if the text has none, with the space before it.
 fn unit_of(text: &str, dimension: Dimension) -> String {
     let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
     let typed = text.trim().trim_start_matches(number).trim();
@@ -290,7 +291,7 @@ mod tests {
     use super::*;
     use gaitcam::scene::{built_in, read, set};
 
-    /// With several walkers, the shown error is the minimised objective over them, not the error of their mean curve.
+    /// With several walkers, the placeholder is the minimised objective over all walkers, not the error of their mean curve.
     #[test]
     fn an_accuracy_that_is_left_open_shows_the_error_that_would_be_judged() {
         for robust in ["mean", "worst", "cvar 0.5"] {

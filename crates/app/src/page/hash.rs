@@ -1,19 +1,19 @@
-//! Hash that identifies bytes.
+//! SHA-256 hashes that identify files and designs.
 
 use std::fmt;
 
-/// SHA-256 of some bytes, in 64 hexadecimal digits.
+/// SHA-256 hash as 64 hexadecimal digits.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
 pub struct Hash(String);
 
 impl Hash {
-    /// SHA-256 of `bytes`.
+    /// SHA-256 hash of `bytes`.
     pub fn of(bytes: &[u8]) -> Hash {
         Hash::of_parts(&[bytes])
     }
 
-    /// Hash of several parts, in order.
+    /// SHA-256 hash of several byte strings in the given order.
     pub fn of_parts(parts: &[&[u8]]) -> Hash {
         let mut sum = hmac_sha256::Hash::new();
         for part in parts {

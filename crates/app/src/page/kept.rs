@@ -1,4 +1,4 @@
-//! Cache between requests, and services of the host for a response.
+//! Data that is cached between requests, and services of the host that processes them.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -15,59 +15,59 @@ use gaitcam::scene::Scene;
 use gaitcam::synth::Design;
 use gaitcam_output::Timing;
 
-/// Maximum number of stored files, and of their bytes.
+/// Maximum number of stored files. [`BYTES`] limits their total size.
 const FILES: usize = 32;
 const BYTES: usize = 256 << 20;
 /// Maximum number of cached force curves and designs.
 const CURVES: usize = 12;
 const DESIGNS: usize = 12;
 
-/// State that the page shows first.
+/// State that the page shows when it is opened.
 #[derive(Debug, Clone, Default)]
 pub struct Start {
     /// TOML text of the scene.
     pub scene: String,
-    /// Path of the scene file in the folder, if any.
+    /// Path of the scene file in the opened folder; `None` without a file.
     pub file: Option<String>,
-    /// Opened folder, if any.
+    /// Path of the opened folder; `None` without a folder.
     pub folder: Option<String>,
 }
 
-/// Services of the host for the response to one request.
+/// Services that the host offers to a request: files, clock, time limit and start state.
 pub trait Host {
-    /// Content and hash of a file that is neither stored nor built in.
+    /// Content and hash of a file that is neither stored by the page nor built in.
     ///
     /// # Errors
     ///
-    /// Files that cannot be read.
+    /// The file cannot be read.
     fn read(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)>;
-    /// Clock of the host, s.
+    /// Current time of the host's clock, s.
     fn seconds(&self) -> f64;
     /// Stop condition for the search of this request.
     fn halt(&self) -> Halt;
-    /// State that the page shows first.
+    /// State that the page shows when it is opened.
     fn start(&self) -> Start;
 }
 
-/// A design with its inputs.
+/// Design with its inputs and their hashes.
 pub struct Made {
     /// Table of the scene.
     pub table: Table,
-    /// Table of the scene with the rows of every motion instead of its file.
+    /// Table of the scene, in which the file name of every motion is replaced by the rows of the file.
     pub whole: Table,
     /// Scene as parsed from the request.
     pub scene: Scene,
     /// Design of the scene, with its checks.
     pub design: Design,
-    /// Computing time of the design.
+    /// Computing times of the design.
     pub time: Timing,
     /// Hash of all inputs of the design.
     pub hash: Hash,
-    /// Hash of the force.
+    /// Hash of the force; `None` without a force.
     pub force: Option<Hash>,
 }
 
-/// Processes requests. Cached data are found by hash only, so that pages cannot see each other's data.
+/// Processor of requests, with its caches. Cached data are found only by hash, so that one page cannot read the data of another page.
 pub struct Engine {
     files: Mutex<Recent<Hash, Arc<Vec<u8>>>>,
     pub(crate) curves: Mutex<Recent<Hash, ForceCurve>>,
@@ -85,7 +85,7 @@ impl Default for Engine {
 }
 
 impl Engine {
-    /// Stores the bytes of a file and returns their hash.
+    /// Stores the bytes of a file in the cache and returns their hash.
     pub fn keep(&self, bytes: Vec<u8>) -> Hash {
         let hash = Hash::of(&bytes);
         let mut files = lock(&self.files);
@@ -94,7 +94,7 @@ impl Engine {
         hash
     }
 
-    /// Stored bytes with a hash.
+    /// Stored bytes with the given hash; `None` if they are not in the cache.
     pub fn kept(&self, hash: &Hash) -> Option<Arc<Vec<u8>>> {
         lock(&self.files).get(hash)
     }

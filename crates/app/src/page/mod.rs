@@ -8,7 +8,7 @@
 //! questions/  one file per kind of request           form.rs     fields and sliders of a scene
 //! answer.rs   responses and errors as data           kept.rs     files, curves and designs cached between requests
 //! edit.rs     changes of a scene's table             curves/     data of the diagrams
-//! abi.rs      functions that a browser calls         remedies.rs corrections of a fault
+//! abi.rs      functions that a browser calls         remedies.rs corrections for errors
 //! plain.rs    messages with labels instead of keys
 //! ```
 
@@ -43,14 +43,14 @@ pub use recent::Recent;
 pub use sources::Named;
 pub use words::{current as language, settle as set_language};
 
-/// Longest time of a search, s.
+/// Time limit of a search, s.
 pub const LONGEST: f64 = 60.0;
 
-/// Parses the text of a scene as a table.
+/// Parses the text of a scene as a TOML table.
 ///
 /// # Errors
 ///
-/// Text that is not TOML, with its line.
+/// The text is not TOML; the error contains the line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));
@@ -60,7 +60,7 @@ pub fn table(text: &str) -> Result<Table> {
     })
 }
 
-/// Locks the mutex. A panic of another thread leaves no inconsistent state.
+/// Locks the mutex, also after a panic in another thread, because such a panic leaves no inconsistent data.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

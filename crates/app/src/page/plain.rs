@@ -1,4 +1,4 @@
-//! Messages for users without a scene file: keys are replaced by the labels of their fields.
+//! Messages for users who do not edit a scene file: the names of keys are replaced by the labels of form fields.
 //!
 //! The messages of the program contain keys as in a scene file: `gait.accept = "mass"`, `[machine]`, `(option rate)`. The page shows the labels of
 //! its form instead: “Accepted interpretations: mass”, “Machine”, (“Sampling rate”).
@@ -8,14 +8,14 @@ use gaitcam::wording::{Language, limit_label};
 
 use crate::page::words::WORDS;
 
-/// Words before the names of options of `gait`, in both languages.
+/// Words that precede names of options of `gait` in messages, in both languages.
 const OPTION: [&str; 4] = ["option", "options", "opción", "opciones"];
-/// Words between the names of several options, in both languages.
+/// Separators between the names of several options, in both languages.
 const BETWEEN: [&str; 7] = [", ", " and ", " or ", " y ", " e ", " o ", " u "];
-/// Sections in which a name without its section is searched, in this order.
+/// Sections in which a key without a section is looked up, in this order.
 const SECTIONS: [&str; 6] = ["gait", "law", "machine", "drive", "cam", "limits"];
 
-/// Message with labels instead of keys. A name without its section is first searched in `section`.
+/// Message in which keys are replaced by labels. A key without a section is looked up first in `section`.
 pub fn plain(text: &str, section: &str, language: Language) -> String {
     let mut writer = Writer {
         out: String::with_capacity(text.len()),
@@ -27,7 +27,7 @@ pub fn plain(text: &str, section: &str, language: Language) -> String {
     writer.out
 }
 
-/// Label of a key in the form.
+/// Label of a key in the form. It contains the number of the list entry if the key has one.
 pub fn label(path: &str, language: Language) -> String {
     let Some(key) = keys::find(path) else {
         return section_label(path, language).unwrap_or_else(|| path.to_string());
@@ -52,7 +52,7 @@ fn text_of(key: &str, language: Language) -> Option<String> {
     (text != key).then_some(text)
 }
 
-/// Label of a section or of a list of entries.
+/// Label of a section, or of a list of entries; `None` if no key belongs to `path`.
 fn section_label(path: &str, language: Language) -> Option<String> {
     let below = format!("{path}.");
     if !KEYS.iter().any(|key| key.path.starts_with(&below)) {
@@ -69,7 +69,7 @@ fn section_label(path: &str, language: Language) -> Option<String> {
     Some(own.unwrap_or_else(last))
 }
 
-/// Path of a key by its last word.
+/// Full path of a key that is given without its section; `None` if no section contains the key.
 fn path_of(name: &str, section: &str) -> Option<&'static str> {
     let in_section = |section: &str| {
         let exact = format!("{section}.{name}");
@@ -91,7 +91,7 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Writes the next word or character; false at the end.
+    /// Writes the next word or character. Returns false at the end of the message.
     fn step(&mut self) -> bool {
         let Some(first) = self.rest.chars().next() else {
             return false;
@@ -111,7 +111,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Writes the label of a section in brackets; false if there is none.
+    /// Writes the label of a section in brackets. Returns false if the next text is not a section.
     fn table(&mut self) -> bool {
         let Some(end) = self.rest.find(']') else {
             return false;
@@ -162,7 +162,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Reads the value after an equals sign, without its quotation marks.
+    /// Reads the value after an equals sign, without quotation marks.
     fn value(&mut self, path: &str) -> Option<String> {
         let written = self.rest.strip_prefix(" = ")?;
         let (value, rest) = match written.strip_prefix('"') {
@@ -176,7 +176,7 @@ impl<'a> Writer<'a> {
         Some(choice.flatten().unwrap_or(value))
     }
 
-    /// Writes the labels of options of `gait`, such as `options unit and mass`; false if there are none.
+    /// Writes the labels of options of `gait`, such as `options unit and mass`. Returns false if no option follows.
     fn options(&mut self, after: &'a str) -> bool {
         let mut rest = after;
         let mut between = " ";
@@ -219,7 +219,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Message whose numbers have at most four significant digits.
+/// Message in which every number has at most four significant digits.
 pub fn short(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -241,7 +241,7 @@ pub fn short(text: &str) -> String {
     out
 }
 
-/// Decimal number with at most four significant digits; any other text unchanged.
+/// Text of a decimal number with at most four significant digits. Any other text is unchanged.
 fn rounded(number: &str) -> String {
     let Some(mark) = number.find(['.', ',']) else {
         return number.to_string();

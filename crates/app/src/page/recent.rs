@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-/// Cache of the last `most` used values.
+/// Cache for at most `most` values. The value that has not been used for the longest time is dropped first.
 pub struct Recent<K, V> {
     most: usize,
     list: VecDeque<(K, V)>,
@@ -15,7 +15,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         Recent { most, list }
     }
 
-    /// Value of a key. It becomes the most recently used one.
+    /// Value of a key, which becomes the most recently used value; `None` if the value is not in the cache.
     pub fn get(&mut self, key: &K) -> Option<V> {
         let at = self.list.iter().position(|(k, _)| k == key)?;
         let entry = self.list.remove(at)?;
@@ -24,7 +24,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         Some(value)
     }
 
-    /// Stores a value and drops the least recently used ones beyond `most`.
+    /// Stores a value. If there are more than `most` values, the least recently used one is dropped.
     pub fn put(&mut self, key: K, value: V) {
         self.list.retain(|(k, _)| *k != key);
         self.list.push_back((key, value));
@@ -33,7 +33,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         }
     }
 
-    /// Drops the least recently used values, but not the last one, until their total size is at most `most`.
+    /// Drops the least recently used values until the total size is at most `most`. One value always remains.
     pub fn shrink(&mut self, most: usize, size: impl Fn(&V) -> usize) {
         let mut all: usize = self.list.iter().map(|(_, value)| size(value)).sum();
         while all > most && self.list.len() > 1 {

@@ -1,4 +1,4 @@
-//! Corrections of a fault or an open question: keys, with a value if the fault contains one.
+//! Corrections for an error or an open question: the keys to be changed, with a value if the error contains one.
 
 use serde::Serialize;
 
@@ -7,15 +7,15 @@ use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Maximum number of suggested columns.
+/// Maximum number of columns that are suggested.
 const MOST: usize = 12;
 
-/// A change that may help, or a field that needs a value.
+/// Suggested change of a key, or a key that needs a value from the user.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remedy {
     /// Dotted key of the scene.
     pub key: String,
-    /// Value as written in a scene file; `None` if the user has to enter one.
+    /// Suggested value as written in a scene file; `None` if the user has to enter the value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<String>,
 }
@@ -39,7 +39,7 @@ fn columns(all: &[String]) -> Vec<Remedy> {
     offered.map(|column| to("gait.force", column)).collect()
 }
 
-/// Corrections of a fault, most likely first.
+/// Corrections for an error, the most likely one first; empty for other errors.
 pub fn of(error: &Error) -> Vec<Remedy> {
     if let Some(fault) = error.fault() {
         return of_reading(fault);
@@ -65,7 +65,7 @@ pub fn of(error: &Error) -> Vec<Remedy> {
     }
 }
 
-/// Correction that sets a key to a quantity.
+/// Correction that sets a key to the quantity `needed`.
 fn written(path: &str, needed: &Quantity) -> Vec<Remedy> {
     let dimension = keys::find(path).and_then(|key| key.dimension(&Scene::default()));
     let value = keys::Value::Number(needed.value).to_toml(dimension);
@@ -131,7 +131,7 @@ fn of_force(fault: &ForceError) -> Vec<Remedy> {
     }
 }
 
-/// Value of an example such as `mass = "70 kg"` or `70 kg`.
+/// Value in an example such as `mass = "70 kg"` or `70 kg`.
 fn example(text: &str) -> Option<&str> {
     match text.split('"').nth(1) {
         Some(quoted) => Some(quoted),
@@ -176,7 +176,7 @@ fn of_scene(fault: &SceneError, key: &str) -> Vec<Remedy> {
     .collect()
 }
 
-/// Answers to the open questions about the recording of a design: acceptance first, then the keys that answer the question.
+/// Corrections for the open questions about the recording of a design: first acceptance of the assumption, then the keys that answer the question.
 pub fn of_open_questions(design: &Design) -> Vec<Remedy> {
     let mut out: Vec<Remedy> = Vec::new();
     let accepted: Vec<&str> = (design.problem.open_questions.iter())

@@ -1,4 +1,4 @@
-//! Files of a request, and the force curve of its scene.
+//! Files of a request, and the force curve that is computed from them.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -15,27 +15,27 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 
-/// A file with its name in the scene.
+/// Stored file, with the name by which the scene refers to it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Named {
-    /// Name of the file, as written in the scene.
+    /// Name of the file as written in the scene.
     pub name: String,
     /// Hash of the bytes of the file.
     pub hash: Hash,
 }
 
-/// Files of one request. The search order is the stored files, those of the program, those of the host.
+/// Files of one request. A file is looked up first among the stored files, then among the built-in files, then in the folder of the host.
 pub struct Files<'a> {
     pub engine: &'a Engine,
     pub host: &'a dyn Host,
     named: Vec<Named>,
-    /// Files used for the response.
+    /// Hashes of the files that were used for the response, by name.
     used: RefCell<BTreeMap<String, Hash>>,
 }
 
 impl<'a> Files<'a> {
-    /// Files of a request. `named` lists the stored files by their names in the scene.
+    /// Creates the files of a request. `named` contains the stored files with their names in the scene.
     pub fn new(engine: &'a Engine, host: &'a dyn Host, named: Vec<Named>) -> Files<'a> {
         let used = RefCell::default();
         Files {
@@ -46,11 +46,11 @@ impl<'a> Files<'a> {
         }
     }
 
-    /// Content and hash of a file by its name in the scene.
+    /// Content and hash of the file with this name in the scene.
     ///
     /// # Errors
     ///
-    /// As for [`Host::read`].
+    /// The errors of [`Host::read`].
     pub fn bytes(&self, path: &Path) -> Result<(Hash, Arc<Vec<u8>>)> {
         let name = path.to_string_lossy();
         let named = self.named.iter().find(|n| n.name == name);
@@ -65,22 +65,22 @@ impl<'a> Files<'a> {
         Ok((hash, bytes))
     }
 
-    /// Scene of a table in which every motion has its rows instead of a file, and this table.
+    /// Parsed scene of a table, and a copy of the table. In the copy, the file name of every motion is replaced by the rows of the file.
     ///
     /// # Errors
     ///
-    /// Files that cannot be read or that contain no motion; faults of the scene.
+    /// A file cannot be read or contains no motion, or the scene is invalid.
     pub fn scene(&self, table: &Table) -> Result<(Scene, Table)> {
         let mut read = |file: &Path| Ok((file.to_path_buf(), self.bytes(file)?.1.to_vec()));
         let whole = scene::with_motions(table, &mut read)?;
         Ok((scene::read(&whole)?, whole))
     }
 
-    /// Force curve of a scene, if it has one, with the hash of its file or load model.
+    /// Force curve of a scene, and the hash of its file or of its load model. `None` if the scene has no force.
     ///
     /// # Errors
     ///
-    /// Faults of the load model, the file or the recording.
+    /// The load model, the file or the recording is invalid.
     pub fn target(&self, scene: &Scene) -> Result<Option<(ForceCurve, Hash)>> {
         let Some(gait) = &scene.gait else {
             return Ok(None);
@@ -110,7 +110,7 @@ impl<'a> Files<'a> {
         Ok(Some((curve, hash)))
     }
 
-    /// Hash of all inputs of a scene's design. Its files must have been read.
+    /// Hash of all inputs of a design: the text of its scene and the files that were read for it.
     pub fn of_scene(&self, text: &str) -> Hash {
         let files = format!("{:?}\n", self.used.borrow());
         Hash::of_parts(&[files.as_bytes(), text.as_bytes()])
@@ -131,7 +131,7 @@ impl scene::Files for Files<'_> {
     }
 }
 
-/// Hash of a curve without a file.
+/// Hash of a force curve that was not read from a file.
 fn of_curve(curve: &ForceCurve) -> Hash {
     let force = curve.force_n.iter().flat_map(|x| x.to_le_bytes());
     let numbers: Vec<u8> = curve
@@ -187,7 +187,7 @@ mod tests {
         }
     }
 
-    /// Force of plate `k` for a walk over a row of plates, sampled at 200 Hz, N.
+    /// Force of one plate for a walk over a row of plates, sampled at 200 Hz, N.
     fn steps(plate: usize) -> impl Iterator<Item = f64> {
         let at =
             move |i: i32| 700.0 * stance((0.005 * f64::from(i) - 0.4 - 0.55 * plate as f64) / 0.68);

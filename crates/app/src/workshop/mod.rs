@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop, if the build includes them.
+//! Files for CAD and manufacturing, if the build includes the feature `cad`.
 
 mod piece;
 #[cfg(feature = "cad")]

@@ -1,38 +1,38 @@
-//! Files for CAD and the workshop.
+//! Kinds of files for CAD and manufacturing.
 
 use gaitcam::cam::Wall;
 use gaitcam::synth::Design;
 
-/// A file for CAD or the workshop.
+/// Kind of file for CAD or manufacturing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Piece {
-    /// Outline as a DXF file.
+    /// Outline of the cam as a DXF file.
     Dxf,
-    /// Outline as an SVG file.
+    /// Outline of the cam as an SVG file.
     Svg,
-    /// Drawing as a PDF file.
+    /// Workshop drawing as a PDF file.
     Sheet,
-    /// Plate as an STL mesh.
+    /// Cam as a plate, as an STL mesh.
     Stl,
-    /// Plate as a 3MF mesh.
+    /// Cam as a plate, as a 3MF mesh.
     ThreeMf,
-    /// Wall of a groove as STL.
+    /// One wall of a barrel's groove, as an STL mesh.
     Wall(Wall),
-    /// Solid as a STEP file.
+    /// Cam as an exact solid, as a STEP file.
     Step,
-    /// Workbook with tables of law and profile.
+    /// Workbook with the tables of law and profile.
     Workbook,
-    /// Path of a cutter's centre.
+    /// Path of the centre of a milling cutter.
     Cutter,
-    /// Program for the milling cutter, for the first or the second cam.
+    /// Program for milling the first cam (0) or the second cam (1).
     Program(usize),
     /// Program for wire cutting.
     Wire,
-    /// Electronic cam, by the index of its dialect.
+    /// Electronic cam; the index is that of its dialect in `Dialect::ALL`.
     Ecam(usize),
 }
 
-/// Default radius of the cutter for a path, m: for a barrel the radius of its roller, otherwise 3 mm.
+/// Default radius of the cutter, m: for a barrel the radius of its roller, otherwise 3 mm.
 pub fn usual_cutter(design: &Design) -> f64 {
     let roller = design.groove.as_ref().map(|groove| groove.roller_radius());
     roller.unwrap_or(0.003)

@@ -1,4 +1,4 @@
-//! Files for CAD and the workshop: options and functions that make them.
+//! Options of the files for CAD and manufacturing, and the functions that make these files.
 
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
@@ -13,61 +13,61 @@ use serde_json::{Value, json};
 
 use super::piece::{Piece, usual_cutter};
 
-/// Number of vertices of the profile of a solid.
+/// Number of vertices of the profile in a mesh.
 const VERTICES: usize = 720;
-/// Number of triangles of the wall of a groove: along the groove per turn, and over its depth.
+/// Numbers of strips in the mesh of a groove's wall: along the groove per turn, and over its depth.
 const WALL: [usize; 2] = [720, 8];
 
-/// Content of a file, if it can be made, with remarks on it.
+/// Content of a file, or `None` if it cannot be made, with remarks on the file.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// Options of the files for the workshop.
+/// Options of the files for CAD and manufacturing.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {
-    /// Whether solids, a drawing and a workbook for manufacturing are written.
+    /// Whether solids, a workshop drawing and a workbook are written.
     pub solid: bool,
-    /// Radius of the cutter for the path, m.
+    /// Radius of the milling cutter, m; `None` if no path and no program are written.
     pub tool: Option<f64>,
-    /// Depth of a pass of the cutter, m; without it the operator sets the depth.
+    /// Depth of one pass of the milling cutter, m; `None` if the operator sets the depth.
     pub pass: Option<f64>,
-    /// Half the diameter of a wire plus the spark gap, m.
+    /// Half the wire diameter plus the spark gap, m; `None` if no program for wire cutting is written.
     pub wire: Option<f64>,
-    /// Controllers for which an electronic cam is written.
+    /// Controller for which an electronic cam is written; `None` if no electronic cam is written.
     pub ecam: Option<Dialect>,
-    /// Layers of the DXF drawings.
+    /// Selection of the layers in DXF drawings.
     pub drawn: dxf::Content,
-    /// Representation of the edges in profile.dxf: arcs or splines.
+    /// Kind of curve that represents the edges in `profile.dxf`.
     pub curves: dxf::Curves,
-    /// Unit of the drawing, of DXF files and of programs.
+    /// Unit of lengths in the workshop drawing, in DXF files and in programs.
     pub units: Units,
-    /// Title block of the drawing.
+    /// Entries of the title block of the workshop drawing.
     pub title: drawing::Title,
 }
 
-/// A remark on the files for manufacturing.
+/// Remark on a file for CAD or manufacturing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {
-    /// The solid cannot be made.
+    /// The STL or 3MF mesh cannot be made, for this reason.
     NoSolid(Error),
-    /// The STEP file cannot be made.
+    /// The STEP file cannot be made, for this reason.
     NoStep(Error),
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// Force error of the electronic cam with its controller.
+    /// The electronic cam was written; it contains the force error with the controller.
     Ecam(ElectronicCam),
-    /// The electronic cam cannot be made.
+    /// The electronic cam cannot be made, for this reason.
     NoEcam(Error),
-    /// The program for cutter or wire cannot be made.
+    /// The program for milling or wire cutting cannot be made, for this reason.
     NoProgram(Error),
 }
 
 impl Remark {
-    /// Whether this remark means that there is no program for the cutter.
+    /// Whether the remark means that no program for the milling cutter can be written.
     pub fn forbids_program(&self) -> bool {
         matches!(self, Remark::Gouge(_) | Remark::NoProgram(_))
     }
 
-    /// Reason why a file could not be made, if the remark contains one.
+    /// Reason why a file could not be made; `None` for remarks on files that were made.
     pub fn into_fault(self) -> Option<Error> {
         match self {
             Remark::NoSolid(fault)
@@ -91,7 +91,7 @@ fn or_remark(made: Result<impl Into<Vec<u8>>>, remark: fn(Error) -> Remark) -> M
 }
 
 impl Workshop {
-    /// Whether a file is requested.
+    /// Whether the options request the file.
     pub(crate) fn asks(&self, piece: Piece) -> bool {
         match piece {
             Piece::Dxf | Piece::Svg => true,
@@ -107,7 +107,7 @@ impl Workshop {
         }
     }
 
-    /// Makes a file of a design; `points` is the number of rows of its tables.
+    /// Makes one file of a design; `points` is the number of rows of tables and of vertices of drawings.
     pub(crate) fn make(
         &self,
         piece: Piece,
@@ -165,7 +165,7 @@ impl Workshop {
         Ok((Some(bytes), gouges.collect()))
     }
 
-    /// Program for the first or the second cam.
+    /// Program for milling the first cam (0) or the second cam (1).
     fn program(&self, design: &Design, cam: usize) -> Made {
         let cut = gcode::Milling {
             tool: self.tool(design),
@@ -191,7 +191,8 @@ fn groove(design: &Design, wall: Wall) -> Made {
     }
 }
 
-/// Electronic cam as JSON, with the path or name of the file: number of intervals, force error with the controller, and its part that the file adds.
+/// JSON data of an electronic cam: dialect, file (path or name), number of intervals, RMS force error in N, and the part of this error that the
+/// controller adds.
 pub fn ecam_json(cam: &ElectronicCam, file: &str) -> Value {
     let replayed = cam.replayed;
     json!({
@@ -214,7 +215,8 @@ fn electronic(design: &Design, dialect: Dialect) -> Made {
     })
 }
 
-/// Title block for a drawing of a scene without a file. `whole` is its table in which the rows of every motion replace the file name.
+/// Entries of the title block for a scene that was not read from a file. In `whole`, the table of the scene, the file names of motions are replaced
+/// by the rows of the files.
 pub fn title(scene: &Scene, whole: &toml::Table) -> Title {
     let usual = Title::default();
     Title {

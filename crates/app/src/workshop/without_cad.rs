@@ -1,4 +1,5 @@
-//! Build without CAD. The names of the workshop files are known, so that earlier files are removed, but no file is made.
+//! Replacement for the files for CAD and manufacturing in a build without the feature `cad`. The names of the files are known, so that files of
+//! earlier results are removed, but no such file is made.
 
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
@@ -6,14 +7,14 @@ use gaitcam_output::{Language, Timing};
 
 use super::piece::Piece;
 
-/// Content of a file, if it can be made, with remarks on it.
+/// Content of a file, or `None` if it cannot be made, with remarks on the file.
 pub(crate) type Made = Result<(Option<Vec<u8>>, Vec<Remark>)>;
 
-/// Options of the workshop files; there are none without the feature `cad`.
+/// Options of the files for manufacturing. Without the feature `cad` there are no options.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Workshop {}
 
-/// Remarks on workshop files; there are none without the feature `cad`.
+/// Remarks on files for manufacturing. Without the feature `cad` there are no remarks.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Remark {}
 

@@ -1,4 +1,4 @@
-//! Title block: material, roughness, tolerance, revision and date.
+//! Title block of the drawing: material, roughness, tolerance, revision and date.
 
 use gaitcam::cam::{Cam, Measures};
 use gaitcam::sweep::{Part, Scatter, Spread, Tolerance};
@@ -9,7 +9,7 @@ use super::layout::Layout;
 use super::pen::{Pen, Stroke};
 use crate::words::Labels;
 
-/// Letter height of the value of a field, mm per em.
+/// Letter height of the values in the fields, mm per em.
 const VALUE: f64 = 2.9;
 const NAME: f64 = 1.9;
 const HEAD: f64 = 4.6;
@@ -17,25 +17,28 @@ const HEAD: f64 = 4.6;
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 
-/// Default roughness Ra of a profile, m: ground.
+/// Default roughness Ra of the profile, m, which is usual for grinding.
 const USUAL_ROUGHNESS: f64 = 0.8e-6;
-/// Available profile tolerances, m, the largest first.
+/// Profile tolerances from which one is chosen, m, in decreasing order.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
-/// Number of sampled cams per tolerance.
+/// Number of randomly manufactured cams that are computed for each tolerance.
 const MADE: u64 = 1000;
 const SEED: u64 = 1;
 
 /// A profile tolerance and its effect on the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scattered {
-    /// Half width of the tolerance, m.
+    /// Half width of the tolerance band, m.
     tolerance: f64,
-    /// RMS force error below which 95 % of the manufactured cams are, in percent of the mean force.
+    /// RMS force error that 95 % of the manufactured cams do not exceed, in percent of the mean force.
     error: f64,
 }
 
-/// Tolerance of the scene. Without one, the largest available tolerance whose manufacturing error is at most half of `allowed` (a fraction of the mean
-/// force) for 95 % of the cams; if no tolerance qualifies, the smallest one. `None` without a target force.
+/// Profile tolerance and the resulting force error; `None` without a target force.
+///
+/// The tolerance of the scene is used if there is one. Otherwise it is the largest tolerance in [`OFFERED`] for which 95 % of the cams satisfy e² −
+/// e₀² ≤ (½ `allowed`)². Here e is the RMS force error of a manufactured cam, and e₀ is that of the exact cam, both as fractions of the mean force.
+/// If no tolerance satisfies this condition, the smallest one is used.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {
@@ -60,10 +63,10 @@ fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     widest.or_else(|| Some(of(narrowest)))
 }
 
-/// Field of the title block: name and value.
+/// Name and value of one field of the title block.
 type Field = (String, String);
 
-/// Draws the title block of one cam; `sheet` counts from 1.
+/// Draws the title block for one cam. Sheets are numbered from 1.
 pub fn draw(
     pen: &mut Pen,
     (design, cam, name): (&Design, &Cam, Option<&str>),
@@ -158,7 +161,7 @@ fn fields(
     ]
 }
 
-/// Profile tolerance and its force error, as text.
+/// Profile tolerance and the force error that results from it, as text.
 fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) {
     let making = making(design, title.accuracy);
     let error = match &making {
@@ -177,12 +180,12 @@ fn accuracy(design: &Design, title: &Title, words: &Labels) -> (String, String) 
     (words.decimal(tolerance), error)
 }
 
-/// A number with six decimals, without trailing zeros.
+/// Text of a number with six decimals, without trailing zeros.
 fn short(x: f64) -> String {
     format!("{}", (1e6 * x).round() / 1e6)
 }
 
-/// Gregorian date `days` after 1970-01-01, as 2026-01-31.
+/// Date `days` after 1970-01-01 in the Gregorian calendar, such as 2026-01-31.
 fn civil_date(days: u64) -> String {
     let leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
     let (mut year, mut left) = (1970, days);

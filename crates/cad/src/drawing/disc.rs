@@ -1,4 +1,4 @@
-//! Drawing sheet of a rotating cam: plan view, side view and radii.
+//! Drawing sheet of a rotating cam: plan view, side view and table of radii.
 
 use super::BALL;
 use super::layout::{ABOVE, BELOW, BESIDE, LABELS, Layout};
@@ -9,11 +9,11 @@ use super::table::Table;
 use super::views::Views;
 use crate::words::Labels;
 
-/// Number of rows of the table: one per 5°.
+/// Number of rows of the table of radii: one per 5°.
 const ROWS: usize = 72;
 
 impl Piece<'_> {
-    /// Layout of the sheet.
+    /// Smallest suitable sheet format for the cam, with the scale and the areas of the sheet.
     pub fn layout(&self) -> Layout {
         let (radius, width) = (1e3 * self.radius(), 1e3 * self.thickness);
         Layout::fitting(|scale| {
@@ -24,7 +24,7 @@ impl Piece<'_> {
         })
     }
 
-    /// Draws the views. Returns the table of radii.
+    /// Draws the plan view and the side view. Returns the table of radii.
     pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Labels) -> Table {
         Views::new(self, layout, words).draw(pen);
         let ball = words.length(BALL, 3);

@@ -1,17 +1,17 @@
-//! Helvetica and Symbol, which every PDF reader contains: byte and width of each character.
+//! Character codes and widths of Helvetica and Symbol, two fonts that every PDF reader contains.
 //!
-//! Widths are in thousandths of an em, from the metrics of the standard fonts; Helvetica is in Windows encoding.
+//! Widths are in thousandths of an em, from the metrics of the standard fonts. Helvetica has the Windows encoding.
 
-/// One of the two fonts.
+/// Font of a character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Face {
-    /// Helvetica, for letters and digits.
+    /// Helvetica, used for letters and digits.
     Helvetica,
-    /// Symbol, for Greek letters and signs.
+    /// Symbol, used for Greek letters and mathematical signs.
     Symbol,
 }
 
-/// A character of one of the fonts.
+/// Character with its font, code and width.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Glyph {
     /// Font of the glyph.
@@ -22,7 +22,7 @@ pub struct Glyph {
     width: u16,
 }
 
-/// Characters of Symbol: character, code, width.
+/// Characters that are taken from Symbol: character, code, width in thousandths of an em.
 const SYMBOLS: [(char, u8, u16); 14] = [
     ('−', 0x2d, 549),
     ('Δ', b'D', 612),
@@ -40,7 +40,7 @@ const SYMBOLS: [(char, u8, u16); 14] = [
     ('≥', 0xb3, 549),
 ];
 
-/// Widths of Helvetica from the space to the tilde.
+/// Widths of the Helvetica characters from the space (0x20) to the tilde (0x7E), thousandths of an em.
 #[rustfmt::skip]
 const ASCII: [u16; 95] = [
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
@@ -51,7 +51,7 @@ const ASCII: [u16; 95] = [
     556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
 
-/// Widths of Helvetica from the non-breaking space (0xA0) to ÿ.
+/// Widths of the Helvetica characters from the non-breaking space (0xA0) to ÿ (0xFF), thousandths of an em.
 #[rustfmt::skip]
 const LATIN: [u16; 96] = [
     278, 333, 556, 556, 556, 556, 260, 556, 333, 737, 370, 556, 584, 333, 737, 333,
@@ -62,7 +62,7 @@ const LATIN: [u16; 96] = [
     556, 556, 556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500,
 ];
 
-/// Glyph of a character; a question mark if the character is missing.
+/// Glyph of a character; a question mark if neither font contains the character.
 pub fn glyph(c: char) -> Glyph {
     let helvetica = |byte, width| Glyph {
         face: Face::Helvetica,

@@ -1,6 +1,6 @@
-//! Size, scale and areas of a sheet; mm from the lower left corner.
+//! Size, scale and areas of a drawing sheet. Coordinates are in mm from the lower left corner.
 
-/// Rectangle: left, bottom, right, top.
+/// Rectangle on the sheet, given by its edges, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Area {
     pub left: f64,
@@ -27,15 +27,15 @@ pub const ABOVE: f64 = 12.0;
 pub const BELOW: f64 = 14.0;
 /// Space to the right of the side view for the thickness of a thin plate, mm.
 pub const BESIDE: f64 = 16.0;
-/// Distance of the frame from the edge of the sheet, mm. On the left, where sheets are bound, the distance is 20 mm.
+/// Distance of the frame from the edge of the sheet, mm. The distance is 20 mm on the left, where sheets are bound.
 const EDGE: f64 = 10.0;
 const BOUND: f64 = 20.0;
 
-/// Scales of ISO 5455, without their powers of ten.
+/// Mantissas of the standard scales (ISO 5455), in decreasing order.
 const ENLARGED: [f64; 3] = [5.0, 2.0, 1.0];
 const REDUCED: [f64; 3] = [2.0, 5.0, 10.0];
 
-/// Scale: millimetres on the sheet for millimetres of the cam.
+/// Scale of the views: length on the sheet and corresponding length of the cam, both in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     sheet: f64,
@@ -48,12 +48,12 @@ impl Scale {
         self.sheet / self.cam
     }
 
-    /// Text of the scale in drawings, such as `1 : 2`.
+    /// Scale as it is written in the drawing, such as `1 : 2`.
     pub fn text(self) -> String {
         format!("{} : {}", self.sheet, self.cam)
     }
 
-    /// All scales from 50 : 1 to 1 : 10 000, the largest first.
+    /// All standard scales from 50 : 1 to 1 : 10 000, in decreasing order.
     fn all() -> impl Iterator<Item = Scale> {
         let enlarged = [10.0, 1.0].into_iter().flat_map(|ten| {
             ENLARGED.map(|step| Scale {
@@ -71,37 +71,38 @@ impl Scale {
     }
 }
 
-/// Layout of a sheet.
+/// Format, scale and areas of a drawing sheet, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
-    /// Name of the sheet format: A4, A3.
+    /// Name of the sheet format: A4 or A3.
     pub name: &'static str,
-    /// Width and height of the paper.
+    /// Width and height of the paper, mm.
     pub paper: [f64; 2],
-    /// Area of the frame.
+    /// Area within the frame.
     pub frame: Area,
-    /// Area of the views.
+    /// Area for the plan view and the side view.
     pub views: Area,
-    /// Area of the table.
+    /// Area for the table of radii.
     pub table: Area,
-    /// Area of the title block.
+    /// Area for the title block.
     pub title: Area,
-    /// Number of adjacent tables over which the rows are distributed, and of columns of fields in the title block.
+    /// Number of blocks side by side into which the table is divided, and number of columns of the title block.
     pub blocks: usize,
-    /// Scale of the views.
+    /// Scale of both views.
     pub scale: Scale,
 }
 
-/// Heights of the title block for both kinds of sheets, mm.
+/// Heights of the title block on A4 and on A3, mm.
 const TITLE: [f64; 2] = [50.0, 74.0];
 const TABLE: [f64; 2] = [96.0, 137.0];
-/// Width of the column with table and title block on A3, mm.
+/// Width of the right column with table and title block on A3, mm.
 const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// Sheet for views of a width and height in mm at a scale in mm per mm. The sheet is A4. It is A3 if A4 would require a reduction and A3 permits
-    /// a larger scale.
+    /// Smallest suitable sheet for the views. `room` gives their width and height, mm, for a scale.
+    ///
+    /// The sheet is A4. It is A3 if the views would be reduced on A4, and if A3 permits a larger scale.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
@@ -120,7 +121,7 @@ impl Layout {
         Layout { scale, ..self }
     }
 
-    /// A4 in portrait format with all areas in one column, or A3 with table and title block in a second column.
+    /// Layout of a portrait A4 sheet or of an A3 sheet. On A4, all areas are in one column. On A3, table and title block are in a second column.
     fn of_paper(is_a3: bool) -> Layout {
         let (name, width, blocks) = if is_a3 {
             ("A3", 420.0, 2)
@@ -169,7 +170,7 @@ impl Layout {
     }
 }
 
-/// Minimum scale, for cams that fit at no standard scale.
+/// Scale for cams that do not fit on the sheet at any standard scale.
 const SMALLEST: Scale = Scale {
     sheet: 1.0,
     cam: 10_000.0,

@@ -1,4 +1,4 @@
-//! Labels with leaders, dimensions between two edges, centre lines and the arrow of rotation.
+//! Annotations of the views: labels with leaders, dimensions between two edges, centre lines and the arrow of rotation.
 
 use std::f64::consts::TAU;
 
@@ -11,16 +11,16 @@ use crate::words::Labels;
 const LETTERS: f64 = 3.2;
 /// Distance between the two lines of a label, mm.
 const LINE: f64 = 3.9;
-/// Length of the horizontal end of a leader, mm.
+/// Length of the horizontal end section of a leader, mm.
 const SHELF: f64 = 2.0;
-/// Width, mm, below which the arrows of a dimension are outside its extension lines.
+/// Width of a dimension, mm, below which its arrows are outside the extension lines.
 const NARROW: f64 = 14.0;
-/// Distance between a dimension's number and its line, mm.
+/// Distance between the text of a dimension and its line, mm.
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
 impl Pen {
-    /// Draws two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
+    /// Draws a leader and two lines of text at its end, on the right (`side` 1) or on the left (−1).
     pub fn label(&mut self, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
         let shelf = [end[0] + side * SHELF, end[1]];
         self.line(&[from, end, shelf], Stroke::Thin);
@@ -38,7 +38,8 @@ impl Pen {
         }
     }
 
-    /// Draws the distance between two vertical edges with lower ends at `foot`, on a horizontal line at the height `y` below them.
+    /// Draws the dimension between two vertical edges, with a horizontal dimension line at the height `y`. The edges end at the height `foot`,
+    /// above the line.
     pub fn level(&mut self, text: &str, [left, right]: [f64; 2], foot: f64, y: f64) {
         for x in [left, right] {
             self.line(&[[x, foot - ABOVE], [x, y - BEYOND]], Stroke::Thin);
@@ -58,18 +59,18 @@ impl Pen {
         }
     }
 
-    /// Writes text in the letters of dimensions, centred above `at`.
+    /// Writes text in the size of dimensions, centred above `at`.
     pub fn note(&mut self, text: &str, at: [f64; 2]) {
         self.text(text, at, LETTERS, Anchor::Middle);
     }
 
-    /// Draws a horizontal and a vertical line through a centre.
+    /// Draws a horizontal and a vertical centre line that extend `reach` mm from the centre.
     pub fn cross(&mut self, [x, y]: [f64; 2], reach: f64, stroke: Stroke) {
         self.line(&[[x - reach, y], [x + reach, y]], stroke);
         self.line(&[[x, y - reach], [x, y + reach]], stroke);
     }
 
-    /// Draws an arrow in the direction of rotation between two angles from the mark of θ = 0, which points upwards. Angles in rad.
+    /// Draws an arrow in the direction of rotation. Its start and end are angles in rad from the mark of θ = 0, which points upwards.
     pub fn rotation(
         &mut self,
         [x, y]: [f64; 2],
@@ -87,13 +88,13 @@ impl Pen {
     }
 }
 
-/// Label of the hole for the shaft: two lines.
+/// Text of the label for the shaft hole, two lines.
 pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]
 }
 
-/// Label of the keyway: width with the fit of the key's seat, and the measured dimension, the height of the bore through the keyway.
+/// Text of the label for the keyway, two lines: the width with its tolerance class, and the height of the bore through the keyway.
 pub fn keyway(bore: &Bore, key: &Keyway, words: &Labels) -> [String; 2] {
     let height = words.length(bore.diameter + key.depth, 2);
     let size = format!("{} JS9, {height}", words.length(key.width, 1));

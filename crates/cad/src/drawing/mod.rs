@@ -1,6 +1,7 @@
-//! `drawing.pdf`: the workshop drawing, one sheet per rotating cam. It contains lines and letters in standard fonts, so the file is small and its
-//! numbers can be searched and copied. Lengths on the sheet are in millimetres or inches, angles in degrees. The frame is that of the cam at θ = 0,
-//! with the motion of the follower upwards.
+//! `drawing.pdf`: the workshop drawing, with one sheet per rotating cam.
+//!
+//! The file contains lines and text in standard fonts. It is therefore small, and its numbers can be searched and copied. Lengths in the drawing
+//! are in millimetres or inches, angles in degrees. The cam is shown at θ = 0, with the motion of the follower upwards.
 
 mod block;
 mod disc;
@@ -23,15 +24,15 @@ use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
 use piece::Piece;
 
-/// Radius of the probing ball in the table, m.
+/// Radius of the probing ball for the table of radii, m.
 pub const BALL: f64 = 0.001;
 
-/// Entries of the title block that are not part of the design.
+/// Entries of the title block and settings that are not part of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Title {
-    /// Revision; it changes whenever the scene changes.
+    /// Revision of the scene, computed by [`revision`]; `None` if the revision is left blank.
     pub revision: Option<u32>,
-    /// Date of the scene if it is a file: days since 1970-01-01.
+    /// Date of the scene file, in days since 1970-01-01; `None` if the scene is not a file.
     pub date: Option<u64>,
     /// Permitted RMS force error, as a fraction of the mean force.
     pub accuracy: f64,
@@ -39,7 +40,7 @@ pub struct Title {
     pub units: Units,
 }
 
-/// Default of the permitted RMS force error, as a fraction of the mean force.
+/// Default permitted RMS force error, as a fraction of the mean force.
 const USUAL_ACCURACY: f64 = 0.005;
 
 impl Default for Title {
@@ -53,12 +54,12 @@ impl Default for Title {
     }
 }
 
-/// Revision of a scene: CRC-32 of its text.
+/// Revision of a scene: CRC-32 of its text. It changes with every change of the text.
 pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
 
-/// PDF drawing; `None` for a barrel cam and a translating cam.
+/// Drawing as a PDF file; `None` for a barrel cam and a translating cam.
 pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
     if design.cam.follower.is_unrolled() {
         return None;
@@ -109,7 +110,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     Some(pdf.finish())
 }
 
-/// Draws one sheet of the drawing.
+/// Draws the sheet of one cam and returns its content stream.
 fn drawn(
     (design, piece): (&Design, &Piece),
     title: &Title,

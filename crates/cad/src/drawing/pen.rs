@@ -1,4 +1,4 @@
-//! Lines and letters on a PDF sheet, in millimetres from the lower left corner, with y upwards.
+//! Drawing of lines and text on a PDF sheet. Coordinates are in millimetres from the lower left corner, with y upwards.
 
 use pdf_writer::{Buf, Content, Name, Str};
 
@@ -6,24 +6,24 @@ use super::helvetica::{Face, Glyph, glyph, width};
 
 /// PDF points per millimetre.
 pub const POINT: f64 = 72.0 / 25.4;
-/// Name of the font Helvetica in the resources of the sheet.
+/// Name of the font Helvetica in the PDF resources of the sheet.
 pub const HELVETICA: Name<'static> = Name(b"Helvetica");
-/// Name of the font Symbol.
+/// Name of the font Symbol in the PDF resources of the sheet.
 pub const SYMBOL: Name<'static> = Name(b"Symbol");
 
-/// Length of the control arm of a quarter circle of radius 1 (accurate to 3e-4 of the radius).
+/// Length of the tangent arms of a Bézier curve for a quarter of the unit circle. The error is 3e-4 of the radius.
 const QUARTER: f64 = 0.552_284_749_8;
 
-/// Kinds of lines of ISO 128, with width, mm, and pattern.
+/// Line types of ISO 128, each with a width in mm and a dash pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
-    /// Lines of visible edges.
+    /// Continuous thick line, for visible edges.
     Outline,
-    /// Lines of dimensions, leaders and tables.
+    /// Continuous thin line, for dimensions, leaders and tables.
     Thin,
-    /// Lines of hidden edges.
+    /// Dashed line, for hidden edges.
     Hidden,
-    /// Lines of axes and reference circles: long dash, dot.
+    /// Line of long dashes and dots, for axes and reference circles.
     Centre,
 }
 
@@ -44,18 +44,18 @@ impl Stroke {
     }
 }
 
-/// Reference point of a text on its baseline.
+/// Position of the reference point on the baseline of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Start of the text.
+    /// Start of the text, at its left end.
     Start,
     /// Middle of the text.
     Middle,
-    /// End of the text.
+    /// End of the text, at its right end.
     End,
 }
 
-/// Contents of one sheet.
+/// Content of one sheet while it is drawn.
 pub struct Pen {
     content: Content,
 }
@@ -65,14 +65,14 @@ fn pt(mm: f64) -> f32 {
 }
 
 impl Pen {
-    /// Creates an empty sheet.
+    /// Creates the content of an empty sheet.
     pub fn new() -> Self {
         Pen {
             content: Content::new(),
         }
     }
 
-    /// Content stream of the sheet.
+    /// Returns the PDF content stream of the sheet.
     pub fn finish(self) -> Buf {
         self.content.finish()
     }
@@ -93,27 +93,27 @@ impl Pen {
         }
     }
 
-    /// Draws a line through points.
+    /// Draws an open polyline through points.
     pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.stroke();
     }
 
-    /// Draws a closed line.
+    /// Draws a closed polyline through points.
     pub fn ring(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         self.take(stroke);
         self.trace(points);
         self.content.close_and_stroke();
     }
 
-    /// Draws a rectangle given by two corners.
+    /// Draws a rectangle, given by its lower left and upper right corners.
     pub fn frame(&mut self, [left, bottom]: [f64; 2], [right, top]: [f64; 2], stroke: Stroke) {
         let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
         self.ring(&corners, stroke);
     }
 
-    /// Draws a circle of radius `r`, mm, about a point.
+    /// Draws a circle of radius `r` mm about a centre.
     pub fn circle(&mut self, [x, y]: [f64; 2], r: f64, stroke: Stroke) {
         self.take(stroke);
         self.content.move_to(pt(x + r), pt(y));
@@ -133,7 +133,7 @@ impl Pen {
         self.content.close_and_stroke();
     }
 
-    /// Draws a filled arrowhead with its tip at `tip`, in the direction of the unit vector `along`.
+    /// Draws a filled arrowhead with its tip at `tip`. It points in the direction of the unit vector `along`.
     pub fn arrowhead(&mut self, tip: [f64; 2], along: [f64; 2]) {
         /// Length and half width of an arrowhead, mm.
         const SIZE: [f64; 2] = [2.5, 0.42];
@@ -147,7 +147,7 @@ impl Pen {
         self.content.close_path().fill_nonzero();
     }
 
-    /// Writes a line of text with `size` mm per em.
+    /// Writes a line of text. Its reference point is at (`x`, `y`), and its size is `size` mm per em.
     pub fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
         let long = size * width(text);
         let start = match anchor {
@@ -171,7 +171,7 @@ impl Pen {
         self.content.end_text();
     }
 
-    /// Writes a line of text, reduced in size to a width of at most `room` mm.
+    /// Writes a line of text. If it is wider than `room` mm, it is reduced to this width.
     pub fn text_within(&mut self, text: &str, at: [f64; 2], size: f64, room: f64) {
         let long = size * width(text);
         let size = if long > room {

@@ -1,4 +1,4 @@
-//! A rotating cam with its hole.
+//! Rotating cam with the data that its drawing shows.
 
 use std::f64::consts::TAU;
 
@@ -8,11 +8,11 @@ use gaitcam::synth::Design;
 use super::radii::farthest;
 use gaitcam::synth::Edge;
 
-/// A cam to be manufactured.
+/// Cam to be manufactured, with its shaft hole and its thickness.
 pub struct Piece<'a> {
     pub cam: &'a Cam,
     pub edge: Edge<'a>,
-    /// Key of the cam's name in a conjugate pair; `None` for a single cam.
+    /// Message key of the cam's name in a conjugate pair; `None` for a single cam.
     pub name: Option<&'static str>,
     pub bore: Option<Bore>,
     pub thickness: f64,
@@ -20,7 +20,7 @@ pub struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    /// The rotating cams of a design.
+    /// The rotating cam or cams of a design.
     pub fn all(design: &'a Design) -> Vec<Self> {
         let names = match design.conjugate {
             Some(_) => [Some("drawing-first"), Some("drawing-second")],
@@ -49,14 +49,14 @@ impl<'a> Piece<'a> {
         self.cam.follower.prime_radius()
     }
 
-    /// Radius of the circle about the centre that contains the whole cam, m.
+    /// Radius, m, of the circle about the cam's centre that contains the profile and the prime circle.
     pub fn radius(&self) -> f64 {
         let [x, y] = farthest(&self.edge, 1440).p;
         libm::hypot(x, y).max(self.prime())
     }
 }
 
-/// Edge of the hole for the shaft, m: `count` points at equal angles, and the corners.
+/// Points on the edge of the shaft hole, m: `count` points at equal angles, and the corners of the keyway.
 pub fn bore_edge(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
     let mut angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
     angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));

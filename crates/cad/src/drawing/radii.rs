@@ -1,26 +1,27 @@
-//! Table of radii: the profile at given polar angles, and the position of a probing ball that is moved towards the cam's centre until contact.
+//! Table of radii. It contains the radius of the profile at given polar angles. It also contains the position of a probing ball that touches the
+//! cam after moving along the ray towards the cam's centre.
 
 use gaitcam::synth::{Edge, EdgePoint};
 
-/// Number of profile points between which crossings with a ray are searched.
+/// Number of intervals of the profile that are checked for intersections with a ray.
 const SAMPLES: usize = 2880;
-/// Number of bisection steps that reach rounding errors.
+/// Number of bisection steps after which only rounding errors remain.
 const HALVINGS: usize = 60;
 
-/// Row of the table; lengths in m.
+/// Row of the table of radii; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radius {
-    /// Polar angle from the mark of θ = 0 (+y), clockwise like the profile, rad.
+    /// Polar angle from the mark of θ = 0 (+y), rad. It is positive clockwise, in the direction in which the profile is traversed.
     pub angle: f64,
-    /// Distance of the profile from the cam centre.
+    /// Distance of the profile point from the cam's centre.
     pub profile: f64,
-    /// Distance of the ball's centre from the cam centre at contact.
+    /// Distance of the ball's centre from the cam's centre at contact.
     pub ball: f64,
 }
 
-/// `count` rows at equal steps of the polar angle, for a ball of radius `ball` m.
+/// Table of `count` rows at equal steps of the polar angle, for a ball of radius `ball` m.
 ///
-/// If a ray meets the profile several times, the outermost point is used, as by a probe.
+/// If a ray intersects the profile several times, the outermost intersection is used, because a probe touches it first.
 pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
     let [start, .., end] = *edge.breaks() else {
         return Vec::new();
@@ -47,7 +48,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
         .collect()
 }
 
-/// The farthest of `count` profile points from the centre.
+/// The point that is farthest from the centre, among `count` points of an edge.
 pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
     let distance = |e: &EdgePoint| libm::hypot(e.p[0], e.p[1]);
     edge.points(count)
@@ -56,7 +57,7 @@ pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
         .unwrap_or_else(|| edge.at(0.0))
 }
 
-/// The value between `low` and `high` at which a condition changes, by bisection.
+/// Value between `low` and `high` at which the condition changes, found by bisection.
 fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     let at_low = condition(low);
     for _ in 0..HALVINGS {
@@ -70,13 +71,14 @@ fn crossing(condition: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64
     0.5 * (low + high)
 }
 
-/// Point at the distance `off` from the profile along its normal.
+/// Point at the distance `off` (m) outside the profile, along its normal.
 fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
     // The profile is traversed clockwise: the outward direction is to the left of its tangent.
     [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
 }
 
-/// Farthest crossing of the ray at a polar angle with the parallel curve of the profile at the distance `off`; 0 without a crossing.
+/// Distance, m, from the centre to the farthest intersection of a ray with the parallel curve of the profile at the distance `off` (m). The ray
+/// starts at the centre, at a polar angle in rad. The result is 0 without an intersection.
 fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
     let (sin, cos) = libm::sincos(angle);
     let turned = |e: &EdgePoint| {

@@ -1,24 +1,24 @@
-//! Table of radii on the sheet.
+//! Drawing of a table in blocks side by side.
 
 use super::layout::Layout;
 use super::pen::{Anchor, Pen, Stroke};
 
-/// Letter height of the table, mm.
+/// Letter height of the table, mm per em.
 const LETTERS: f64 = 2.7;
 const ROW: f64 = 3.4;
 const LINE: f64 = 4.2;
 
-/// A table whose rows have one cell per column.
+/// Table of text cells. Every row has one cell per column.
 pub struct Table {
-    /// Heading, one or two lines.
+    /// Heading of the table, one or two lines.
     pub heading: Vec<String>,
-    /// Symbols and units of the columns.
+    /// Symbol and unit of each column.
     pub columns: Vec<String>,
-    /// Rows of the table.
+    /// Cells of the table, row by row.
     pub rows: Vec<Vec<String>>,
 }
 
-/// Right ends of the columns of a block, as fractions of the block's width.
+/// Right ends of the columns of a block, as fractions of the block's width. The first entry is 0, the left end.
 fn stops(columns: usize) -> Vec<f64> {
     let first = if columns > 2 { 0.26 } else { 0.42 };
     let step = (1.0 - first) / (columns - 1) as f64;
@@ -26,7 +26,7 @@ fn stops(columns: usize) -> Vec<f64> {
     [0.0].into_iter().chain(rest).collect()
 }
 
-/// Writes the table with its rows distributed over the blocks of the layout. Narrow tables have twice as many blocks.
+/// Draws the table. Its rows are distributed over the blocks of the layout; a table with two columns has twice as many blocks.
 pub fn draw(pen: &mut Pen, table: &Table, layout: &Layout) {
     let area = layout.table;
     for (i, line) in table.heading.iter().enumerate() {

@@ -13,20 +13,20 @@ use crate::words::Labels;
 const MM: f64 = 1000.0;
 /// Number of points of the outline.
 const POINTS: usize = 1440;
-/// Minimum height of the column of labels above and below the centre, mm.
+/// Minimum half height of a column of labels, mm.
 const LEAST_HEIGHT: f64 = 20.0;
-/// Distance between the labels and the circle around the cam, mm.
+/// Horizontal distance between the labels and the circle around the cam, mm.
 const OFF: f64 = 5.0;
-/// Length of the centre lines beyond the outline, mm.
+/// Length by which the centre lines extend beyond the outline, mm.
 const OVER: f64 = 4.0;
-/// Distance between the side view and its dimension, mm.
+/// Distance between the side view and the dimension below it, mm.
 const UNDER: f64 = 8.0;
-/// Angles at which the arrow of rotation begins and ends, from the mark of θ = 0, rad.
+/// Angles at which the arrow of rotation begins and ends, measured from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
-/// Number of points of the bore's edge between its corners.
+/// Number of points on the edge of the bore, without its corners.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side, and height as a fraction of the column's height.
+/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of the column.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -38,39 +38,39 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
-/// Height above which a label is above the keyway, as a fraction.
+/// Height above the centre, as a fraction of the half height of the column, from which a position is above the keyway.
 const HIGH: f64 = 0.5;
 
-/// A label with the point that it marks.
+/// Label with the object to which its leader points.
 struct Label {
     text: [String; 2],
-    /// Marked object: a circle about the centre, given by its radius on the sheet, or a point of the sheet.
+    /// Target of the leader: a circle about the centre, given by its radius on the sheet, mm, or a point of the sheet.
     of: Target,
 }
 
 enum Target {
     Circle(f64),
     Point([f64; 2]),
-    /// A point that is marked from above.
+    /// A point whose label is placed above it.
     Below([f64; 2]),
 }
 
-/// Views of a cam on the sheet.
+/// Plan view and side view of a cam, placed on the sheet.
 pub struct Views<'a> {
     piece: &'a Piece<'a>,
     words: &'a Labels,
-    /// Centre of the cam in the plan view, mm.
+    /// Position of the cam's centre in the plan view, mm.
     centre: [f64; 2],
     /// Millimetres on the sheet per metre of the cam.
     scale: f64,
-    /// Radius of the circle around the whole plan view, mm.
+    /// Radius on the sheet of the circle that contains the plan view, mm.
     around: f64,
-    /// Position of the left edge of the side view, mm.
+    /// Horizontal position of the left edge of the side view, mm.
     side: f64,
 }
 
 impl<'a> Views<'a> {
-    /// Centres both views in their areas.
+    /// Places the two views side by side in the middle of their common area.
     pub fn new(piece: &'a Piece<'a>, layout: &Layout, words: &'a Labels) -> Self {
         let scale = MM * layout.scale.factor();
         let around = scale * piece.radius();
@@ -88,7 +88,7 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Draws plan and side view.
+    /// Draws both views with their dimensions.
     pub fn draw(&self, pen: &mut Pen) {
         let points = self.piece.edge.points(POINTS);
         let outline: Vec<[f64; 2]> = points.iter().map(|e| self.place(e.p)).collect();
@@ -141,7 +141,8 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Free position nearest to a point, at least at the height `from`, as a fraction of the column's height.
+    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of the
+    /// column, are not considered.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);
@@ -152,7 +153,7 @@ impl<'a> Views<'a> {
             .min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
-    /// Labelled dimensions; the maximum radius is placed first.
+    /// Labels for the dimensions of the cam. The label of the maximum radius is the first, because it is placed first.
     fn labelled(&self) -> Vec<Label> {
         let (words, piece) = (self.words, self.piece);
         let mut out = Vec::new();
@@ -185,7 +186,7 @@ impl<'a> Views<'a> {
         out
     }
 
-    /// End of the leader of a label.
+    /// Position of a leader's end on the sheet, mm, for a label position.
     fn slot(&self, [side, part]: [f64; 2]) -> [f64; 2] {
         [
             self.centre[0] + side * (self.around + OFF),

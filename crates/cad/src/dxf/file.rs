@@ -1,7 +1,7 @@
-//! The DXF file: header, tables, blocks and entities of the dialects R12 and R2000.
+//! Contents of a DXF file: header, tables, blocks and entities in the dialects R12 and R2000.
 //!
-//! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the next line. Since R13 every object has a handle
-//! (group 5), an owner (330) and subclass markers (100). A file needs its tables, block records and root dictionary even if they are empty.
+//! Source: Autodesk, DXF Reference (R12; 2000). A group is a code on one line and its value on the next line. Since R13, every object has a handle
+//! (group 5), an owner (330) and subclass markers (100). Tables, block records and the root dictionary are required even if they are empty.
 
 use std::fmt::{Display, Write};
 
@@ -10,21 +10,21 @@ use crate::Units;
 use crate::spline::Clamped;
 use gaitcam_base::text::append;
 
-/// Entities of the drawing; lengths in mm.
+/// Entity of the drawing; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Vertices x, y and the bulge of the following edge: tan(¼ of its arc), 0 for a chord.
+    /// Polyline. A vertex contains x, y and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
     Polyline {
         vertices: Vec<[f64; 3]>,
         closed: bool,
     },
     /// Cubic B-spline curve with clamped ends.
     Spline(Clamped),
-    /// Circle about the origin.
+    /// Circle about the origin of the drawing.
     Circle { radius: f64 },
-    /// Line between two points.
+    /// Straight line between two points.
     Line { ends: [[f64; 2]; 2] },
-    /// ASCII text at a start point; `%%d` is the degree sign.
+    /// ASCII text that begins at a point; `%%d` is the degree sign.
     Text {
         at: [f64; 2],
         height: f64,
@@ -32,21 +32,21 @@ pub enum Shape {
     },
 }
 
-/// A drawing of shapes on layers.
+/// Drawing that consists of shapes on layers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
     pub version: Version,
-    /// Unit of the file.
+    /// Unit of lengths in the file.
     pub units: Units,
-    /// Layer names with their colour indices.
+    /// Names of the layers with their AutoCAD colour indices.
     pub layers: Vec<(&'static str, u8)>,
     pub shapes: Vec<(&'static str, Shape)>,
-    /// Lower left and upper right corner, mm.
+    /// Lower left and upper right corners of the drawing, mm.
     pub extent: [[f64; 2]; 2],
 }
 
 impl Drawing {
-    /// Content of the file. Equal drawings result in equal bytes.
+    /// Content of the file. Equal drawings have equal bytes.
     pub fn bytes(&self) -> Vec<u8> {
         let mut body = Groups::new(self.version, self.units);
         let space = self.tables(&mut body);
@@ -86,7 +86,7 @@ impl Drawing {
         out.put(0, "ENDSEC");
     }
 
-    /// Writes tables and blocks. Returns the handle of the model space.
+    /// Writes the tables and the blocks. Returns the handle of the model space.
     fn tables(&self, out: &mut Groups) -> u32 {
         out.section("TABLES");
         out.table("VPORT", &[], |_, _| {});
@@ -183,18 +183,18 @@ fn objects(out: &mut Groups) {
     out.put(281, 1).put(0, "ENDSEC");
 }
 
-/// Text of a file while it is written.
+/// Text of a file, extended group by group.
 struct Groups {
     text: String,
-    /// Whether the dialect is R13 or later, with handles, owners and subclasses.
+    /// Whether the dialect is R13 or later, in which objects have handles, owners and subclasses.
     later: bool,
-    /// Next free handle.
+    /// Handle of the next object.
     handle: u32,
-    /// Factor from millimetres to the unit of the file.
+    /// Factor that converts millimetres to the unit of the file.
     scale: f64,
 }
 
-/// Writes the blocks of the spaces.
+/// Writes the block of each space.
 fn blocks(out: &mut Groups, spaces: [&str; 2], records: &[u32]) {
     out.section("BLOCKS");
     for (name, &record) in spaces.into_iter().zip(records) {
@@ -228,12 +228,12 @@ impl Groups {
         self.put(0, "SECTION").put(2, name);
     }
 
-    /// Writes a length in mm, in the unit of the file.
+    /// Writes a group with a length, which is given in mm and written in the unit of the file.
     fn length(&mut self, code: u16, x: f64) -> &mut Self {
         self.number(code, self.scale * x)
     }
 
-    /// Writes a real number with a decimal point and at most 12 decimals.
+    /// Writes a group with a real number, with a decimal point and at most 12 decimals.
     fn number(&mut self, code: u16, x: f64) -> &mut Self {
         let mut text = String::with_capacity(24);
         append(&mut text, x, 12);
@@ -256,7 +256,7 @@ impl Groups {
         self
     }
 
-    /// Opens an object and assigns a handle to it.
+    /// Starts an object and returns the handle that is assigned to it.
     fn object(&mut self, kind: &str, owner: u32, classes: &[&str]) -> u32 {
         self.put(0, kind);
         let own = self.handle;
@@ -273,7 +273,7 @@ impl Groups {
         own
     }
 
-    /// Writes a table of named records, each completed by `rest`. Returns their handles.
+    /// Writes a table of named records. `rest` completes each record. Returns the handles of the records.
     fn table(&mut self, kind: &str, names: &[&str], rest: impl Fn(&mut Self, &str)) -> Vec<u32> {
         self.put(0, "TABLE").put(2, kind);
         let own = self.handle;
@@ -319,7 +319,7 @@ impl Groups {
         }
     }
 
-    /// Writes a polyline. R12 has only the heavy polyline, in which each vertex is an entity.
+    /// Writes a polyline. R12 supports only the heavy polyline, in which each vertex is a separate entity.
     fn polyline(&mut self, space: u32, layer: &str, vertices: &[[f64; 3]], closed: bool) {
         let flag = u8::from(closed);
         if self.later {

@@ -1,4 +1,4 @@
-//! `profile.dxf`: the cam for CAD, at true scale in millimetres or inches, each curve on its own layer.
+//! `profile.dxf`: outline of the cam for CAD, at true scale in millimetres or inches, with each kind of curve on its own layer.
 
 mod file;
 
@@ -11,7 +11,7 @@ use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 
-/// Layers with their AutoCAD colour indices. A drawing contains only those that it uses. Edges to be cut are on `CUT_*`.
+/// Layers with their AutoCAD colour indices. A drawing contains only the layers that it uses. Edges to be cut are on the layers `CUT_*`.
 const LAYERS: [(&str, u8); 13] = [
     ("CUT_PROFILE", 7),
     ("CUT_UPPER_WALL", 4),
@@ -27,70 +27,72 @@ const LAYERS: [(&str, u8); 13] = [
     (ZERO, 1),
     (ROTATION, 1),
 ];
-/// Layer of the mark at which θ = 0 meets the follower.
+/// Layer of the mark of θ = 0.
 const ZERO: &str = "REF_THETA_ZERO";
 /// Layer of the arrow of rotation.
 const ROTATION: &str = "REF_ROTATION";
 
-/// Oldest program version that can read the file.
+/// Version of the DXF format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
-    /// Heavy polylines, which every program reads. The R12 header has no unit, so millimetres are declared in the variable of later dialects, which
-    /// readers also use for R12.
+    /// R12: polylines with separate vertex entities, which every program can read. The R12 header has no variable for the unit. The unit is
+    /// therefore declared in the variable of later versions, which readers also use for R12.
     R12,
-    /// Lightweight polylines and splines, with millimetres declared in the header.
+    /// R2000: lightweight polylines and splines, with the unit declared in the header.
     R2000,
 }
 
-/// Layers that a drawing contains.
+/// Selection of the layers that a drawing contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Content {
     /// Edges to be cut on layers `CUT_*`, all other lines on layers `REF_*`.
     #[default]
     All,
-    /// Only the layers `CUT_*`, for machines that cut every line.
+    /// Only the layers `CUT_*`, for machines that cut every line in the file.
     CutOnly,
 }
 
-/// Entities that represent the edges.
+/// Kind of curve that represents the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Curves {
-    /// Polylines of circular arcs, which every machine reads.
+    /// Polylines of circular arcs, which every machine can read.
     #[default]
     Arcs,
-    /// Cubic B-splines, C² like the profile, for CAD.
+    /// Cubic B-splines for CAD. They are C², like the profile.
     Splines,
-    /// Polylines of chords within [`CHORDS`], for readers that ignore arcs in polylines.
+    /// Polylines of chords within [`CHORDS`] of the edges, for readers that ignore arcs in polylines.
     Lines,
 }
 
-/// Options of the drawing.
+/// Options of a DXF drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// Number of vertices of the polylines.
+    /// Number of vertices of a polyline. The vertices are at equal steps of the cam angle.
     pub points: usize,
-    /// Dialect of the file.
+    /// Version of the DXF format.
     pub version: Version,
-    /// Hole for the shaft, if any.
+    /// Hole for the shaft; `None` for a cam without a hole.
     pub bore: Option<Bore>,
-    /// Layers of the drawing.
+    /// Selection of the layers.
     pub content: Content,
     /// Unit of lengths in the file.
     pub units: Units,
 }
 
-/// Maximum distance between the default drawing and the profile, m: a hundredth of the grinding error.
+/// Maximum distance between arcs or splines and the exact profile, m. It is a hundredth of a typical grinding error.
 pub const FAITHFUL: f64 = 1e-7;
 
-/// Maximum distance between the chords of a drawing of lines and the profile, m.
+/// Maximum distance between the chords of [`Curves::Lines`] and the exact profile, m.
 pub const CHORDS: f64 = 2e-6;
 
-/// Maximum distance between splines and edges at the compared points, m. Between these points it is at most [`FAITHFUL`].
+/// Maximum distance between splines and edges, m, at the points where the distance is measured. Between these points it is at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// Drawing for manufacturing: the profile as arcs within [`FAITHFUL`] or chords within [`CHORDS`] (R12), or as splines (R2000), and the bore of the
-/// scene. If the requested kind is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle. The pitch curve
-/// always has this form.
+/// Drawing for manufacturing, with the bore of the scene. The profile consists of arcs within [`FAITHFUL`], of chords within [`CHORDS`] (both R12),
+/// or of splines (R2000).
+///
+/// If the requested kind of curve is not possible, the profile is a polyline of `points` vertices at equal steps of the cam angle. The pitch curve
+/// is always such a polyline.
 pub fn profile(
     synthesis: &Design,
     points: usize,
@@ -113,8 +115,10 @@ pub fn profile(
     drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
 
-/// Drawing of all edges to be cut, approximated by chords. It also contains pitch curve, base and prime circle, bore and centre mark. The edges are the
-/// profile of a disc, both cams of a pair, or both walls of an unrolled groove.
+/// Drawing of all edges to be cut, as polylines of chords between `options.points` vertices. The edges are the profile of a disc, both cams of a
+/// pair, or both walls of an unrolled groove.
+///
+/// The drawing also contains the pitch curve, the base and prime circles, the bore and the centre mark.
 pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
@@ -126,21 +130,21 @@ pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     sheet.drawing.bytes()
 }
 
-/// Vertex in mm at the start of a chord (bulge 0).
+/// Vertex in mm of a point in m, with a straight edge after it (bulge 0).
 fn chord([x, y]: [f64; 2]) -> [f64; 3] {
     [MM * x, MM * y, 0.0]
 }
 
-/// Converts the vertices of arcs to mm.
+/// Converts the coordinates of vertices from m to mm; the bulges are unchanged.
 fn millimetres(vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mm = |&[x, y, bulge]: &[f64; 3]| [MM * x, MM * y, bulge];
     vertices.iter().map(mm).collect()
 }
 
-/// A profile drawn as arcs.
+/// Drawing with the edges as arcs, and its accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcDrawing {
-    /// Content of the file.
+    /// Content of the DXF file.
     pub bytes: Vec<u8>,
     /// Number of arcs in the file.
     pub arcs: usize,
@@ -148,8 +152,9 @@ pub struct ArcDrawing {
     pub deviation: f64,
 }
 
-/// Draws as [`drawing`] does, with the edges as polylines of circular arcs (bulges) within `tolerance` m of the exact edges. `options.points` applies
-/// only to the pitch curve. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
+/// Draws as [`drawing`] does, but with the edges as polylines of circular arcs (bulges) within `tolerance` m of the exact edges.
+///
+/// `options.points` applies only to the pitch curve. `None` if arcs cannot approximate an edge ([`biarc::fit`]).
 pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcDrawing> {
     let mut sheet = Sheet::new(options);
     let (mut arcs, mut deviation) = (0, 0.0_f64);
@@ -168,8 +173,8 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
     })
 }
 
-/// Draws as [`drawing`] does, with the edges as chords within [`CHORDS`] of the exact edges. `None` if arcs cannot approximate an edge
-/// ([`biarc::fit`]).
+/// Draws as [`drawing`] does, but with the edges as chords within [`CHORDS`] of the exact edges. `None` if arcs, from which the chords are
+/// computed, cannot approximate an edge ([`biarc::fit`]).
 fn lines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
@@ -181,7 +186,7 @@ fn lines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// Draws as [`drawing`] does, with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in the dialect R2000. `None` if splines
+/// Draws as [`drawing`] does, but with the edges as cubic B-splines within [`FAITHFUL`] of the exact edges, in version R2000. `None` if splines
 /// cannot approximate an edge.
 pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     let version = Version::R2000;
@@ -198,7 +203,7 @@ pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// A drawing while it is written.
+/// Drawing under construction, with its options.
 struct Sheet {
     drawing: Drawing,
     options: Options,
@@ -233,7 +238,7 @@ impl Sheet {
         self.drawing.shapes.push((layer, shape));
     }
 
-    /// Adds a polyline with vertices x, y (mm) and the bulge of the following edge: tan(¼ of its arc), 0 for a chord.
+    /// Adds a polyline. A vertex contains x, y (mm) and the bulge of the following edge: tan of a quarter of its arc's angle, 0 for a chord.
     fn polyline(&mut self, layer: &'static str, vertices: &[[f64; 3]], closed: bool) {
         let mut reach = Vec::with_capacity(2 * vertices.len());
         for (i, &[x, y, bulge]) in vertices.iter().enumerate() {
@@ -245,7 +250,7 @@ impl Sheet {
         self.add(layer, Shape::Polyline { vertices, closed }, &reach);
     }
 
-    /// Draws all lines except the edges.
+    /// Adds the bore and the reference lines: pitch curves, circles, marks and the arrow of rotation.
     fn construction(&mut self, synthesis: &Design) {
         let follower = &synthesis.cam.follower;
         let round = !follower.is_unrolled();

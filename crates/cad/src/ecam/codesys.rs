@@ -1,5 +1,6 @@
-//! CODESYS SoftMotion: an `MC_CAM_REF` over an array of `SMC_CAMXYVA` (online help of SM3_Basic: `MC_CAM_REF`, `SMC_CAM_TYPE`,
-//! `MC_CamTableSelect`, `MC_CamIn`), with the block that couples the axes.
+//! Program text for CODESYS SoftMotion. It defines an `MC_CAM_REF` over an array of `SMC_CAMXYVA`, and contains the block that couples the axes.
+//!
+//! Source: online help of SM3_Basic (`MC_CAM_REF`, `SMC_CAM_TYPE`, `MC_CamTableSelect`, `MC_CamIn`).
 
 use std::fmt::Write;
 

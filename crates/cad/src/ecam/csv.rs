@@ -1,4 +1,4 @@
-//! Positions only, as CSV with one line per point.
+//! Table of positions as CSV, one point per line.
 
 use std::fmt::Write;
 
@@ -23,7 +23,7 @@ pub fn read(text: &str) -> Option<Curve> {
     })
 }
 
-/// Rows of numbers below the comment and the heading.
+/// Reads the rows of numbers below the comment line and the heading. `None` if a cell is not a number or a row does not have N cells.
 pub fn rows<const N: usize>(text: &str) -> Option<Vec<[f64; N]>> {
     let row = |line: &str| {
         let cells: Option<Vec<f64>> = line.split(',').map(|c| c.parse().ok()).collect();

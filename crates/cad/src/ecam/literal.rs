@@ -1,6 +1,7 @@
-//! Numbers in structured text (IEC 61131-3).
+//! Writing and reading of numbers in structured text (IEC 61131-3).
 
-/// Shortest literal that is read back as the same number, with the decimal point that reals require. A single-precision number has fewer digits.
+/// Shortest literal that is read back as the same number. It contains a decimal point, which real literals require. Numbers of single precision
+/// have fewer digits.
 pub fn literal(x: f64) -> String {
     let single = x as f32;
     let text = match f64::from(single) == x {
@@ -14,7 +15,8 @@ pub fn literal(x: f64) -> String {
     }
 }
 
-/// Values of `name := value` in the order of the text, one list per name; `None` if the lists differ in length or a value is not a number.
+/// Values assigned to the N `names` in a text, in the form `name := value`. Item i of the result contains the i-th value of every name. `None` if
+/// the names do not have equally many values, or if a value is not a number.
 pub fn assigned<const N: usize>(text: &str, names: [&str; N]) -> Option<Vec<[f64; N]>> {
     let mut columns: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
     for (column, name) in columns.iter_mut().zip(names) {

@@ -1,9 +1,11 @@
-//! Electronic cams: a law as a program text or table for a motion controller, and the error of the controller.
+//! Electronic cams: a law as a program text or table for a motion controller, and the resulting error.
 //!
-//! Controllers execute polynomials between points. A quintic with lift, velocity and acceleration at both ends represents a law of degree 5 exactly.
-//! The acceleration of a cubic spline through positions has two errors. With the distance h of the points, one is proportional to h², the other is
-//! the rounding error of the positions divided by h². Above some number of points, more points increase the error. Every file is therefore read back,
-//! executed in the number type of its controller, and compared with the law.
+//! Controllers interpolate between points with polynomials. Quintics that match lift, velocity and acceleration at both ends reproduce a law of
+//! degree 5 exactly. A cubic spline through positions does not. Its acceleration error has two parts, where h is the distance between the points.
+//! The interpolation error is proportional to h². The rounding error of the positions is divided by h². Beyond some number of points, more points
+//! therefore increase the error.
+//!
+//! Every file is read back and evaluated in the number type of its controller. The resulting motion is compared with the law.
 
 mod codesys;
 mod csv;
@@ -35,28 +37,28 @@ pub use table::{Node, Table};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dialect {
-    /// CODESYS SoftMotion: `MC_CAM_REF` of type XYVA, as structured text.
+    /// CODESYS SoftMotion: structured text with an `MC_CAM_REF` of type XYVA.
     Codesys,
-    /// TwinCAT: `MC_MotionFunctionPoint` with quintics between the points, as structured text.
+    /// TwinCAT: structured text with `MC_MotionFunctionPoint` and quintics between the points.
     Twincat,
-    /// Polynomial segments with lift, velocity and acceleration at both ends (SEW, Siemens), as a table.
+    /// Table of polynomial segments with lift, velocity and acceleration at both ends (SEW, Siemens).
     Segments,
-    /// Logix: a `CAM` array for `MCCP` with a cubic spline and its end slopes, as structured text.
+    /// Logix: structured text with a `CAM` array for `MCCP`, with a cubic spline and its end slopes.
     Rockwell,
-    /// Positions only, as a table.
+    /// Table of positions only, as CSV.
     Csv,
 }
 
-/// Interpolation between the points by a controller.
+/// Interpolation of a controller between the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interpolation {
-    /// A quintic with lift, velocity and acceleration at both ends.
+    /// Quintic with given lift, velocity and acceleration at both ends.
     Quintic,
-    /// Cubic spline through the positions.
+    /// Cubic spline through the given positions.
     CubicSpline,
 }
 
-/// Number type of a controller.
+/// Floating-point type of a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Number {
     /// 32-bit floating point: `REAL`.
@@ -68,18 +70,18 @@ pub enum Number {
 /// Properties of a dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Carries {
-    /// Interpolation by the controller.
+    /// Interpolation of the controller between the points.
     pub interpolation: Interpolation,
-    /// Number type of points and coefficients.
+    /// Number type of the points and coefficients.
     pub number: Number,
-    /// Maximum number of points of a cam.
+    /// Maximum number of points of one cam.
     pub most: usize,
     write: fn(&Table) -> String,
     read: fn(&str) -> Option<Curve>,
 }
 
 impl Dialect {
-    /// All supported dialects, in the order of the help text.
+    /// All supported dialects, in the order in which the help lists them.
     pub const ALL: [Dialect; 5] = [
         Dialect::Codesys,
         Dialect::Twincat,
@@ -99,7 +101,7 @@ impl Dialect {
         }
     }
 
-    /// Makers and products whose name also selects the dialect on the command line.
+    /// Makers and products that are accepted as names of the dialect on the command line.
     pub fn other_names(self) -> &'static [&'static str] {
         match self {
             Dialect::Codesys | Dialect::Csv => &[],
@@ -109,7 +111,7 @@ impl Dialect {
         }
     }
 
-    /// File name of the dialect.
+    /// Name of the file that is written for the dialect.
     pub const fn file(self) -> &'static str {
         match self {
             Dialect::Codesys => "ecam_codesys.st",
@@ -120,7 +122,7 @@ impl Dialect {
         }
     }
 
-    /// Properties of the dialect.
+    /// Properties of the controller and of the file format.
     pub fn carries(self) -> Carries {
         use Interpolation::{CubicSpline, Quintic};
         use Number::{Double, Single};
@@ -142,50 +144,52 @@ impl Dialect {
     }
 }
 
-/// Default maximum number of points if the controller does not state one.
+/// Maximum number of points of a controller without a documented maximum.
 const MOST: usize = 100_000;
-/// Maximum number of automatically chosen points.
+/// Maximum number of points that is chosen automatically.
 const MOST_CHOSEN: usize = 4096;
-/// Minimum number of intervals that can be requested.
+/// Minimum number of intervals that a user can request.
 const FEWEST: usize = 4;
-/// Added error, as a fraction of the mean force, below which the number of points is not increased further.
+/// Added RMS force error, as a fraction of the mean force, at which the automatic number of points is sufficient.
 const EXACT: f64 = 1e-4;
-/// Accepted added error, as a fraction of the mean force, if the design does not state one.
+/// Permitted added RMS force error, as a fraction of the mean force, if the design has no limit of the RMS force error.
 const ACCEPTED: f64 = 0.005;
-/// Number of quadrature nodes for the square of a difference of quintics.
+/// Number of Gauss nodes that integrate the square of a difference of two quintics exactly.
 const GAUSS: usize = 6;
 
-/// A file for a controller, and the error with this controller.
+/// File for a controller, and the error of the motion that the controller executes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronicCam {
     /// Dialect of the file.
     pub dialect: Dialect,
-    /// Text of the file.
+    /// Text of the file, a program or a table.
     pub text: String,
-    /// Number of intervals between points.
+    /// Number of intervals between the points.
     pub intervals: usize,
-    /// Error with the controller.
+    /// Error of the motion that the controller executes.
     pub replayed: Replayed,
 }
 
-/// Error of a controller that executes a file.
+/// Error of the motion that a controller executes from a file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Replayed {
-    /// RMS difference between the forces of the executed motion and of the law, N; `None` without a drive.
+    /// RMS difference, N, between the forces of the executed motion and of the law; `None` without a drive.
     pub added: Option<f64>,
-    /// Added force error relative to the mean target. Without a target it is relative to the maximum force; without a drive it is the acceleration
-    /// error relative to the maximum acceleration.
+    /// RMS force difference as a fraction of the mean target force. Without a target, it is a fraction of the maximum force. Without a drive, it is
+    /// the RMS acceleration difference as a fraction of the maximum acceleration.
     pub share: f64,
-    /// RMS difference between the force and the target, N; `None` without a target.
+    /// RMS difference, N, between the force of the executed motion and the target; `None` without a target.
     pub error: Option<f64>,
 }
 
-/// Electronic cam of a design, with the requested number of intervals per cycle, or with the minimum number that reproduces the law.
+/// Electronic cam of a design, with the requested number of intervals per cycle. Without a request, the number is chosen so that the motion
+/// reproduces the law.
 ///
 /// # Errors
 ///
-/// The number of intervals is out of range; the motion differs from the law by more than the accuracy of the design permits (with a sufficient
-/// number); the shaft speed of the design is not constant.
+/// - The number of intervals is out of range.
+/// - The added force error exceeds the permitted RMS error of the design. The message suggests a sufficient number, if there is one.
+/// - The shaft speed of the design is not constant.
 pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Result<ElectronicCam> {
     if design.shaft.is_some() {
         return Err(WriteError::EcamOfMotor.at_key("law.shaft"));
@@ -211,7 +215,8 @@ pub fn make(design: &Design, dialect: Dialect, intervals: Option<usize>) -> Resu
     }
 }
 
-/// The cam with the minimum number of points that reproduces the law; otherwise the most accurate one.
+/// Cam with the minimum number of points for which the added error is at most [`EXACT`]. The number is doubled step by step. If no number is
+/// sufficient, the result is the cam with the smallest error.
 fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     let breaks = design.cam.law.breaks();
     let mut best: Option<ElectronicCam> = None;
@@ -239,7 +244,7 @@ fn fewest(design: &Design, dialect: Dialect) -> ElectronicCam {
     best.unwrap_or_else(|| executed(design, dialect, breaks))
 }
 
-/// The file with points at the given angles, read back and executed.
+/// Writes the file with points at the given positions of the cam, rad (translating cam: m), reads it back and evaluates its error.
 fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam {
     let carries = dialect.carries();
     let table = Table::of(design, angles, carries.number);
@@ -257,9 +262,10 @@ fn executed(design: &Design, dialect: Dialect, angles: &[f64]) -> ElectronicCam 
 const LONGEST_NAME: usize = 24;
 
 impl ElectronicCam {
-    /// The cam with a name other than `gaitcam` in its variables, for a second cam in one project.
+    /// The cam with `name` instead of `gaitcam` in the names of its variables, for a second cam in one project.
     ///
     /// # Errors
+    ///
     /// The name is not an identifier of IEC 61131-3, or is longer than 24 characters.
     pub fn named(mut self, name: &str) -> Result<ElectronicCam> {
         let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
@@ -278,7 +284,7 @@ impl ElectronicCam {
 }
 
 impl Replayed {
-    /// Error for a text that cannot be read back.
+    /// Infinite error, for a text that cannot be read back.
     const NOT_READ: Replayed = Replayed {
         added: None,
         share: f64::INFINITY,
@@ -286,7 +292,7 @@ impl Replayed {
     };
 }
 
-/// Comparison of the executed motion with the law and, if there is one, with the target.
+/// Compares the executed motion with the law and, if there is one, with the target force.
 fn held_against(design: &Design, motion: &Law) -> Replayed {
     let law = &design.cam.law;
     let (start, length) = law.extent();
@@ -328,10 +334,10 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
     }
 }
 
-/// Number of parts of the cycle in which the target is sufficiently smooth for the quadrature.
+/// Minimum number of quadrature intervals per cycle, so that the target is smooth enough within each interval.
 const PARTS: f64 = 720.0;
 
-/// Breaks of both functions, and further ones where the distance exceeds `most`.
+/// Breaks of both functions in increasing order, with additional points so that no interval is longer than `most`.
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);
@@ -346,7 +352,7 @@ fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     out
 }
 
-/// Whether the motion reproduces the law within the required accuracy of the force.
+/// Whether the motion reproduces the law within the permitted RMS force error.
 fn accepted(design: &Design, made: &ElectronicCam) -> bool {
     made.replayed.share <= accepted_share(design)
 }
@@ -386,8 +392,8 @@ mod tests {
     use super::*;
     use gaitcam::scene::built_in;
 
-    /// An independent integration (a table of positions rounded to 1 µm, interpolated by cubics) gave 4.5, 72 and 477 % of the weight for 360, 1440
-    /// and 3600 points.
+    /// Errors from an independent integration, in which a table of positions is rounded to 1 µm and interpolated by cubics: 4.5, 72 and 477 % of
+    /// the weight for 360, 1440 and 3600 points.
     #[test]
     fn a_table_rounded_to_a_micrometre_is_worse_with_more_points() {
         let design = built_in("footbridge")

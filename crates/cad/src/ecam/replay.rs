@@ -1,4 +1,4 @@
-//! Execution of a file as by its controller: polynomials between the points, in the number type of the controller.
+//! Motion that a controller executes from a file: polynomials between the points, in the number type of the controller.
 
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
@@ -6,11 +6,11 @@ use gaitcam::poly::PiecewisePoly;
 use super::Number;
 use super::table::{Node, Table};
 
-/// Curve data of a file.
+/// Curve data that a file contains.
 pub enum Curve {
-    /// Lift, velocity and acceleration at both ends of every segment.
+    /// Lift, velocity and acceleration at both ends of every polynomial segment.
     Segments(Vec<[Node; 2]>),
-    /// Positions, and the slopes at both ends if the file contains them.
+    /// Positions, with the slopes of the spline at both ends if the file contains them.
     Points {
         points: Vec<[f64; 2]>,
         slopes: Option<[f64; 2]>,
@@ -18,7 +18,7 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// Quintics through points with x, y, y′ and y″.
+    /// Quintic segments through points, each given by x, y, y′ and y″.
     pub fn through(nodes: &[[f64; 4]]) -> Curve {
         let node = |n: [f64; 4]| Node {
             x: n[0],
@@ -30,7 +30,7 @@ impl Curve {
     }
 }
 
-/// The executed motion as a law with positions in rad (or m) and lifts in m (or rad).
+/// The executed motion as a law, with positions in rad (translating cam: m) and lifts in m (oscillating follower: rad).
 pub fn motion(curve: &Curve, table: &Table, number: Number) -> Law {
     let [fx, fy] = table.factors;
     let (degree, breaks, pieces): (usize, Vec<f64>, Vec<f64>) = match curve {
@@ -64,7 +64,7 @@ pub fn motion(curve: &Curve, table: &Table, number: Number) -> Law {
     Law::from_poly(PiecewisePoly::new(breaks, degree, pieces), table.closed)
 }
 
-/// Bernstein coefficients of the quintic with the positions, velocities and accelerations at both ends.
+/// Bernstein coefficients of the quintic with the lifts, velocities and accelerations at both ends.
 fn quintic(ends: &[Node; 2]) -> [f64; 6] {
     let [p, q] = ends;
     let h = q.x - p.x;
@@ -78,7 +78,7 @@ fn quintic(ends: &[Node; 2]) -> [f64; 6] {
     ]
 }
 
-/// Bernstein coefficients of the cubic with the positions and slopes at both ends.
+/// Bernstein coefficients of the cubic with the lifts and slopes at both ends.
 fn cubic(p: &[[f64; 2]], m: &[f64]) -> [f64; 4] {
     let h = p[1][0] - p[0][0];
     [
@@ -93,7 +93,7 @@ fn chord(p: &[[f64; 2]]) -> f64 {
     (p[1][1] - p[0][1]) / (p[1][0] - p[0][0])
 }
 
-/// Slopes of the cubic spline with given end slopes (de Boor, A Practical Guide to Splines, IV).
+/// Slopes at the points of the cubic spline with given end slopes (de Boor, A Practical Guide to Splines, IV).
 fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     let n = points.len();
     let (mut rows, mut right) = (vec![[0.0, 1.0, 0.0]; n], vec![0.0; n]);
@@ -104,7 +104,8 @@ fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     tridiagonal(&rows, right)
 }
 
-/// Slopes of the periodic cubic spline. Its equations are those of an open spline with a rank-one change (Sherman–Morrison formula).
+/// Slopes at the points of the periodic cubic spline. Its equations differ from those of an open spline by a rank-one matrix, and are solved with
+/// the Sherman–Morrison formula.
 fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     let n = points.len() - 1;
     let row_of = |i: usize| match i {
@@ -125,7 +126,8 @@ fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     m
 }
 
-/// Equation of the slope between two intervals, for equal second derivatives.
+/// Equation for the slope at the point between two intervals: the second derivatives on both sides are equal. Returns three coefficients and the
+/// right side.
 fn row(before: &[[f64; 2]], after: &[[f64; 2]]) -> ([f64; 3], f64) {
     let [h, k] = [before, after].map(|p| p[1][0] - p[0][0]);
     (
@@ -134,7 +136,7 @@ fn row(before: &[[f64; 2]], after: &[[f64; 2]]) -> ([f64; 3], f64) {
     )
 }
 
-/// Solves a diagonally dominant tridiagonal system.
+/// Solution of a diagonally dominant tridiagonal system. A row contains the coefficients left of the diagonal, on it and right of it.
 fn tridiagonal(rows: &[[f64; 3]], mut right: Vec<f64>) -> Vec<f64> {
     let n = rows.len();
     let mut upper = vec![0.0; n];

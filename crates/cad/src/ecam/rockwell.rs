@@ -1,4 +1,6 @@
-//! Logix: a `CAM` array and its `MCCP` with start and end slopes (Rockwell, MOTION-RM002: `CAM` data type, `MCCP`).
+//! Program text for Logix: a `CAM` array, and its `MCCP` instruction with start and end slopes.
+//!
+//! Source: Rockwell, MOTION-RM002 (`CAM` data type, `MCCP`).
 
 use std::fmt::Write;
 

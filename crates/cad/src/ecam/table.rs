@@ -6,25 +6,25 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
-/// Units of the last place below which a value is a rounding error of its column.
+/// Number of units in the last place of a column's maximum. A smaller value in the column counts as a rounding error.
 const ROUNDED: f64 = 64.0;
-/// Relative difference of the two sides of a joint that counts as a rounding error.
+/// Difference between the two sides of a joint, relative to the column's maximum, that counts as a rounding error.
 const SAME: f64 = 1e-9;
 
-/// A point of the cam, with derivatives of the follower's position with respect to the cam's position.
+/// Point of the cam. Derivatives are those of the follower's position with respect to the cam's position, in the units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.
     pub x: f64,
     /// Position of the follower (slave), mm or degrees.
     pub y: f64,
-    /// Derivative dy/dx at the point.
+    /// First derivative dy/dx at the point.
     pub v: f64,
-    /// Derivative d²y/dx² at the point.
+    /// Second derivative d²y/dx² at the point.
     pub a: f64,
 }
 
-/// Contents of a file.
+/// Contents of a file for a controller, in the units of the controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Name of the scene.
@@ -33,16 +33,16 @@ pub struct Table {
     pub x_unit: &'static str,
     /// Unit of y: `mm` or `deg`.
     pub y_unit: &'static str,
-    /// Factors of the units: x per rad (or m) of the law, y per m (or rad).
+    /// Conversion factors: x per rad (or m) of the law, and y per m (or rad) of the lift.
     pub factors: [f64; 2],
     /// Whether the motion is periodic.
     pub closed: bool,
-    /// Both ends of every interval; the law may jump between two intervals.
+    /// Both end points of every interval. Derivatives of the law may jump between two intervals.
     pub segments: Vec<[Node; 2]>,
 }
 
 impl Table {
-    /// Table of a design with points at the given angles (for a translating cam: positions, m), rounded to the number type of the controller.
+    /// Table of a design with points at the given angles, rad (for a translating cam: positions, m), rounded to the number type of the controller.
     pub fn of(design: &Design, angles: &[f64], number: Number) -> Table {
         let measures = design.cam.follower.measures();
         let (x_unit, x) = match measures {
@@ -85,18 +85,18 @@ impl Table {
         }
     }
 
-    /// All points once: the left ends, and the last right end.
+    /// Every point once: the left ends of all intervals, and the right end of the last one.
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let last = self.segments.last().map(|s| s[1]);
         self.segments.iter().map(|s| s[0]).chain(last)
     }
 
-    /// Whether the controller repeats the cam, as structured text.
+    /// Structured-text literal, `TRUE` if the controller repeats the cam.
     pub fn periodic(&self) -> &'static str {
         if self.closed { "TRUE" } else { "FALSE" }
     }
 
-    /// Requirements on the axes, as a comment in both languages.
+    /// Comment in English and Spanish about the kind of master axis that the cam requires.
     pub fn axes(&self) -> String {
         match (self.closed, self.x_unit) {
             (true, "deg") => "(* The master is a modulo axis of 360 deg; cam angle 0 is its position 0. *)\n\
@@ -107,7 +107,7 @@ impl Table {
         .to_string()
     }
 
-    /// Description of the numbers, for the head of a file.
+    /// Description of the columns and their units, for the first lines of a file.
     pub fn head(&self) -> String {
         let (x, y) = (self.x_unit, self.y_unit);
         // Removes characters that would end a comment.
@@ -119,8 +119,8 @@ impl Table {
     }
 }
 
-/// The segments without rounding errors. A value of some units of the last place of its column's maximum becomes 0. Values that differ only by
-/// rounding errors, on the two sides of a joint or at the ends of a closed cycle, become equal.
+/// Removes rounding errors from the segments. A value below [`ROUNDED`] units in the last place of its column's maximum becomes 0. Values on both
+/// sides of a joint that differ only by rounding errors become equal.
 fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
     type Column = fn(&mut Node) -> &mut f64;
     let columns: [Column; 4] = [|n| &mut n.x, |n| &mut n.y, |n| &mut n.v, |n| &mut n.a];
@@ -144,7 +144,7 @@ fn clean(mut segments: Vec<[Node; 2]>, number: Number) -> Vec<[Node; 2]> {
 }
 
 impl Number {
-    /// The nearest number of the controller.
+    /// Number of this type that is nearest to `x`.
     pub fn nearest(self, x: f64) -> f64 {
         match self {
             Number::Single => f64::from(x as f32),
@@ -152,7 +152,7 @@ impl Number {
         }
     }
 
-    /// Spacing of the numbers of the controller near 1.
+    /// Distance between 1 and the next larger number of this type.
     fn unit_of_last_place(self) -> f64 {
         match self {
             Number::Single => f64::from(f32::EPSILON),

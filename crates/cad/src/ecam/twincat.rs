@@ -1,5 +1,6 @@
-//! TwinCAT: an array of `MC_MotionFunctionPoint` (Beckhoff Information System, TF5050: `MC_MotionFunctionPoint`,
-//! `MC_MotionFunctionType`, `MC_CAM_REF`, `MC_CamTableSelect`, `MC_CamIn`), with the block that couples the axes.
+//! Program text for TwinCAT: an array of `MC_MotionFunctionPoint`, and the block that couples the axes.
+//!
+//! Source: Beckhoff Information System, TF5050 (`MC_MotionFunctionPoint`, `MC_MotionFunctionType`, `MC_CAM_REF`, `MC_CamTableSelect`, `MC_CamIn`).
 
 use std::fmt::Write;
 

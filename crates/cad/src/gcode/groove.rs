@@ -1,7 +1,8 @@
-//! Groove of a barrel on a rotary axis. The axis of the cutter meets the axis of the barrel, like the axis of the roller.
+//! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, like the axis of the
+//! roller.
 //!
-//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller. There are no ridges and gouges at any
-//! depth. A thinner cutter cannot do this: in an oblique part of the groove its circle touches the wall at a different place at every depth.
+//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller without ridges or gouges at any depth.
+//! A thinner cutter cannot do this: in an oblique part of the groove, its contact with the wall changes with the depth.
 
 use std::fmt::Write;
 
@@ -12,16 +13,20 @@ use gaitcam::units::Quantity;
 use super::{ACCELERATION, DECIMALS, FEED, Milling, code, comment, finished, named};
 
 const MM: f64 = 1000.0;
-/// Maximum distance between the lines and the path of the roller, m.
+/// Maximum distance between the line segments of the program and the path of the roller, m.
 const LINES: f64 = 2e-7;
-/// Maximum length of a line segment, rad.
+/// Maximum rotation of the barrel during one line segment, rad.
 const LONGEST: f64 = std::f64::consts::TAU / 72.0;
-/// Maximum number of halvings of a line.
+/// Maximum number of times that a line segment is halved.
 const DEEPEST: usize = 16;
-/// Relative difference below which two radii are equal.
+/// Relative difference below which two radii count as equal.
 const ONE: f64 = 1e-6;
 
-/// Program for a cutter, with two passes for two rollers that are offset from their stud.
+/// Program for a groove. It contains two passes if each wall has its own roller, offset along the barrel.
+///
+/// # Errors
+///
+/// The radius of the cutter differs from that of the roller, or the groove is undercut.
 pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
     let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();
@@ -89,14 +94,14 @@ pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<Strin
     Ok(finished(out))
 }
 
-/// Feed on the surface, mm/min. The acceleration across the groove is limited to that of the table.
+/// Feed at the surface of the barrel, mm/min. It is reduced where the acceleration across the groove would exceed [`ACCELERATION`].
 fn feed(groove: &BarrelGroove, theta: f64) -> f64 {
     let (_, surface) = groove.depth();
     let bend = MM * groove.rho_pitch(theta, surface).abs();
     FEED.min(60.0 * (ACCELERATION * bend).sqrt())
 }
 
-/// Angles between which straight lines approximate the law.
+/// Angles of the barrel, rad, between which straight lines approximate the law.
 fn stations(groove: &BarrelGroove) -> Vec<f64> {
     let breaks = groove.law().breaks();
     let mut out = vec![breaks[0]];

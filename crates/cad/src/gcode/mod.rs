@@ -1,5 +1,5 @@
-//! Programs for machines (ISO 6983): a milling cutter around the outside of a cam, a cutter in the groove of a barrel on a rotary axis, and wire
-//! cutting with an entry.
+//! Programs for machine tools (ISO 6983). Milling programs cut the outside of a cam, or the groove of a barrel on a rotary axis. Wire-cutting
+//! programs cut the hole and the outside of a cam.
 
 mod groove;
 mod outside;
@@ -15,21 +15,21 @@ use super::{Units, cutter};
 use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
-/// Feed of the contact point along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators adjust it with the override.
+/// Feed of the contact point along the profile, mm/min, for 0.05 mm per tooth, two teeth and 2000 rpm. Operators adjust the feed with the override.
 const FEED: f64 = 200.0;
-/// Spindle speed for this feed, 1/min.
+/// Spindle speed for which the feed is chosen, 1/min.
 const SPINDLE: f64 = 2000.0;
 /// Axial feed of the cutter, as a fraction of [`FEED`].
 const PLUNGE: f64 = 0.25;
-/// Height above the plate for rapid moves, m.
+/// Height above the plate for rapid motion, m.
 const CLEAR: f64 = 0.005;
-/// Fraction of a pass below which the remaining thickness of the plate has no separate pass.
+/// Fraction of the depth of a pass. A smaller remaining thickness does not get a separate pass.
 const REST: f64 = 1e-6;
-/// Maximum number of passes through a plate; more would mean a wrong depth.
+/// Maximum number of passes through a plate. A larger number means that the given depth is wrong.
 const MOST_PASSES: f64 = 1000.0;
-/// Maximum acceleration of the machine table on an arc, mm/s².
+/// Maximum acceleration of the machine table on a curved path, mm/s².
 const ACCELERATION: f64 = 500.0;
-/// Relative change of the feed above which a new feed is written.
+/// Relative change of the feed from which a new feed is written.
 const NEW_FEED: f64 = 0.01;
 
 /// Options of the milling program.
@@ -44,14 +44,14 @@ const NEW_FEED: f64 = 0.01;
 pub struct Milling {
     /// Radius of the cutter, m.
     pub tool: f64,
-    /// Depth of a pass, m. If `None`, the operator sets depth and spindle speed.
+    /// Depth of one pass, m. If `None`, the operator sets the depth and the spindle speed.
     pub pass: Option<f64>,
-    /// Unit of the program.
+    /// Unit of lengths in the program.
     pub units: Units,
 }
 
 impl Milling {
-    /// Options for a cutter radius, m, with millimetres and with the depth set by the operator.
+    /// Options for a cutter of radius `tool` (m), in millimetres, with the depth set by the operator.
     pub fn of(tool: f64) -> Milling {
         Milling {
             tool,
@@ -61,11 +61,11 @@ impl Milling {
     }
 }
 
-/// A segment of a path; lengths in m.
+/// Line or arc of a path; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Move {
     to: [f64; 2],
-    /// Centre of an arc, and whether it is counter-clockwise; `None` for a line.
+    /// Centre of the arc, and whether the arc is counter-clockwise; `None` for a line.
     arc: Option<([f64; 2], bool)>,
     /// Feed of the cutter centre, mm/min.
     feed: f64,
@@ -89,25 +89,29 @@ impl Move {
     }
 }
 
-/// Feed of the cutter centre on an arc of radius `path` m, mm/min. The contact, at the radius `profile` m, moves with a constant feed if the
-/// acceleration of the table permits it.
+/// Feed of the cutter's centre, mm/min, on an arc of radius `path` m. The contact point, on the radius `profile` m, moves at [`FEED`], or more
+/// slowly where the acceleration would exceed [`ACCELERATION`].
 fn feed_on(path: f64, profile: f64) -> f64 {
     let most = 60.0 * (ACCELERATION * MM * path).sqrt();
     (FEED * path / profile).min(most)
 }
 
-/// Path of the cutter centre, m.
+/// Path of the cutter's centre, m.
 struct Path {
     start: [f64; 2],
     moves: Vec<Move>,
 }
 
-/// Programs for a cutter: bore and outside of each cam, or groove of a barrel, for which the cutter has the radius of the roller.
+/// Programs for a milling cutter: one for the bore and the outside of each cam, or one for the groove of a barrel. In a groove, the cutter must
+/// have the radius of the roller.
 ///
 /// # Errors
 ///
-/// A radius that is not positive; a pass below a thousandth of the thickness; a profile that arcs cannot approximate (undercut, jumps of the
-/// velocity); a cutter that does not fit a concave part or differs from the width of the groove.
+/// - A radius is not positive.
+/// - A pass is below a thousandth of the thickness.
+/// - Arcs cannot approximate the profile (undercut, jumps of the velocity).
+/// - The cutter does not fit into a concave part.
+/// - The radius of the cutter for a groove differs from that of the roller.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -154,7 +158,8 @@ pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     Edge::all(design).iter().map(program).collect()
 }
 
-/// Writes the round part of the bore. It is omitted, and must be drilled, if the cutter is too wide.
+/// Writes the commands that mill the bore without its keyway. If the cutter is too wide for the bore, only a note is written, and the bore must be
+/// drilled.
 fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     let Some(bore) = design.problem.cam.hole() else {
         return;
@@ -174,12 +179,14 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
     }
 }
 
-/// Program for a wire that cuts at the distance `radius` m from its centre (half its diameter and the spark gap). It cuts the hole for the shaft with
-/// its keyway, then the outside. For a pair, the program cuts the first cam.
+/// Program for wire cutting. The centre of the wire moves at the distance `radius` m from the edge; `radius` is half the wire diameter plus the
+/// spark gap.
+///
+/// The program cuts the hole for the shaft with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
 ///
 /// # Errors
 ///
-/// The errors of [`milling`]; a barrel; a wire that is too thick for the keyway.
+/// The errors of [`milling`]; the cam is a barrel; the wire is too thick for the keyway.
 pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     let radius = cutter::positive(radius)?;
     if design.groove.is_some() {
@@ -208,7 +215,7 @@ pub fn wire(design: &Design, radius: f64, units: Units) -> Result<String> {
     Ok(out.finished())
 }
 
-/// A program while it is written.
+/// Text of a program, extended line by line.
 struct Program {
     text: String,
     units: Units,
@@ -224,7 +231,7 @@ impl Program {
         }
     }
 
-    /// Writes a line of the program unchanged.
+    /// Writes a line without any change.
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
@@ -234,23 +241,23 @@ impl Program {
         self.line(&format!("({note})"));
     }
 
-    /// Formats a length in m.
+    /// Text of a length, given in m, in the unit of the program.
     fn length(&self, x: f64) -> String {
         self.units.number(x, DECIMALS)
     }
 
-    /// Formats a length in m with its unit.
+    /// Text of a length, given in m, in the unit of the program and followed by this unit.
     fn named(&self, x: f64) -> String {
         named(self.units, x)
     }
 
-    /// Formats a feed in mm/min with its unit.
+    /// Text of a feed, given in mm/min, followed by its unit in the program.
     fn feed(&self, feed: f64) -> String {
         let unit = self.units.name().to_uppercase();
         format!("{} {unit}/MIN", written_feed(self.units, feed))
     }
 
-    /// Writes the end of the header for paths in the plane of the cam.
+    /// Writes the last header lines of a program for paths in the plane of the cam.
     fn begin_plane(&mut self, design: &Design) {
         self.note(if design.cam.follower.is_unrolled() {
             "ZERO AT THE FOOT BELOW THE START, +Y ALONG THE FOLLOWER"
@@ -261,7 +268,7 @@ impl Program {
         self.line(&format!("G90 {plane} G17 G40 G94"));
     }
 
-    /// Writes a path at the depth of every pass (m), or once with an instruction to the operator.
+    /// Writes a path once per pass of depth `pass` (m). Without `pass`, it writes the path once, after a stop at which the operator sets the depth.
     fn passes(&mut self, path: &Path, task: &str, pass: Option<f64>) {
         let [x, y] = path.start.map(|v| self.length(v));
         let start = format!("G0 X{x} Y{y}");
@@ -314,16 +321,16 @@ impl Program {
     }
 }
 
-/// Number of decimals of a millimetre.
+/// Number of decimals of lengths in millimetres.
 const DECIMALS: usize = 4;
 
-/// Formats a length in m with its unit.
+/// Text of a length, given in m, in the unit of the program and followed by this unit.
 fn named(units: Units, x: f64) -> String {
     let unit = units.name().to_uppercase();
     format!("{} {unit}", units.number(x, DECIMALS))
 }
 
-/// G-code of the unit.
+/// G-code that selects the unit.
 fn code(units: Units) -> &'static str {
     match units {
         Units::Millimetres => "G21",
@@ -331,7 +338,7 @@ fn code(units: Units) -> &'static str {
     }
 }
 
-/// Formats a feed in mm/min in the unit of the program.
+/// Text of a feed, given in mm/min, in the unit of the program per minute.
 fn written_feed(units: Units, feed: f64) -> String {
     match units {
         Units::Millimetres => format!("{feed:.0}"),
@@ -339,7 +346,7 @@ fn written_feed(units: Units, feed: f64) -> String {
     }
 }
 
-/// Formats a number without −0, which some machines reject.
+/// Removes the minus sign of zero coordinates (−0) from the text of a program, because some machines reject −0.
 fn finished(text: String) -> String {
     let lines = text.lines().map(|line| {
         let words = line.split(' ').map(|word| match word.split_once('-') {
@@ -353,7 +360,7 @@ fn finished(text: String) -> String {
     lines.collect()
 }
 
-/// A coordinate rounded as in the program, m.
+/// Coordinate, m, rounded to the decimals of the program.
 fn rounded(units: Units, x: f64) -> f64 {
     let step = match units {
         Units::Millimetres => 1e7,
@@ -362,7 +369,7 @@ fn rounded(units: Units, x: f64) -> f64 {
     (x * step).round() / step
 }
 
-/// Characters that every controller accepts within a comment.
+/// Name with every character replaced by `_` that some controller does not accept in a comment, cut to 40 characters.
 fn comment(name: &str) -> String {
     let plain = |c: char| match c.to_ascii_uppercase() {
         c @ ('A'..='Z' | '0'..='9' | ' ' | '.' | '-' | '_') => c,

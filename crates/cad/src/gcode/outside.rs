@@ -1,32 +1,32 @@
 //! Path around the outside of a profile, as arcs and lines.
 //!
-//! The arcs that approximate the profile have parallel arcs about the same centres, so the path is as accurate as the arcs. The path is clockwise
-//! with the cutter on its left: climb milling with a spindle that turns clockwise.
+//! Each arc of the profile has a parallel arc about the same centre, so the path is as accurate as the arcs. The path is clockwise, with the cutter
+//! on the left of the profile. With a spindle that turns clockwise, this is climb milling.
 
 use super::{Move, Path, feed_on};
 use crate::biarc::{self, circle};
 use gaitcam::synth::Edge;
 
-/// Maximum distance between the arcs and the profile, m. Together with the rounding of the program it is below one micrometre.
+/// Maximum distance between the arcs and the profile, m. The sum of this distance and the rounding of the program is below one micrometre.
 const ARCS: f64 = 5e-7;
-/// Minimum radius of the lead-in and lead-out arcs, in cutter radii.
+/// Radius of the lead-in and lead-out arcs, as a multiple of the cutter radius.
 const LEAD: f64 = 1.0;
 const LEAST_LEAD: f64 = 0.002;
 /// Length of the line from the start hole of a wire to the profile, m.
 const WAY_IN: f64 = 0.003;
 
-/// Kind of entry and exit of the path.
+/// Kind of lead-in and lead-out of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lead {
-    /// Tangential quarter circles, so that a milling cutter leaves no mark.
+    /// Tangential quarter circles, with which a milling cutter leaves no mark.
     Arcs,
     /// Straight lines along the normal, for a wire that starts outside the blank or in a start hole.
     Lines,
 }
 
-/// Path around the outside of an edge, with entry and exit by `lead`.
+/// Path around the outside of an edge for a cutter of radius `tool` m, with lead-in and lead-out of the kind `lead`.
 ///
-/// `None` if arcs cannot approximate the edge (undercut, jumps of the velocity), or if the cutter does not fit a concave part.
+/// `None` if arcs cannot approximate the edge (undercut, jumps of the velocity), or if the cutter does not fit into a concave part.
 pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     let arcs = biarc::along(edge, ARCS)?;
     let mut ends = arcs.vertices;
@@ -53,7 +53,7 @@ pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
     })
 }
 
-/// Lead-in and lead-out quarter circles of the path.
+/// Path with a quarter circle as lead-in and another one as lead-out.
 fn with_arcs(
     mut moves: Vec<Move>,
     [begin, end]: [[f64; 2]; 2],
@@ -76,7 +76,7 @@ fn with_arcs(
     }
 }
 
-/// Straight lead-in and lead-out along the normals, from outside the blank and back.
+/// Path with straight lines along the normals as lead-in and lead-out.
 fn with_lines(
     mut moves: Vec<Move>,
     [begin, end]: [[f64; 2]; 2],
@@ -93,8 +93,8 @@ fn with_lines(
     }
 }
 
-/// Parallel of one arc of the profile at the distance `tool` on its left, with the outward normals at its ends; `None` if the cutter does not fit
-/// into the arc.
+/// Parallel of an arc of the profile at the distance `tool` (m) on its left, and the outward normals at both ends of the arc. `None` if the cutter
+/// does not fit into the arc.
 fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])> {
     let (from, to) = ([a[0], a[1]], [b[0], b[1]]);
     let Some((centre, radius)) = circle(from, to, a[2]) else {

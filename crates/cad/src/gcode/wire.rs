@@ -1,10 +1,10 @@
-//! Hole for the shaft, cut from its centre by a wire or a cutter.
+//! Path along the edge of the shaft hole, for a wire or a milling cutter that starts at the centre of the hole.
 
 use gaitcam::cam::Bore;
 
 use super::{Move, Path};
 
-/// Path along the edge of the hole at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` if the tool does not fit.
+/// Path inside the hole at the distance `radius` m from its edge, counter-clockwise from the lowest point. `None` if the tool does not fit.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;
     if round <= 0.0 {

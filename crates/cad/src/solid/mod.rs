@@ -1,4 +1,4 @@
-//! The cam as a solid: a plate with its holes, or the walls of a barrel's groove, as STL and 3MF.
+//! Solids as STL and 3MF: the cam as a plate with its holes, or the walls of a barrel's groove.
 
 mod plate;
 mod stl;
@@ -12,12 +12,12 @@ pub use plate::{Plate, plate};
 pub use stl::file as binary_stl;
 pub use wall::wall;
 
-/// Triangle mesh, mm. The triangles are counter-clockwise seen from outside.
+/// Triangle mesh, mm. The vertices of a triangle are counter-clockwise when seen from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Vertices x, y, z.
+    /// Coordinates x, y, z of the vertices.
     pub vertices: Vec<[f64; 3]>,
-    /// Indices of the vertices of each triangle.
+    /// Indices of the three vertices of each triangle.
     pub triangles: Vec<[usize; 3]>,
 }
 

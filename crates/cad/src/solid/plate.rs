@@ -1,4 +1,4 @@
-//! The cam as a plate: a closed surface for printing and milling.
+//! Closed surface of the cam as a plate, for printing and milling.
 
 use super::Mesh;
 use crate::step::positive;
@@ -9,24 +9,28 @@ use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
 
-/// A plate of constant thickness, m.
+/// Plate of constant thickness; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
-    /// Thickness of the plate, which lies on z = 0.
+    /// Thickness of the plate, m. The lower face is at z = 0.
     pub thickness: f64,
-    /// Hole for the shaft, if any.
+    /// Hole for the shaft; `None` for a plate without a hole.
     pub bore: Option<Bore>,
     /// Number of vertices of the profile.
     pub points: usize,
 }
 
-/// Surface of the plate. Every vertex of the profile has a bore vertex on its ray from the centre (without a bore: the centre), so that the faces are
-/// wedges that cannot overlap.
+/// Surface of the plate.
+///
+/// Every vertex of the profile is connected with the point of the bore on the same ray from the centre (without a bore: with the centre). The faces
+/// are therefore wedges that cannot overlap.
 ///
 /// # Errors
 ///
-/// A ray from the centre meets the profile more than once; the bore does not fit; invalid thickness or number of points; an undercut profile; an open
-/// law.
+/// - A ray from the centre meets the profile more than once.
+/// - The bore does not fit.
+/// - The thickness or the number of points is invalid.
+/// - The profile is undercut, or the law is open.
 pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * positive(plate.thickness)?;
@@ -74,7 +78,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     })
 }
 
-/// Minimum distance of the polygon from the centre.
+/// Minimum distance of the polygon from the origin, the centre of the cam.
 fn clearance(outline: &[[f64; 2]]) -> f64 {
     let n = outline.len();
     (0..n)
@@ -88,7 +92,7 @@ fn clearance(outline: &[[f64; 2]]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Vertices of a ring at both heights: index 2i at the bottom, 2i + 1 at the top.
+/// Vertices of a closed curve at both heights of the plate: index 2i at the bottom, 2i + 1 at the top.
 fn ring(points: &[[f64; 2]], thickness: f64) -> Vec<[f64; 3]> {
     points
         .iter()
@@ -115,7 +119,7 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-/// The polygon with an additional vertex on each ray from the centre through a corner of the hole.
+/// Copy of the polygon with additional vertices: its intersections with the rays from the centre through the corners of the hole.
 fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     let corners = bore.corners();
     let n = outline.len();
@@ -134,7 +138,7 @@ fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     out
 }
 
-/// Intersection of a ray with the chord from p to q, as a fraction of the chord.
+/// Position at which a ray from the centre intersects the chord from `p` to `q`, as a fraction of the chord; `None` without an intersection.
 fn crossing(p: [f64; 2], q: [f64; 2], angle: f64) -> Option<f64> {
     let (sin, cos) = libm::sincos(angle);
     let side = |v: [f64; 2]| cos * v[1] - sin * v[0];

@@ -1,4 +1,4 @@
-//! Meshes as binary STL.
+//! Writing of meshes as binary STL.
 
 use std::io::Cursor;
 
@@ -7,7 +7,7 @@ use stl_io::{Normal, Triangle, Vertex};
 use super::Mesh;
 use gaitcam::error::{Result, WriteError};
 
-/// Mesh as binary STL, mm.
+/// Mesh as a binary STL file, mm.
 pub fn file(mesh: &Mesh) -> Result<Vec<u8>> {
     let triangles: Vec<Triangle> = mesh
         .triangles
@@ -27,7 +27,7 @@ pub fn file(mesh: &Mesh) -> Result<Vec<u8>> {
     Ok(out.into_inner())
 }
 
-/// Unit normal of a triangle.
+/// Unit normal of a triangle, outwards.
 fn facing([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];

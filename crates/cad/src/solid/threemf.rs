@@ -1,4 +1,4 @@
-//! 3MF: a zip of three XML parts (3MF core specification 1.3).
+//! Writing of meshes as 3MF, a zip archive with three XML parts (3MF core specification 1.3).
 
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
@@ -21,7 +21,7 @@ const RELATIONS: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 <Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" \
 Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
 
-/// Mesh (mm) as a 3MF package with one object.
+/// Mesh in mm as a 3MF file with one object.
 pub fn package(mesh: &Mesh, name: &str) -> Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let parts = [

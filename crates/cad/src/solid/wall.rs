@@ -1,13 +1,14 @@
-//! Walls of a barrel's groove as surfaces.
+//! Surfaces of the walls of a barrel's groove.
 
 use super::Mesh;
 use gaitcam::cam::{BarrelGroove, Wall};
 
 const MM: f64 = 1000.0;
 
-/// Wall from the floor of the groove to the surface of the cylinder, mm: an open surface whose front faces the groove.
+/// Mesh of one wall of a groove, mm, from the floor of the groove to the surface of the cylinder. The mesh is an open surface whose front faces the
+/// groove.
 ///
-/// It has `along` strips for the whole law and `through` strips for its depth. The vertices lie exactly on the envelope of the roller
+/// The mesh has `along` strips over the whole law and `through` strips over the depth. The vertices lie exactly on the envelope of the roller
 /// ([`BarrelGroove::wall_point`]).
 pub fn wall(groove: &BarrelGroove, wall: Wall, along: usize, through: usize) -> Mesh {
     let (start, length) = groove.law().extent();

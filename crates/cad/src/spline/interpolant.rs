@@ -1,22 +1,22 @@
-//! Clamped cubic B-splines through given points. The first two spans, and the last two, are a single cubic ("not a knot").
+//! Interpolation of points by clamped cubic B-splines. The first two spans are one cubic, and so are the last two ("not a knot").
 
 use std::ops::Range;
 
-/// Minimum number of spans.
+/// Minimum number of spans of a spline.
 pub const FEWEST: usize = 4;
 
-/// Spline space for values at 0, 1, … `spans`, with its equations eliminated once for all right-hand sides.
+/// Spline space with interpolation points at 0, 1, … `spans`. The interpolation matrix is factorised once and used for all right-hand sides.
 pub struct Interpolant {
     spans: usize,
-    /// Factors of the rows: row i contains the columns i − 3 … i + 3.
+    /// LU factors of the banded matrix: row i contains the columns i − 3 … i + 3.
     rows: Vec<[f64; 7]>,
 }
 
-/// Maximum number of columns of a row left and right of the diagonal.
+/// Maximum number of columns on each side of the diagonal.
 const BAND: usize = 3;
 
 impl Interpolant {
-    /// Creates the space for a number of spans, at least [`FEWEST`].
+    /// Creates the space for a number of spans, which must be at least [`FEWEST`].
     pub fn new(spans: usize) -> Self {
         let n = spans + 1;
         let mut rows = vec![[0.0; 2 * BAND + 1]; n];
@@ -43,7 +43,7 @@ impl Interpolant {
         Interpolant { spans, rows }
     }
 
-    /// Control points of the spline through `points`, one point per value of 0 … spans.
+    /// Control points of the spline through `points`, which are its values at 0, 1, … spans.
     pub fn control<const D: usize>(&self, points: &[[f64; D]]) -> Vec<[f64; D]> {
         let n = self.spans + 1;
         let mut out = points.to_vec();
@@ -71,7 +71,7 @@ impl Interpolant {
         out
     }
 
-    /// Value at `x` in 0 … spans of the spline with the given control points.
+    /// Value at `x`, between 0 and the number of spans, of the spline with the given control points.
     pub fn at<const D: usize>(&self, control: &[[f64; D]], x: f64) -> [f64; D] {
         let (first, weights) = basis(self.spans, x);
         let mut out = [0.0; D];
@@ -83,18 +83,18 @@ impl Interpolant {
         out
     }
 
-    /// Knots, each with its multiplicity.
+    /// Knots of the space, each as a multiplicity and a value.
     pub fn knots(&self) -> Vec<(usize, f64)> {
         knots(self.spans)
     }
 }
 
-/// Multiplicities and knots of the space of a number of spans: 0, 2, 3 … spans − 2, spans.
+/// Multiplicities and values of the knots of a space: 0, 2, 3 … spans − 2, spans.
 fn knots(spans: usize) -> Vec<(usize, f64)> {
     clamped(2..spans - 1, spans)
 }
 
-/// Multiplicities and knots of a clamped cubic, for given inner knots.
+/// Multiplicities and values of the knots of a clamped cubic spline on 0 … `spans`, with the given inner knots.
 pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     let mut out = vec![(4, 0.0)];
     out.extend(inner.map(|k| (1, k as f64)));
@@ -102,7 +102,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     out
 }
 
-/// Index of the first of the four basis functions that are not zero at `x`, and their values (Cox–de Boor).
+/// Index of the first of the four basis functions that can be nonzero at `x`, and the values of the four (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
     // Knot k of the full sequence.
     let knot = |k: usize| match k {

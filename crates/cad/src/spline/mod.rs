@@ -1,4 +1,4 @@
-//! An edge as cubic B-splines.
+//! Approximation of an edge by cubic B-splines.
 
 mod interpolant;
 mod periodic;
@@ -10,10 +10,10 @@ use self::periodic::Spline;
 use gaitcam::synth::{Edge, EdgePoint};
 
 const MM: f64 = 1000.0;
-/// Maximum number of spans of a piece of an open edge.
+/// Maximum number of spans of the spline for one part of an open edge.
 const MOST: usize = 16384;
 
-/// A clamped cubic B-spline in the plane.
+/// Clamped cubic B-spline in the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clamped {
     /// Control points (x, y), mm.
@@ -22,8 +22,10 @@ pub struct Clamped {
     pub knots: Vec<(usize, f64)>,
 }
 
-/// Consecutive splines within `tolerance` m of an edge. A closed edge gives one periodic C² spline in `parts` parts, counter-clockwise. An open edge
-/// gives one spline per span of the law, in the direction of increasing θ. `None` if the maximum number of spans is not sufficient.
+/// Consecutive splines within `tolerance` m of an edge.
+///
+/// A closed edge results in one periodic C² spline, counter-clockwise, divided into `parts` clamped splines. An open edge results in one spline per
+/// span of the law, in the direction of increasing θ. `None` if the edge is undercut, or if the maximum number of spans is not sufficient.
 pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> {
     if edge.is_undercut() {
         return None;
@@ -45,7 +47,8 @@ pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> 
     Some((0..parts).map(part).collect())
 }
 
-/// Spline of the edge between two angles, in either direction.
+/// Spline within `tolerance` m of the edge between two cam angles, rad, in the direction from the first angle to the second. `None` if the maximum
+/// number of spans is not sufficient.
 pub fn piece(edge: &Edge, [from, to]: [f64; 2], tolerance: f64) -> Option<Clamped> {
     let mut spans = FEWEST;
     while spans <= MOST {

@@ -1,18 +1,19 @@
-//! The profile as a closed cubic B-spline.
+//! Approximation of a closed profile by a periodic cubic B-spline.
 
 use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
-/// Minimum and maximum number of spans that are tried.
+/// Minimum and maximum number of spans of a spline.
 const SPANS: [usize; 2] = [64, 16384];
 
-/// Closed uniform cubic B-spline, counter-clockwise, mm.
+/// Periodic cubic B-spline with uniform knots, counter-clockwise, mm.
 pub struct Spline {
     pub control: Vec<[f64; 2]>,
 }
 
 impl Spline {
-    /// Spline with the minimum number of spans within `tolerance` m of the edge.
+    /// Spline within `tolerance` m of the edge. The number of spans is doubled until it is sufficient. The result is `None` if the maximum number
+    /// is not sufficient.
     pub fn within(edge: &Edge, tolerance: f64) -> Option<Self> {
         let mut spans = SPANS[0];
         while spans <= SPANS[1] {
@@ -25,7 +26,7 @@ impl Spline {
         None
     }
 
-    /// Spline through `n` points at equal steps of the angle. The direction is opposite to that of the profile, which is clockwise.
+    /// Spline through `n` points of the edge at equal steps of the cam angle. It is counter-clockwise, in the direction opposite to the profile.
     fn through(edge: &Edge, n: usize) -> Self {
         let points: Vec<[f64; 2]> = (0..n)
             .map(|i| edge.at(angle(edge, n, i as f64)).p.map(|x| MM * x))
@@ -37,12 +38,12 @@ impl Spline {
         }
     }
 
-    /// Control point `i`, with a cyclic index.
+    /// Control point with the index `i` modulo the number of control points.
     fn at(&self, i: usize) -> [f64; 2] {
         self.control[i % self.control.len()]
     }
 
-    /// Maximum distance from the exact edge along its normal, mm, at thirds of the spans.
+    /// Maximum distance from the exact edge along its normal, mm, measured at ⅓, ½ and ⅔ of every span.
     fn deviation(&self, edge: &Edge) -> f64 {
         let n = self.control.len();
         let mut worst = 0.0_f64;
@@ -68,7 +69,7 @@ impl Spline {
         worst
     }
 
-    /// Control points of the spans `from` … `to` as a clamped B-spline.
+    /// Control points of the clamped B-spline that equals the spans `from` … `to` of this spline.
     pub fn part(&self, from: usize, to: usize) -> Vec<[f64; 2]> {
         let n = self.control.len();
         let mix = |all: &[(f64, usize)]| {
@@ -88,14 +89,14 @@ impl Spline {
     }
 }
 
-/// Angle of point `i` of `n`, opposite to the direction of the profile.
+/// Cam angle, rad, of point `i` of `n`, which are numbered in the direction opposite to the profile.
 fn angle(edge: &Edge, n: usize, i: f64) -> f64 {
     let breaks = edge.breaks();
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     end - (end - start) * i / n as f64
 }
 
-/// Solves (c₋ + 4c + c₊)/6 = p with periodic ends: Thomas algorithm with the Sherman–Morrison correction.
+/// Solves (c₋ + 4c + c₊)/6 = p with periodic ends, by the Thomas algorithm with the Sherman–Morrison formula.
 fn cyclic(points: Vec<f64>) -> Vec<f64> {
     let n = points.len();
     // The corner entries are removed by adding their contributions to both end rows.

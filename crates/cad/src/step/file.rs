@@ -1,17 +1,17 @@
-//! Instances of a STEP file (ISO 10303-21), and topology of extruded solids.
+//! Entities of a STEP file (ISO 10303-21), and the topology of extruded solids.
 
 use std::fmt::Write;
 
 use crate::spline::Clamped;
 
-/// Piece of a closed outline, counter-clockwise, mm.
+/// Part of a closed outline, counter-clockwise, mm.
 #[derive(Debug, Clone)]
 pub enum Piece {
-    /// A piece that is a B-spline curve.
+    /// A clamped cubic B-spline curve.
     Spline(Clamped),
-    /// A straight line between two points.
+    /// A straight line from the first point to the second.
     Line([[f64; 2]; 2]),
-    /// An arc between two points, about a centre.
+    /// A circular arc about a centre, between two points.
     Arc {
         ends: [[f64; 2]; 2],
         centre: [f64; 2],
@@ -28,7 +28,7 @@ impl Piece {
     }
 }
 
-/// A circle as two arcs, so that no edge is closed in itself.
+/// Circle as two arcs, because an edge must not start and end at the same vertex.
 pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
     let at = |side: f64| [centre[0] + side * radius, centre[1]];
     let arc = |from: f64| Piece::Arc {
@@ -39,16 +39,16 @@ pub fn circle(centre: [f64; 2], radius: f64) -> Vec<Piece> {
     vec![arc(1.0), arc(-1.0)]
 }
 
-/// Instance number of an edge of the solid.
+/// Number of the STEP entity of an edge.
 type Rim = usize;
 
-/// Edges at the bottom and at the top of a wall.
+/// Bottom and top edges of a wall.
 pub struct Rims {
     pub low: Vec<Rim>,
     pub high: Vec<Rim>,
 }
 
-/// Instances of a file while it is written.
+/// Entities of a file, numbered in the order in which they are added.
 #[derive(Default)]
 pub struct File {
     text: String,
@@ -78,7 +78,7 @@ impl File {
         self.add(&format!("VERTEX_POINT('',#{point})"))
     }
 
-    /// Axis system at a point, with z along `normal` and x along `right`.
+    /// Adds an axis system at a point, with z along `normal` and x along `right`.
     fn axes(&mut self, at: [f64; 3], normal: [f64; 3], right: [f64; 3]) -> usize {
         let origin = self.point(at);
         let up = self.direction(normal);
@@ -103,19 +103,19 @@ impl File {
         self.add(&format!("LINE('',#{foot},#{vector})"))
     }
 
-    /// Circle at the height z, counter-clockwise.
+    /// Adds a circle at the height z, counter-clockwise.
     pub fn circle(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
         let axes = self.level(centre, z, 1.0);
         self.add(&format!("CIRCLE('',#{axes},{})", real(radius)))
     }
 
-    /// Cylinder about a vertical axis with an outward normal.
+    /// Adds a cylinder about a vertical axis, with an outward normal.
     pub fn cylinder(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
         let axes = self.level(centre, z, 1.0);
         self.add(&format!("CYLINDRICAL_SURFACE('',#{axes},{})", real(radius)))
     }
 
-    /// Piece of an outline at the height z.
+    /// Adds the curve of one part of an outline at the height z.
     fn curve(&mut self, piece: &Piece, z: f64) -> usize {
         match piece {
             Piece::Line([a, b]) => self.line([a[0], a[1], z], [b[0], b[1], z]),
@@ -127,7 +127,8 @@ impl File {
         }
     }
 
-    /// Vertical wall over a segment of the outline, from `low` to `high`. Its normal points to the right of the direction of the segment.
+    /// Adds the vertical surface over one part of an outline, from `low` to `high`. The normal of the surface points to the right of the direction
+    /// of the outline.
     fn surface(&mut self, piece: &Piece, [low, high]: [f64; 2]) -> usize {
         match piece {
             Piece::Line([a, b]) => {
@@ -148,7 +149,7 @@ impl File {
         }
     }
 
-    /// Loop of edges, each used in its direction (`true`) or against it.
+    /// Adds a loop of edges. Each edge is used in its own direction (`true`) or in the opposite direction.
     pub fn ring(&mut self, edges: &[(Rim, bool)]) -> usize {
         let oriented: Vec<usize> = (edges.iter())
             .map(|(rim, along)| {
@@ -158,7 +159,7 @@ impl File {
         self.add(&format!("EDGE_LOOP('',{})", list(&oriented)))
     }
 
-    /// Loop of consecutive edges, counter-clockwise or clockwise.
+    /// Adds a loop of consecutive edges, in their direction (`along`) or in the opposite direction and order.
     fn round(&mut self, rims: &[Rim], along: bool) -> usize {
         let mut edges: Vec<(Rim, bool)> = rims.iter().map(|r| (*r, along)).collect();
         if !along {
@@ -176,7 +177,8 @@ impl File {
         self.add(&format!("ADVANCED_FACE('',{bounds},#{surface},{sense})"))
     }
 
-    /// Wall above an outline between two heights; its faces are added to `faces`. The material is inside the outline, for a hole outside.
+    /// Adds the vertical wall over an outline between two heights, and appends its faces to `faces`. Returns the edges of the wall. The material is
+    /// inside the outline, or outside it for a hole.
     pub fn wall(
         &mut self,
         pieces: &[Piece],
@@ -222,7 +224,7 @@ impl File {
         rims
     }
 
-    /// Horizontal face within an outline and around holes, with an upward or downward normal.
+    /// Adds a horizontal face inside an outline and outside the holes, and appends it to `faces`. Its normal points upwards or downwards.
     pub fn cap(
         &mut self,
         z: f64,
@@ -238,13 +240,13 @@ impl File {
         faces.push(self.face(plane, outer, &inner, true));
     }
 
-    /// A solid bounded by faces.
+    /// Adds the solid that is bounded by the faces.
     pub fn solid(&mut self, name: &str, faces: &[usize]) -> usize {
         let shell = self.add(&format!("CLOSED_SHELL('',{})", list(faces)));
         self.add(&format!("MANIFOLD_SOLID_BREP('{name}',#{shell})"))
     }
 
-    /// Writes product, units and header. Returns the content of the file.
+    /// Adds the product and the units, and returns the content of the file with its header.
     pub fn finish(mut self, solids: &[usize], name: &str) -> Vec<u8> {
         let name = quoted(name);
         let mut items = vec![self.level([0.0; 2], 0.0, 1.0)];
@@ -293,18 +295,18 @@ impl File {
     }
 }
 
-/// A list of instance references.
+/// STEP list of references to entities.
 pub fn list(instances: &[usize]) -> String {
     let all: Vec<String> = instances.iter().map(|i| format!("#{i}")).collect();
     format!("({})", all.join(","))
 }
 
-/// A logical value in STEP syntax.
+/// Logical value in STEP syntax.
 fn truth(value: bool) -> &'static str {
     if value { ".T." } else { ".F." }
 }
 
-/// A real number with its decimal point.
+/// Real number in STEP syntax, with a decimal point.
 pub fn real(x: f64) -> String {
     let mut text = String::new();
     gaitcam_base::text::append(&mut text, x, 12);
@@ -314,7 +316,7 @@ pub fn real(x: f64) -> String {
     text
 }
 
-/// A text in quotation marks: printable ASCII, with other characters replaced by `?`.
+/// Text in STEP syntax, in quotation marks. Characters other than printable ASCII are replaced by `?`.
 fn quoted(text: &str) -> String {
     text.chars()
         .map(|c| match c {

@@ -1,12 +1,12 @@
-//! B-spline curves and surfaces in space, mm.
+//! Writing of B-spline curves and surfaces in space to a STEP file, mm.
 
 use super::file::{File, list, real};
 
-/// Multiplicities and values of the knots of a clamped cubic.
+/// Multiplicities and values of the knots of a clamped B-spline.
 pub type Knots = [(usize, f64)];
 
 impl File {
-    /// Writes a cubic B-spline curve.
+    /// Adds a cubic B-spline curve with the given control points, mm.
     pub fn spline_curve(&mut self, control: &[[f64; 3]], knots: &Knots) -> usize {
         let points = self.points(control);
         let (counts, values) = written(knots);
@@ -15,8 +15,8 @@ impl File {
         ))
     }
 
-    /// Surface, cubic in the first direction and of any degree in the second; `net[i][j]` is point i of the first and point j of the second
-    /// direction.
+    /// Adds a B-spline surface, cubic in the first direction and of any degree in the second. `net[i][j]` is its control point with the index i in
+    /// the first direction and j in the second, mm.
     pub fn spline_surface(&mut self, net: &[Vec<[f64; 3]>], knots: [&Knots; 2]) -> usize {
         let rows: Vec<String> = net.iter().map(|row| self.points(row)).collect();
         let degree = knots[1][0].0 - 1;
@@ -27,7 +27,7 @@ impl File {
         ))
     }
 
-    /// Points as a list.
+    /// Writes the control points and returns the STEP list of their references.
     fn points(&mut self, control: &[[f64; 3]]) -> String {
         let points: Vec<usize> = control.iter().map(|p| self.point(*p)).collect();
         list(&points)

@@ -1,8 +1,10 @@
 //! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214), with lengths in mm.
 //!
-//! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle, refined until it is within [`FAITHFUL`] of
-//! the exact profile. The plate is its extrusion with the hole for the shaft. A conjugate pair gives both cams in their positions on the shaft, with
-//! a distance of one plate thickness. A translating cam has its foot below the profile. There is no solid of a barrel.
+//! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle. The number of points is increased until
+//! the spline is within [`FAITHFUL`] of the exact profile. The solid is the extruded profile with the hole for the shaft.
+//!
+//! A conjugate pair results in two solids in their positions on the shaft. The axial gap between the two cams is the thickness of one plate. A
+//! translating cam has its foot below the profile. Barrels have no solid.
 
 mod file;
 mod freeform;
@@ -17,19 +19,22 @@ use gaitcam::synth::Edge;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-/// Maximum distance between a spline and the exact profile at the compared points, m. Between these points the distance is below 0.1 µm.
+/// Maximum distance between a spline and the exact profile, m, at the points where the distance is measured. Between these points it is below 0.1
+/// µm.
 pub const FAITHFUL: f64 = 5e-8;
-/// Minimum of half the width of the space for the mark of θ = 0, mm.
+/// Minimum space for the mark of θ = 0, mm: half the radial distance between hole and base circle.
 const LEAST_ROOM: f64 = 0.25;
-/// Number of edges of the profile.
+/// Number of edges into which the profile is divided.
 const EDGES: usize = 4;
 
-/// The cam as a solid, or both cams of a pair.
+/// STEP file of the cam, or of both cams of a pair.
 ///
 /// # Errors
 ///
-/// A barrel; a law that is not closed; an undercut profile; a thickness that is not positive; a profile that no spline with the permitted number of
-/// spans approximates.
+/// - The cam is a barrel.
+/// - The law is not closed, or the profile is undercut.
+/// - The thickness is not positive.
+/// - No spline with the permitted number of spans approximates the profile.
 pub fn solid(design: &Design) -> Result<Vec<u8>> {
     if design.groove.is_some() {
         return Err(WriteError::BarrelSolid.into());
@@ -78,7 +83,7 @@ pub(crate) fn positive(thickness: f64) -> Result<f64> {
     .into())
 }
 
-/// Engraved mark of θ = 0: a shallow round hole in the upper face, mm.
+/// Engraved mark of θ = 0, a shallow cylindrical recess in the upper face, mm.
 #[derive(Debug, Clone, Copy)]
 struct Dot {
     centre: [f64; 2],
@@ -87,7 +92,7 @@ struct Dot {
 }
 
 impl Dot {
-    /// The mark in the middle between the hole for the shaft and the base circle; `None` if there is no space.
+    /// Mark in the middle between the hole for the shaft and the base circle; `None` if the space is too small.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
         let reach = design.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
@@ -99,7 +104,7 @@ impl Dot {
         })
     }
 
-    /// Adds wall and floor of the mark below a face at the height z. Returns its edges.
+    /// Adds the wall and the floor of the mark below a face at the height z. Returns the edges of the mark.
     fn add_to(self, file: &mut File, z: f64, faces: &mut Vec<usize>) -> Rims {
         let floor = z - self.depth;
         let outline = circle(self.centre, self.radius);
@@ -109,7 +114,7 @@ impl Dot {
     }
 }
 
-/// A plate between two heights, mm.
+/// Plate between two heights, mm, with its holes.
 struct Body {
     outline: Vec<Piece>,
     hole: Option<Bore>,
@@ -135,7 +140,7 @@ impl Body {
     }
 }
 
-/// Edge of the hole as straight pieces and arcs, mm.
+/// Edge of the hole, as straight lines and arcs, mm.
 fn hole_pieces(bore: &Bore) -> Vec<Piece> {
     let edge = bore.outline();
     let at = |i: usize| {

@@ -1,4 +1,4 @@
-//! A translating cam: the profile above its foot, extruded.
+//! Solid of a translating cam: the extruded area between the profile and the foot.
 
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
@@ -10,7 +10,7 @@ use gaitcam::synth::Edge;
 
 const MM: f64 = 1000.0;
 
-/// Adds the solid of a translating cam to a file.
+/// Adds the solid of a translating cam to a file. Returns the number of its entity.
 pub fn add(file: &mut File, design: &Design) -> Result<usize> {
     let z = [0.0, MM * positive(design.problem.cam.thickness)?];
     let edge = Edge::of(&design.cam);
@@ -25,7 +25,7 @@ pub fn add(file: &mut File, design: &Design) -> Result<usize> {
     Ok(file.solid("slide", &faces))
 }
 
-/// Outline counter-clockwise from the left end of the foot: foot, right side, profile in reverse, left side; mm.
+/// Outline, mm, counter-clockwise from the left end of the foot: foot, right side, profile in reverse direction, left side.
 fn outline(edge: &Edge) -> Result<Vec<Piece>> {
     let breaks = edge.breaks();
     let [first, last] = [breaks[0], breaks[breaks.len() - 1]].map(|x| edge.at(x).p.map(|x| MM * x));

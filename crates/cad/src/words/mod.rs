@@ -1,4 +1,4 @@
-//! Labels and lengths of drawings, with one Fluent file per language.
+//! Texts of drawings, with one Fluent file per language.
 
 use std::ops::Deref;
 
@@ -11,7 +11,7 @@ static WORDS: Catalogue = Catalogue::new(&[Sentences {
     ..Sentences::NONE
 }]);
 
-/// Labels of a drawing, and lengths in its unit.
+/// Texts of a drawing in its language, and lengths in its unit.
 #[derive(Clone, Copy)]
 pub(crate) struct Labels {
     words: Words,
@@ -27,18 +27,18 @@ impl Deref for Labels {
 }
 
 impl Labels {
-    /// Creates the labels for a language and a unit.
+    /// Creates the texts for a language and a unit of lengths.
     pub fn new(language: Language, units: Units) -> Self {
         let words = Words::new(WORDS.of(language));
         Labels { words, units }
     }
 
-    /// Unit of lengths.
+    /// Unit of lengths in the drawing.
     pub fn units(&self) -> Units {
         self.units
     }
 
-    /// A length in m as a number with a given number of decimals of a millimetre.
+    /// Text of a length, given in m, in the unit of the drawing and without the unit. `decimals` applies to millimetres.
     pub fn length(&self, length: f64, decimals: usize) -> String {
         self.decimal(self.units.number(length, decimals))
     }

@@ -1,4 +1,4 @@
-//! A connection with consecutive requests, each within its limits.
+//! One connection with consecutive requests. The size of each request and the time in which it must arrive are limited.
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -10,24 +10,24 @@ use super::places::Places;
 use super::{Gone, Head, Method, Request, Response, Service, Status};
 use crate::lock;
 
-/// Maximum size of a head, bytes.
+/// Maximum size of a request head, bytes.
 const HEAD: usize = 16 << 10;
-/// Maximum waiting time for the next request on an idle connection, and for an admitted request to arrive.
+/// Maximum waiting time for the next request on an idle connection, and maximum time in which the body of an accepted request must arrive.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// Maximum time for a head, from its first byte.
+/// Maximum time in which a head must arrive, from its first byte.
 const OF_HEAD: Duration = Duration::from_secs(5);
 /// Time between two checks of whether the client is still connected.
 const LOOK: Duration = Duration::from_millis(20);
-/// Maximum time for which remaining data are read after a rejection, so that the client receives the rejection.
+/// Maximum time in which the rest of a rejected request is read. The client would not receive the rejection if the connection were closed earlier.
 const FAREWELL: Duration = Duration::from_secs(5);
 
-/// A connection with its unprocessed bytes.
+/// Connection with the bytes that have been received but not processed.
 struct Connection {
     stream: Arc<TcpStream>,
     buffer: Vec<u8>,
 }
 
-/// Serves a connection until one side ends it.
+/// Processes the requests of a connection until one side closes it.
 pub fn serve(stream: TcpStream, service: &impl Service, places: &Places) {
     let _ = stream.set_nodelay(true);
     let _ = stream.set_write_timeout(Some(PATIENCE));
@@ -37,7 +37,7 @@ pub fn serve(stream: TcpStream, service: &impl Service, places: &Places) {
 }
 
 impl Connection {
-    /// Serves one request. Returns whether the connection continues.
+    /// Processes one request. Returns whether the connection remains open.
     fn one(&mut self, service: &impl Service, places: &Places) -> io::Result<bool> {
         let waiting = places.wait(&self.stream);
         let head = match self.head()? {
@@ -68,7 +68,8 @@ impl Connection {
         Ok(!head.closes)
     }
 
-    /// Next head; `None` if the client has closed the connection.
+    /// Receives the next head. The result is a rejection for an invalid head, or `None` if the client has closed the connection or the time limit
+    /// is exceeded.
     fn head(&mut self) -> io::Result<Option<Result<Head, Response>>> {
         if self.buffer.is_empty() && self.more(Instant::now() + PATIENCE)? == 0 {
             return Ok(None);
@@ -92,7 +93,7 @@ impl Connection {
         }
     }
 
-    /// Body of a request; `None` if the client has closed the connection.
+    /// Receives the body of a request; `None` if the client has closed the connection or the time limit is exceeded.
     fn body(&mut self, head: &Head) -> io::Result<Option<Vec<u8>>> {
         let deadline = Instant::now() + PATIENCE;
         if head.expects {
@@ -107,7 +108,7 @@ impl Connection {
         Ok(Some(std::mem::replace(&mut self.buffer, rest)))
     }
 
-    /// Reads the available bytes. Returns their number; 0 at the end.
+    /// Receives the available bytes and returns their number, which is 0 at the end of the stream or after the deadline.
     fn more(&mut self, deadline: Instant) -> io::Result<usize> {
         let left = deadline.saturating_duration_since(Instant::now());
         if left.is_zero() {
@@ -120,7 +121,7 @@ impl Connection {
         Ok(read)
     }
 
-    /// Sends a rejection and closes the connection.
+    /// Sends a rejection and closes the connection. Returns `false`, which means that the connection is closed.
     fn refuse(&mut self, refusal: &Response) -> io::Result<bool> {
         refusal.write(&mut &*self.stream, true, true)?;
         self.stream.shutdown(Shutdown::Write)?;
@@ -133,7 +134,8 @@ impl Connection {
     }
 }
 
-/// Whether the client has disconnected. It is checked only occasionally, because the check is a system call.
+/// Function that checks whether the client has disconnected. The connection is checked at most once per [`LOOK`], because the check is a system
+/// call.
 fn left(stream: Arc<TcpStream>) -> Gone {
     let last = Mutex::new((Instant::now(), false));
     Arc::new(move || {

@@ -1,50 +1,50 @@
-//! Head of a request: method, address and relevant headers.
+//! Head of a request: method, address and the headers that the server uses.
 
 use super::{Response, Status};
 
-/// Maximum number of headers of a request.
+/// Maximum number of headers in a request.
 const HEADERS: usize = 64;
 
 /// Method of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// GET: reads a resource.
+    /// GET: requests a resource.
     Get,
-    /// HEAD: reads a resource without its body.
+    /// HEAD: requests a resource without its body.
     Head,
-    /// POST: sends data and reads the response.
+    /// POST: sends data and requests a response.
     Post,
 }
 
-/// The head of a request.
+/// Head of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
     /// Method of the request.
     pub method: Method,
     /// Path of the address, percent-decoded.
     pub path: String,
-    /// Query as decoded pairs of name and value.
+    /// Query of the address, as decoded pairs of names and values.
     pub query: Vec<(String, String)>,
-    /// All `Host` headers.
+    /// Values of all `Host` headers.
     pub hosts: Vec<String>,
-    /// Value of the header `Origin`, if sent.
+    /// Value of the header `Origin`; `None` without this header.
     pub origin: Option<String>,
     /// Length of the body, bytes.
     pub length: usize,
-    /// Whether the client waits for permission to send the body.
+    /// Whether the client waits for a confirmation before it sends the body.
     pub expects: bool,
-    /// Whether the connection is closed after the response.
+    /// Whether the client requests that the connection is closed after the response.
     pub closes: bool,
 }
 
 impl Head {
-    /// Value of a name in the query.
+    /// Value of the query parameter `name`; `None` if it is missing.
     pub fn asked(&self, name: &str) -> Option<&str> {
         let found = self.query.iter().find(|(n, _)| n == name);
         found.map(|(_, value)| value.as_str())
     }
 
-    /// Reads a head, and returns it with its length in bytes; `None` while it is incomplete.
+    /// Parses a head and returns it with its length in bytes. The result is `None` while the head is incomplete.
     ///
     /// # Errors
     ///
@@ -114,7 +114,7 @@ fn pairs(query: &str) -> Option<Vec<(String, String)>> {
         .collect()
 }
 
-/// A percent-decoded text; `None` if the bytes are not text.
+/// Percent-decoded text; `None` if the decoded bytes are not UTF-8.
 fn decoded(text: &str) -> Option<String> {
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

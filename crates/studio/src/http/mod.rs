@@ -1,5 +1,7 @@
-//! HTTP/1.1 for a single user on one machine. `httparse` parses the heads; one thread serves each connection. The project has its own server, because
-//! limits and time-outs must apply before a body is read. The server does not support chunked bodies, compression or ranges.
+//! HTTP/1.1 server for a single user on one machine.
+//!
+//! `httparse` parses the heads, and one thread serves each connection. The project has its own server because limits of size and time must apply
+//! before a body is read. The server does not support chunked bodies, compression or ranges.
 
 mod connection;
 mod head;
@@ -18,19 +20,19 @@ pub use server::Server;
 pub struct Request {
     /// Head of the request: method, address and headers.
     pub head: Head,
-    /// Body of the request, with the announced length.
+    /// Body of the request, bytes.
     pub body: Vec<u8>,
 }
 
 /// Function that returns whether the client has disconnected.
 pub type Gone = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// Handler of a server. It is called first with the head, then with the body.
+/// Handler of the requests of a server. It is called first with the head, then with the whole request.
 pub trait Service: Send + Sync + 'static {
-    /// Admits the request or returns a rejection.
+    /// Accepts the request, or returns a rejection.
     fn admit(&self, head: &Head) -> Result<(), Response>;
-    /// Maximum size of a body for this address, bytes.
+    /// Maximum size of the body for this address, bytes.
     fn most(&self, head: &Head) -> usize;
-    /// Response to a request. `gone` returns whether the client has disconnected and the response is no longer needed.
+    /// Response to an accepted request. `gone` returns whether the client has disconnected, so that the response is no longer needed.
     fn answer(&self, request: &Request, gone: Gone) -> Response;
 }

@@ -1,4 +1,5 @@
-//! Limits on the number of connections: waiting connections are closed in favour of newer ones. Active connections are not closed.
+//! Limits on the number of connections. If too many connections wait for a request, the oldest of them is closed. Connections with a request in
+//! process are not closed.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -7,12 +8,12 @@ use std::sync::{Arc, Mutex};
 
 use crate::lock;
 
-/// Maximum number of connections without a complete and admitted request. When it is exceeded, the oldest one is closed.
+/// Maximum number of connections without a complete and accepted request. If it is exceeded, the oldest of them is closed.
 const WAITING: usize = 64;
-/// Maximum number of requests that are processed at the same time: several pages with six connections each.
+/// Maximum number of requests that are processed at the same time. It is sufficient for several pages with six connections each.
 const ANSWERED: usize = 96;
 
-/// Registry of the open connections.
+/// Connections that wait for a request, and the number of requests in process.
 #[derive(Default)]
 pub struct Places {
     waiting: Mutex<VecDeque<Arc<TcpStream>>>,
@@ -20,7 +21,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Registers a waiting connection until the returned value is dropped.
+    /// Registers a connection that waits for a request. It is registered until the returned value is dropped.
     pub fn wait(&self, stream: &Arc<TcpStream>) -> Waiting<'_> {
         let mut waiting = lock(&self.waiting);
         waiting.push_back(Arc::clone(stream));
@@ -34,14 +35,14 @@ impl Places {
         Waiting { places, stream }
     }
 
-    /// Registers a request that is processed, until the returned value is dropped; `None` if the limit is reached.
+    /// Registers a request that is being processed, until the returned value is dropped. `None` if the limit is reached.
     pub fn answer(&self) -> Option<Answering<'_>> {
         let place = Answering(&self.answered);
         (self.answered.fetch_add(1, Ordering::SeqCst) < ANSWERED).then_some(place)
     }
 }
 
-/// A connection that waits for a request.
+/// Registration of a connection that waits for a request.
 pub struct Waiting<'p> {
     places: &'p Places,
     stream: Arc<TcpStream>,
@@ -53,7 +54,7 @@ impl Drop for Waiting<'_> {
     }
 }
 
-/// A request that is processed.
+/// Registration of a request that is being processed.
 pub struct Answering<'p>(&'p AtomicUsize);
 
 impl Drop for Answering<'_> {

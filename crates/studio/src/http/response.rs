@@ -1,29 +1,29 @@
-//! Responses, with the headers that isolate a page.
+//! HTTP responses, with headers that isolate the page from other pages.
 
 use std::io::{self, Write};
 
-/// Status codes of this server.
+/// Status codes that the server uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// Status 200, success.
+    /// Status 200, successful request.
     Ok,
-    /// Status 400, bad request.
+    /// Status 400, invalid request.
     BadRequest,
-    /// Status 403, forbidden.
+    /// Status 403, access is forbidden.
     Forbidden,
-    /// Status 404, not found.
+    /// Status 404, resource was not found.
     NotFound,
-    /// Status 405, method not allowed.
+    /// Status 405, method is not allowed.
     MethodNotAllowed,
-    /// Status 411, length required.
+    /// Status 411, length of the body is required.
     LengthRequired,
-    /// Status 413, body too large.
+    /// Status 413, request body too large.
     TooLarge,
-    /// Status 431, head too large.
+    /// Status 431, request head too large.
     HeadTooLarge,
-    /// Status 500, internal error.
+    /// Status 500, internal error of the server.
     Internal,
-    /// Status 503, server busy.
+    /// Status 503, too many requests are in process.
     Busy,
 }
 
@@ -44,14 +44,14 @@ impl Status {
     }
 }
 
-/// Content security policy of the page. Scripts and connections come only from this server; drawings may contain styles. `unsafe-eval` is necessary
-/// for programs that control a browser.
+/// Content security policy of the page. Scripts and connections are permitted only from this server. Drawings may contain styles. `unsafe-eval` is
+/// necessary for programs that control a browser.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'unsafe-eval'; connect-src 'self'; img-src 'self' data: blob:; \
     style-src 'self' 'unsafe-inline'; font-src 'self'; base-uri 'self'; form-action 'none'; frame-ancestors 'none'";
-/// Content security policy of a report, which has its own script and no network access.
+/// Content security policy of a report, which contains its own script and has no access to the network.
 const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; sandbox allow-scripts";
 
-/// A response to a request.
+/// Response to a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Response {
     /// Status code of the response.
@@ -60,12 +60,12 @@ pub struct Response {
     pub kind: &'static str,
     /// Body of the response.
     pub body: Vec<u8>,
-    /// File name under which a browser saves the response.
+    /// File name under which the browser saves the body; `None` if the browser shows it.
     pub file: Option<String>,
 }
 
 impl Response {
-    /// A response with a body of a media type.
+    /// Successful response with a body of the media type `kind`.
     pub fn new(kind: &'static str, body: impl Into<Vec<u8>>) -> Response {
         Response {
             status: Status::Ok,
@@ -75,7 +75,7 @@ impl Response {
         }
     }
 
-    /// A rejection with only its status.
+    /// Rejection with a status code and no data.
     pub fn refusal(status: Status) -> Response {
         Response {
             status,
@@ -85,20 +85,20 @@ impl Response {
         }
     }
 
-    /// A response with JSON data.
+    /// Successful response with JSON data.
     pub fn json(value: &impl serde::Serialize) -> Response {
         // Serialising structs with string keys cannot fail.
         let body = serde_json::to_vec(value).unwrap_or_default();
         Response::new("application/json", body)
     }
 
-    /// A response to be saved under a name.
+    /// Response that the browser saves under the file name `name`.
     pub fn saved_as(mut self, name: &str) -> Response {
         self.file = Some(name.to_string());
         self
     }
 
-    /// Writes the response; without the body for a HEAD request.
+    /// Writes the response to `out`. The body is omitted for a HEAD request (`with_body` false).
     pub fn write(&self, out: &mut impl Write, closes: bool, with_body: bool) -> io::Result<()> {
         let policy = if self.file.is_some() { REPORT } else { POLICY };
         let mut head = format!(

@@ -1,4 +1,4 @@
-//! Server on the loopback address.
+//! Server that listens on the loopback address.
 
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
@@ -9,14 +9,14 @@ use std::time::Duration;
 use super::places::Places;
 use super::{Service, connection};
 
-/// A listener on the loopback address.
+/// Server that listens on the loopback address but does not accept connections yet.
 pub struct Server {
     listener: TcpListener,
     port: u16,
 }
 
 impl Server {
-    /// Listens on a port; 0 selects a free port.
+    /// Listens on a port of the loopback address; 0 selects a free port.
     ///
     /// # Errors
     ///
@@ -27,12 +27,12 @@ impl Server {
         Ok(Server { listener, port })
     }
 
-    /// Port of the listener.
+    /// Port on which the server listens.
     pub fn port(&self) -> u16 {
         self.port
     }
 
-    /// Serves connections until the process ends, each on a separate thread.
+    /// Accepts connections until the program ends. Each connection has its own thread.
     pub fn serve(self, service: impl Service) -> ! {
         let shared = Arc::new((service, Places::default()));
         loop {

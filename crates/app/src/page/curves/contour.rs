@@ -1,4 +1,4 @@
-//! Contour of a cam with its colours, and the positions where limits are active.
+//! Contour of a cam with its colours, and the points at which limits are active or violated.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,55 +7,55 @@ use gaitcam::cam::{Cam, Check};
 use gaitcam::criterion::{Criterion, LimitKind};
 use gaitcam::synth::Design;
 
-/// Contour in the frame of the cam, mm.
+/// Contour of a cam in the cam frame, with the centres of curvature; lengths in mm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Contour {
     x: Vec<Shown>,
     y: Vec<Shown>,
-    /// Centre of curvature, and the radius with its sign.
+    /// x coordinate of the centre of curvature, mm. `centre_y` is its y coordinate. `radius` is the radius of curvature, mm, positive where convex.
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Meaning and values of the colour; empty without colours.
+    /// Quantity that colours the contour. Its values are in `values`, which is empty without colours.
     colour: Colour,
     values: Vec<Shown>,
 }
 
-/// Quantity that colours the contour.
+/// Quantity by which the contour is coloured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Colour {
-    /// The contour has one colour.
+    /// No quantity: the whole contour has the same colour.
     #[default]
     None,
-    /// Pressure angle along the contour, °.
+    /// Absolute value of the pressure angle, °.
     PressureAngle,
-    /// Curvature of the contour, 1/m.
+    /// Curvature, 1/m, positive where convex.
     Curvature,
-    /// Curvature as a percentage of the allowed curvature.
+    /// Permitted minimum radius of curvature as a percentage of the local radius of curvature.
     CurvatureUse,
-    /// Contact force along the contour, N.
+    /// Contact force between cam and follower, N.
     Force,
-    /// Hertz pressure along the contour, MPa.
+    /// Maximum Hertz pressure at the contact, MPa.
     Hertz,
 }
 
-/// Point of the contour where a limit is active.
+/// Point of the contour at which a limit is active or violated.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Place {
-    /// Name of the limit in data.
+    /// Name of the limit in JSON data.
     pub limit: String,
-    /// Position in the unit of the angle.
+    /// Cam angle or travel of the point, in the unit of the diagrams.
     pub theta: f64,
-    /// Position on the contour, mm.
+    /// x coordinate of the point, mm.
     pub x: f64,
-    /// Position on the contour, mm.
+    /// y coordinate of the point, mm.
     pub y: f64,
-    /// Whether the limit is violated there.
+    /// Whether the limit is violated at the point.
     pub broken: bool,
 }
 
-/// Contour of a design at the sampled angles.
+/// Contour of a design at the sampled cam angles, with the values of `colour`.
 pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
     let cam = &design.cam;
     let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
@@ -92,7 +92,7 @@ pub(super) fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Co
     }
 }
 
-/// Minimum radii of curvature for the convex and the concave parts of the contour, m; NaN without a limit.
+/// Permitted minimum radii of curvature of convex and of concave parts, m; NaN without a limit.
 fn smallest_radii(design: &Design) -> [f64; 2] {
     [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
         let limits = |c: &&Check| c.name == name && c.limit > 0.0;
@@ -104,7 +104,7 @@ fn smallest_radii(design: &Design) -> [f64; 2] {
     })
 }
 
-/// Direction of the contact normal in the cam frame, rad.
+/// Direction of the outward contact normal in the cam frame, rad.
 fn normal(cam: &Cam, s: &Sample) -> f64 {
     let [x, y] = cam.motion(s.theta);
     let unrolled = cam.follower.is_unrolled();
@@ -112,7 +112,7 @@ fn normal(cam: &Cam, s: &Sample) -> f64 {
     libm::atan2(y, x) + s.point.pressure_angle - turned
 }
 
-/// Points where limits are active or violated, without repetitions.
+/// Points at which limits are active or violated, at most 24. Points of the same limit that almost coincide are listed once.
 pub(super) fn places(design: &Design) -> Vec<Place> {
     let cam = &design.cam;
     let factor = cam.follower.measures().angle().factor;

@@ -1,4 +1,4 @@
-//! Curves of a design over the cam angle, in customary units, for the diagrams.
+//! Curves of a design over the cam angle or travel, in customary units, for the diagrams of the page.
 
 mod contour;
 mod walkers;
@@ -16,18 +16,18 @@ pub use contour::Colour;
 use contour::{Contour, Place, contour, places};
 
 const MM: f64 = 1e3;
-/// Unit of lengths on the page.
+/// Unit of lengths in the diagrams.
 const LENGTH: Unit = Unit {
     factor: MM,
     name: "mm",
 };
-/// Radii above this many prime radii are drawn as straight.
+/// Maximum radius of curvature that the diagram shows, in prime radii. Where the radius is larger, the profile looks straight.
 const STRAIGHT: f64 = 3.0;
 
-/// Values below this fraction of a curve's maximum are rounding errors.
+/// Fraction of a curve's maximum below which a value counts as a rounding error and is shown as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Number for the page with six digits; a missing value is null.
+/// Number for the page, rounded to six digits; `None`, which is null in JSON, for a missing value.
 type Shown = Option<f64>;
 
 fn short(x: f64) -> Shown {
@@ -39,59 +39,59 @@ fn short(x: f64) -> Shown {
     Some(if short.is_finite() { short } else { x })
 }
 
-/// All curves of a design at the same angles.
+/// All curves of a design, sampled at the same cam angles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Curves {
-    /// Angles or travel. A break appears twice, once per side.
+    /// Cam angles, or positions of a translating cam, in `unit`. A break of the law appears twice, once for each side.
     pub theta: Vec<Shown>,
-    /// First angle of the turn, or first position of the travel, in `unit`.
+    /// First cam angle, or first position of the travel, in `unit`.
     pub start: f64,
-    /// Length of a turn, or of the travel, in `unit`.
+    /// Angle of one turn, or length of the travel, in `unit`.
     pub length: f64,
-    /// Unit of the angle or travel.
+    /// Unit of the cam angle or travel.
     pub unit: &'static str,
-    /// Diagrams; the force is the first.
+    /// Diagrams of the page. The first one shows the force.
     pub panels: Vec<Panel>,
     /// Contour of the cam with its colours.
     pub contour: Contour,
-    /// Points where a limit is active or violated.
+    /// Points at which a limit is active or violated.
     pub places: Vec<Place>,
 }
 
-/// One diagram of the page: a quantity over the angle or travel, with its limits.
+/// Diagram of one quantity over the cam angle or travel, with its limits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Panel {
-    /// Name of the quantity: `force`, `s`, `v` …
+    /// Name of the quantity in JSON data: `force`, `s`, `v` …
     pub id: &'static str,
     /// Unit of the values in the diagram.
     pub unit: &'static str,
-    /// Curves of the diagram by their role: `main`, `target`, `low`, `high`, `worst`.
+    /// Curves of the diagram, each with its role: `main`, `target`, `low`, `high` or `worst`.
     pub lines: Vec<Line>,
-    /// Lines of the limits in the diagram.
+    /// Horizontal lines that show the limits.
     pub levels: Vec<Level>,
 }
 
-/// A line that shows a limit in a diagram.
+/// Horizontal line that shows a limit in a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Level {
-    /// Value of the line, in the unit of the diagram.
+    /// Height of the line, in the unit of the diagram.
     pub y: Shown,
-    /// Key of the scene that sets the limit; empty if no key does.
+    /// Key of the scene that sets the limit; empty if the limit has no key.
     pub key: &'static str,
-    /// Value from which the limit is measured; null if the line itself is the limit.
+    /// Value from which the limit is measured, in the unit of the diagram; `None` if the line itself is the limit.
     pub from: Shown,
 }
 
-/// A curve of a diagram.
+/// One curve of a diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Line {
-    /// `main`, `target`, `low` and `high` for the edges of a band, or `worst` for the walker with the largest error.
+    /// Role of the curve: `main`, `target`, `low` or `high` for the edges of a band, or `worst` for the walker with the largest error.
     pub role: &'static str,
-    /// Values at the angles of [`Curves::theta`].
+    /// Values of the curve at the angles of [`Curves::theta`], in the unit of the diagram.
     pub y: Vec<Shown>,
 }
 
-/// Lift, velocity, acceleration or jerk.
+/// Function that selects lift, velocity, acceleration or jerk.
 type Pick = fn(&Svaj) -> f64;
 
 /// Motion, force and contact point at one cam angle.
@@ -102,7 +102,7 @@ struct Sample {
     point: ProfilePoint,
 }
 
-/// Curves of a design. The contour contains the values of `colour`.
+/// Curves of a design for all diagrams, with the contour coloured by `colour`.
 pub fn curves(design: &Design, colour: Colour) -> Curves {
     let cam = &design.cam;
     let measures = cam.follower.measures();
@@ -259,7 +259,7 @@ fn radius(design: &Design, samples: &[Sample]) -> Panel {
     )
 }
 
-/// Diagram of the pressure angle, or of the contact displacement on a flat face.
+/// Diagram of the pressure angle in degrees, or of the contact displacement on a flat face in mm.
 fn contact(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
     if cam.contact_travel().is_some() {
@@ -278,7 +278,7 @@ fn contact(design: &Design, samples: &[Sample]) -> Panel {
     panel(design, Diagram::PressureAngle, unit, vec![line])
 }
 
-/// Lines of the limits in a diagram.
+/// Horizontal lines of the limits in a diagram. `factor` converts SI units to the unit of the diagram.
 fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Level> {
     let mut out = Vec::new();
     for check in &design.checks {
@@ -301,7 +301,7 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit. Both sides of the pressure angle have one key unless the scene limits one side only.
+/// Key that sets a limit, or an empty text. Both sides of the pressure angle have the same key, unless the scene limits one side separately.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

@@ -1,12 +1,14 @@
-//! Walkers of a population in the force diagram.
+//! Curves of the walkers of a population in the force diagram.
 
 use gaitcam::synth::Design;
 use gaitcam_output::curve;
 
 use super::{Line, Sample, line_of};
 
-/// Forces for which the cam would have no error for a walker: the envelope over all walkers, and the worst one. Each walker's force is linear in the
-/// displayed one.
+/// Envelope of the walkers' target forces, and the target force of the walker with the largest error.
+///
+/// The target force of each walker is converted linearly to the scale of the displayed force. Where the displayed force equals the converted target
+/// force, the walker has no force error.
 pub fn lines(design: &Design, samples: &[Sample]) -> Vec<Line> {
     let Some((all, report)) = design
         .problem

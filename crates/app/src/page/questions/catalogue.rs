@@ -1,4 +1,4 @@
-//! Contents of the program: texts, keys, built-in scenes, laws.
+//! Contents of the program that do not depend on a scene: texts, keys, built-in scenes and laws.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -15,10 +15,10 @@ use gaitcam::wording::{Language, people, scene_doc};
 use gaitcam_output::report::parts;
 use gaitcam_output::{laws_report, palette};
 
-/// Number of points of a law's thumbnail curve.
+/// Number of points of a law's curve in the catalogue.
 const POINTS: usize = 60;
 
-/// Data that the page loads once.
+/// Data that the page loads once when it is opened.
 pub fn start(start: &Start) -> Value {
     let scenes = SCENES.iter().map(|s| {
         json!({
@@ -40,7 +40,7 @@ pub fn start(start: &Start) -> Value {
     })
 }
 
-/// Text of a built-in scene. If it needs a recording of the user, the built-in recording is set.
+/// Text of a built-in scene. A scene that needs a recording from the user gets the built-in example recording.
 fn with_recording(name: &str, toml: &str) -> String {
     let file = format!("[gait]\nfile = \"{EXAMPLE_RECORDING}\"\n");
     match name {
@@ -57,11 +57,11 @@ pub struct Picture {
     pub name: String,
 }
 
-/// Picture of a built-in scene's cam.
+/// Picture of the cam of a built-in scene, as SVG.
 ///
 /// # Errors
 ///
-/// Unknown names of scenes.
+/// No built-in scene has this name.
 pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     let scene = built_in(&asked.name)?;
     let table = table(&with_recording(scene.name, scene.toml))?;
@@ -71,7 +71,7 @@ pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     Ok(json!({"svg": at_rest(&design)}))
 }
 
-/// Static picture of the animation, with all parts at their start positions and in plain colours.
+/// First frame of the animation as a static SVG, with plain colours.
 fn at_rest(design: &Design) -> String {
     let motion = serde_json::to_value(parts::motion(design)).unwrap_or_default();
     let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);
@@ -110,11 +110,11 @@ fn at_rest(design: &Design) -> String {
     svg.replacen('>', &format!(">{style}"), 1)
 }
 
-/// Catalogue of laws with their curves.
+/// Catalogue of the laws, with the curves of each law.
 ///
 /// # Errors
 ///
-/// None for the laws of the catalogue.
+/// No error is expected, because all laws of the catalogue are valid.
 pub fn laws() -> Result<Value> {
     let all: Result<Vec<Value>> = Rise::catalogue().iter().map(law).collect();
     let dwell = Rise::Dwell.name();

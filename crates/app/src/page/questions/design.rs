@@ -1,4 +1,4 @@
-//! Design of one state of the scene, with all data that the page shows.
+//! Design of a scene, with all data that the page shows about it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ use gaitcam::wording::{Language, number};
 use gaitcam_output::Timing;
 use gaitcam_output::report::parts::{self, Checked, Figure, Motion};
 
-/// A scene to be designed, with changes.
+/// Request to design a scene with changes.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Ask {
@@ -39,20 +39,21 @@ pub struct Ask {
     /// Quantity that colours the contour.
     #[serde(default)]
     pub colour: Colour,
-    /// Prime radius and offset (m) of the last design, while a value is dragged. A feasible law of about that size is then a sufficient result.
+    /// Prime radius and offset of the last design, m, while the user drags a slider. In this case any feasible law of about this size is
+    /// sufficient.
     #[serde(default)]
     pub quick: Option<[f64; 2]>,
 }
 
-/// Sizes tried for a quick design, as multiples of the last minimum. At the minimum itself few laws are feasible.
+/// Sizes that a quick design tries, as multiples of the last minimum size. At the minimum size itself, few laws are feasible.
 const NEAR: [f64; 2] = [1.08, 1.3];
-/// Number of polls of the halt flag in a quick search. Most feasible laws are found within 400.
+/// Maximum number of checks of the stop condition in a quick search. Most feasible laws are found within 400.
 const LOOKS: usize = 500;
 
-/// Design data for the page.
+/// Data about a design for the page.
 #[derive(Serialize)]
 pub struct Answer {
-    /// Hash of the scene and its files, and of the force alone.
+    /// Hash of the scene and its files; `force_hash` is the hash of the force alone.
     design_hash: Hash,
     force_hash: Option<Hash>,
     name: String,
@@ -63,7 +64,7 @@ pub struct Answer {
     notes: Vec<String>,
     infeasible: bool,
     conflict: Vec<String>,
-    /// Answers to the open questions about the recording.
+    /// Corrections for the open questions about the recording.
     asks: Vec<remedies::Remedy>,
     relaxations: Vec<Change>,
     easing: Vec<Eased>,
@@ -71,24 +72,24 @@ pub struct Answer {
     checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
-    /// Class of the law according to CAM-DAS.
+    /// CAM-DAS class of the law.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
-    /// Names of the design's files, by group.
+    /// Names of the available files of the design, by group.
     exports: Vec<(&'static str, Vec<&'static str>)>,
-    /// Default radius of the cutter for the path.
+    /// Default radius of the cutter, as text with its unit.
     cutter: String,
     curves: Curves,
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
-    /// Whether the size was fixed; the design of the whole scene then follows.
+    /// Whether the design is a quick one with a fixed size. The page then requests the full design.
     quick: bool,
     server_ms: f64,
 }
 
-/// Gain from relaxing an active limit by one per cent.
+/// Improvement of the objective if an active limit is relaxed by one per cent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Eased {
     name: String,
@@ -97,15 +98,15 @@ struct Eased {
     objective: String,
     before: String,
     after: String,
-    /// Gain as a fraction of the objective.
+    /// Improvement as a fraction of the objective.
     gain: f64,
 }
 
-/// Designs the scene.
+/// Designs a scene with changes.
 ///
 /// # Errors
 ///
-/// Faults of the changes, of the scene and of its force.
+/// The changes, the scene or its force are invalid.
 pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     let start = files.host.seconds();
     let table = changed(files, &ask.scene, &ask.changes)?;
@@ -124,11 +125,11 @@ pub fn design(files: &Files, ask: &Ask) -> Result<Answer> {
     Ok(answer)
 }
 
-/// Table of the scene with its changes.
+/// Table of a scene with the changes applied.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of the changes.
+/// The scene or the changes are invalid.
 pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
     let mut table = table(scene)?;
     for edit in changes {
@@ -137,11 +138,11 @@ pub fn changed(files: &Files, scene: &str, changes: &[Edit]) -> Result<Table> {
     Ok(table)
 }
 
-/// Scene and form without a design, for a scene whose force is still missing.
+/// Form of a scene without a design. It is shown while the force of the scene is missing.
 ///
 /// # Errors
 ///
-/// Faults of the changes, and of the scene with them.
+/// The changes are invalid, or the scene is invalid after the changes.
 pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     let table = changed(files, &ask.scene, &ask.changes)?;
     let scene = match files.scene(&table) {
@@ -158,11 +159,11 @@ pub fn read(files: &Files, ask: &Ask) -> Result<Value> {
     }))
 }
 
-/// Design of a table, from the cache if its inputs are the same.
+/// Design for a table. It is taken from the cache if all inputs are equal.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of its force.
+/// The scene or its force is invalid.
 pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     let input = Input::read(files, table)?;
     let known = lock(&files.engine.designs).get(&input.hash);
@@ -178,7 +179,7 @@ pub fn made(files: &Files, table: Table) -> Result<Arc<Made>> {
     Ok(made)
 }
 
-/// Scene with its force, before its design.
+/// Parsed scene with its force, ready for the design.
 pub struct Input {
     start: f64,
     table: Table,
@@ -190,10 +191,10 @@ pub struct Input {
 }
 
 impl Input {
-    /// Reads the scene of a table and its force.
+    /// Parses the scene of a table and reads its force.
     ///
     /// # Errors
-    /// Faults of the scene and of its force.
+    /// The scene or its force is invalid.
     pub fn read(files: &Files, table: Table) -> Result<Input> {
         let start = files.host.seconds();
         let (scene, whole) = files.scene(&table)?;
@@ -210,11 +211,11 @@ impl Input {
         })
     }
 
-    /// Design of the scene; the search ends at `halt`.
+    /// Designs the scene. The search ends at the stop condition `halt`.
     ///
     /// # Errors
     ///
-    /// Scenes that cannot be designed.
+    /// The scene cannot be designed.
     pub fn design(self, files: &Files, halt: &Halt) -> Result<Made> {
         let solving = files.host.seconds();
         let search = Search::until(halt.clone());
@@ -236,8 +237,9 @@ impl Input {
     }
 }
 
-/// Quick design while a value is dragged: a feasible law instead of the optimum, or the law without limits if none is found soon. `None` if neither
-/// exists; the full design then states the reason.
+/// Quick design while the user drags a slider: a feasible law instead of the optimum. If none is found soon, it is the law without limits.
+///
+/// `None` if this law does not exist either. The full design then contains the reason.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -278,7 +280,7 @@ fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     }))
 }
 
-/// Scene with a fixed size: `factor` times the prime radius, m, and the offset, m, if the scene does not give one.
+/// Copy of the scene with a fixed size: `factor` times the prime radius (m), and the given offset (m) if the scene has none.
 fn of_size(scene: &Scene, factor: f64, [prime, offset]: [f64; 2]) -> Scene {
     let mut sized = scene.clone();
     sized.cam.prime_radius = Some(factor * prime);
@@ -330,7 +332,7 @@ fn answer(kept: &Made, colour: Colour, language: Language) -> Answer {
     }
 }
 
-/// Reasons of the verdict without the suggested changes, which the page shows as buttons.
+/// Reasons for the verdict. Suggested changes are omitted, because the page shows them as buttons.
 pub fn reasons(design: &Design, language: Language) -> String {
     let facts = design.reasons.iter().filter(|reason| {
         !matches!(
@@ -346,12 +348,12 @@ pub fn reasons(design: &Design, language: Language) -> String {
     facts.join(" ")
 }
 
-/// Message of the program as shown in the page.
+/// Message of the program in the form that the page shows: with labels and short numbers.
 pub fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
 
-/// Files of a design by group. The scene is among the tables.
+/// Names of the files that the page offers for a design, by group. The scene is in the group of tables.
 fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
     let names = |group: Group| -> Vec<&'static str> {
         let scene = (group == Group::Tables).then_some("scene.toml");
@@ -365,7 +367,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// Figures of a design by column; null for missing ones.
+/// Figures of a design by column name; null for missing figures.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);
@@ -397,7 +399,7 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     .collect()
 }
 
-/// Request about the design of a scene.
+/// Request that contains only a scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Which {

@@ -1,4 +1,4 @@
-//! Files of a design that are made on request: those of `synth`, and those for the workshop.
+//! Files of a design that the page requests: those of `synth`, and those for manufacturing.
 
 use serde::Deserialize;
 
@@ -23,12 +23,12 @@ pub struct Export {
     pub scene: String,
     /// Name of the file, as in the list of exports.
     pub name: String,
-    /// Radius of the cutter as typed.
+    /// Radius of the cutter, as typed by the user with its unit.
     #[serde(default)]
     pub tool: Option<String>,
 }
 
-/// Response with the file, or with the reason why it cannot be made.
+/// Response with the requested file, or with the reason why it cannot be made.
 pub fn file(files: &Files, asked: &Export) -> Answer {
     let made = table(&asked.scene).and_then(|table| made(files, table));
     let tool = asked.tool.as_deref();
@@ -45,7 +45,7 @@ pub fn file(files: &Files, asked: &Export) -> Answer {
     }
 }
 
-/// Media type of a file ending.
+/// Media type for the extension of a file name.
 fn kind(name: &str) -> &'static str {
     match name.rsplit('.').next() {
         Some("csv") => "text/csv; charset=utf-8",
@@ -58,7 +58,7 @@ fn kind(name: &str) -> &'static str {
     }
 }
 
-/// Bytes of a file of the design. `tool` is the radius of the cutter as typed.
+/// Content of a file of the design. `tool` is the radius of the cutter as typed by the user.
 fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     match name {
         "scene.toml" => {
@@ -88,7 +88,7 @@ fn bytes(kept: &Made, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
     bytes.ok_or_else(|| fault.unwrap_or_else(none))
 }
 
-/// Options of the files for the workshop.
+/// Options of the files for manufacturing.
 #[cfg(feature = "cad")]
 fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     Ok(Workshop {
@@ -98,14 +98,14 @@ fn workshop(kept: &Made, tool: Option<&str>) -> Result<Workshop> {
     })
 }
 
-/// Options of the files for the workshop. The module without CAD makes no such files, so only the radius of the cutter is checked.
+/// Options of the files for manufacturing. The module without CAD does not make these files, so only the radius of the cutter is checked.
 #[cfg(not(feature = "cad"))]
 fn workshop(_: &Made, tool: Option<&str>) -> Result<Workshop> {
     tool.map(radius).transpose()?;
     Ok(Workshop::default())
 }
 
-/// Radius of a cutter in m from the typed text.
+/// Radius of the cutter in m, parsed from the text of the user.
 fn radius(tool: &str) -> Result<f64> {
     let radius = parse(tool, Dimension::Length)?;
     if radius <= 0.0 {

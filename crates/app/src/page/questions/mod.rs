@@ -1,4 +1,4 @@
-//! Requests of the page, one file per kind.
+//! Requests of the page, with one file per kind of request.
 
 pub mod catalogue;
 pub mod design;

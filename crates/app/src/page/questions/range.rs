@@ -1,4 +1,4 @@
-//! Verdicts of the designs over the values of one key, for the range of a slider.
+//! Verdicts of the designs over a range of values of one key, which the page shows on its slider.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -11,14 +11,14 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
 use gaitcam::scene::keys::{self, Kind};
 
-/// Time after which no further design is started, so that a page with requests in blocks can stop between them, s.
+/// Time, s, after which no further design is started. The page requests the values in several blocks, and can stop between them.
 const BLOCK: f64 = 0.12;
-/// Polls of the halt flag in the search of one design, the same on every machine.
+/// Maximum number of checks of the stop condition in the search of one design. It is the same on every machine, unlike a time limit.
 const LOOKS: usize = 3000;
-/// Maximum number of values of one request.
+/// Maximum number of values in one request.
 const MOST: usize = 200;
 
-/// Range of values of one key.
+/// Request for the verdicts over a range of values of one key.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Span {
@@ -27,7 +27,7 @@ pub struct Span {
     /// Changes of the scene, applied in order.
     #[serde(default)]
     pub changes: Vec<Edit>,
-    /// Dotted key of the value.
+    /// Dotted key of the varied value.
     pub key: String,
     /// First value, in `unit`.
     pub from: f64,
@@ -35,17 +35,19 @@ pub struct Span {
     pub to: f64,
     /// Number of values, equally spaced.
     pub count: usize,
-    /// Unit after the number in a scene file, with its blank; empty for a count.
+    /// Unit after the number in a scene file, with the space before it; empty for a count.
     #[serde(default)]
     pub unit: String,
 }
 
-/// Verdicts of the designs at the values, in order: `[[20.0, "unacceptable"], …]`. The list has fewer entries than requested if the time of a block
-/// has passed, but at least one. "unknown" is a design whose search ended early, before it passed its checks.
+/// Verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`.
+///
+/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the
+/// search ended early and the design did not pass its checks.
 ///
 /// # Errors
 ///
-/// Faults of the scene and its changes without the key.
+/// The scene or its changes are invalid, even without the varied key.
 pub fn range(files: &Files, span: &Span) -> Result<Value> {
     let table = changed(files, &span.scene, &span.changes)?;
     let end = files.host.seconds() + BLOCK;
@@ -60,7 +62,7 @@ pub fn range(files: &Files, span: &Span) -> Result<Value> {
     Ok(json!({ "values": verdicts }))
 }
 
-/// Equally spaced values, rounded to whole numbers for a count.
+/// Equally spaced values of the key, rounded to whole numbers for a count. Equal values appear once.
 fn values(span: &Span) -> Vec<f64> {
     let count = span.count.clamp(1, MOST);
     let step = (span.to - span.from) / count.saturating_sub(1).max(1) as f64;

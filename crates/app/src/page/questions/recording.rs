@@ -1,4 +1,4 @@
-//! Recordings dropped on the page: contents, choice of contacts, and hand-drawn forces.
+//! Recordings that the user drops on the page: their contents, the selection of contacts, and forces drawn by hand.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -20,7 +20,7 @@ use gaitcam::units::G;
 use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
-/// A recording that the user dropped on the page.
+/// Request for the contents of a recording that the user dropped on the page.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dropped {
@@ -28,15 +28,16 @@ pub struct Dropped {
     pub file: String,
     /// Hash of the bytes of the file.
     pub hash: Hash,
-    /// Reading options: keys of `gait` with their values.
+    /// Options for reading the recording: keys of `gait` with their values.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
 }
 
-/// Contents of a recording.
+/// Contents of a dropped recording.
 ///
 /// # Errors
-/// Files that are not recordings.
+///
+/// The file is not a recording.
 pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
     let contacts = Contacts {
         file: plain(&asked.file),
@@ -48,7 +49,7 @@ pub fn dropped(files: &Files, asked: &Dropped) -> Result<Value> {
     self::contacts(files, &contacts)
 }
 
-/// Last component of a path, without characters that file names cannot contain.
+/// Last component of a path, without the characters that are not allowed in file names.
 fn plain(given: &str) -> String {
     let last = given.rsplit(['/', '\\']).next().unwrap_or("");
     let name: String = last
@@ -61,7 +62,7 @@ fn plain(given: &str) -> String {
     }
 }
 
-/// Request with the excluded contacts of a recording.
+/// Request for a recording without some of its contacts.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contacts {
@@ -72,19 +73,20 @@ pub struct Contacts {
     /// Numbers of the excluded stances, counted from 0.
     #[serde(default)]
     pub without: Vec<usize>,
-    /// Feet whose stances are used.
+    /// Feet whose stances are used, as text.
     #[serde(default)]
     pub feet: String,
-    /// Reading options: keys of `gait` with their values.
+    /// Options for reading the recording: keys of `gait` with their values.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
 }
 
-/// Recording with some contacts left out. Its mean cycle is stored as a separate file, which the scene can use.
+/// Contents of a recording without the excluded contacts. If contacts are excluded, the mean cycle of the others is stored as a file that the scene
+/// can use.
 ///
 /// # Errors
 ///
-/// Missing recordings; no remaining stances.
+/// The recording is missing, or no stances remain.
 pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     let bytes = files.engine.kept(&asked.hash).unwrap_or_default();
     let mut found = described(&bytes, asked)?;
@@ -105,7 +107,7 @@ pub fn contacts(files: &Files, asked: &Contacts) -> Result<Value> {
     Ok(found)
 }
 
-/// Reading options of a recording, as `gait` of a scene.
+/// Options for reading a recording, parsed in the same way as the keys of `gait` in a scene.
 fn options(asked: &Contacts) -> Result<(ReadOptions, Feet)> {
     let mut table = toml::Table::new();
     scene::set(
@@ -121,7 +123,7 @@ fn options(asked: &Contacts) -> Result<(ReadOptions, Feet)> {
     Ok((gait.read_options(None)?, feet))
 }
 
-/// Contents of a recording, with its picture and the csv of its mean cycle.
+/// Contents of a recording, with a figure and with the mean cycle as CSV.
 fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     let (name, without) = (asked.file.as_str(), &asked.without);
     let (path, language) = (Path::new(name), words::current());
@@ -169,19 +171,19 @@ fn described(bytes: &[u8], asked: &Contacts) -> Result<Value> {
     Ok(found)
 }
 
-/// Keys of `gait` that describe the reading of a recording. Its mean cycle needs none of them.
+/// Keys of `gait` for reading a recording. They do not apply to a file with its mean cycle.
 const READER: [&str; 9] = [
     "time", "force", "unit", "rate", "mass", "kind", "period", "span", "noise",
 ];
 
-/// Line in the file of a cycle with the open questions about its recording.
+/// Comment line for the file of a mean cycle, with the open questions about its recording; `None` without open questions.
 fn open_line(mut open: Vec<OpenQuestion>) -> Option<String> {
     open.retain(|question| question.is_acceptable());
     let names: Vec<&str> = open.into_iter().map(OpenQuestion::name).collect();
     (!names.is_empty()).then(|| format!("open = {}", names.join(" ")))
 }
 
-/// Request for a scene with the mean cycle of its recording.
+/// Request to replace the recording of a scene by its mean cycle.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Whole {
@@ -189,11 +191,11 @@ pub struct Whole {
     pub scene: String,
 }
 
-/// Scene with the mean cycle of its recording as a small file instead of the recording. Its design is the same.
+/// Scene in which a small file with the mean cycle replaces the recording. The design of the scene does not change.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of its recording; several walkers.
+/// The scene or its recording is invalid, or the scene has several walkers.
 pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
     let mut table = page::table(&asked.scene)?;
     let (scene, _) = files.scene(&table)?;
@@ -259,7 +261,7 @@ pub fn mean_cycle(files: &Files, asked: &Whole) -> Result<Value> {
     }))
 }
 
-/// A force drawn by hand: points of one cycle.
+/// Request to store a force that the user drew by hand, as points of one cycle.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Points {
@@ -271,11 +273,11 @@ pub struct Points {
     pub points: Vec<[f64; 2]>,
 }
 
-/// Stores points as a file of one cycle. The curve passes through the points and is level at every maximum and minimum.
+/// Stores points as a file with one cycle. The force curve passes through the points, with a horizontal tangent at each maximum and minimum.
 ///
 /// # Errors
 ///
-/// Too few points; times that do not increase.
+/// There are too few points, or the times do not increase.
 pub fn points(files: &Files, drawn: &Points) -> Result<Value> {
     let name = plain(&drawn.file);
     let mut points = drawn.points.clone();

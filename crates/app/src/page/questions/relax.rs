@@ -1,4 +1,4 @@
-//! Changes of values that make a design acceptable.
+//! Changes of single values that make a design acceptable.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -10,22 +10,22 @@ use gaitcam::error::Result;
 use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::{Design, Relaxation, Search, in_units};
 
-/// A change that is sufficient for a scene.
+/// Suggested change of one value of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Change {
     key: &'static str,
-    /// `goal` if the change allows a larger force error, else `limit`.
+    /// `goal` if the change permits a larger force error, otherwise `limit`.
     kind: &'static str,
-    /// Cost of a changed goal: the allowed force error in per cent; null for a limit.
+    /// Permitted force error after the change, in per cent of the mean force; `None` if the change concerns a limit.
     cost: Option<f64>,
     from: String,
-    /// Value for display; null if no value of this key alone is sufficient.
+    /// New value as text with its unit; `None` if no value of this key is sufficient alone.
     to: Option<String>,
-    /// Value as written in a scene file.
+    /// New value as written in a scene file.
     value: Option<String>,
 }
 
-/// Suggestions from the conflict only, before each value is checked with the full design.
+/// Suggested changes from the analysis of the conflict. They have not been checked yet by a full design.
 pub fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
@@ -53,18 +53,18 @@ fn remedies(design: &Design, scene: &Scene, list: &[Relaxation]) -> Vec<Change> 
     changes
 }
 
-/// Number of a key as written in a scene file.
+/// Numeric value of a key, as text for a scene file; `None` for an unknown key.
 fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
     let row = keys::find(key)?;
     let written = keys::Value::Number(x).to_toml(row.dimension(scene));
     Some(written.as_str().map_or(written.to_string(), str::to_string))
 }
 
-/// Changes that are sufficient for a design. Each is checked with the full design.
+/// Changes that make the design of a scene acceptable. Each change has been checked by a full design.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of its force.
+/// The scene or its force is invalid.
 pub fn relax(files: &Files, which: &Which) -> Result<Value> {
     let made = made(files, table(&which.scene)?)?;
     let language = words::current();

@@ -1,4 +1,4 @@
-//! Simulation of the finished cam, identification from its log, and a grid of designs.
+//! Requests that need longer computations: simulation of the cam, identification from a machine log, and a grid of designs.
 
 use std::path::Path;
 use std::thread::available_parallelism;
@@ -23,14 +23,15 @@ use gaitcam::wording::{Language, number};
 use gaitcam_output::report::parts;
 use gaitcam_output::{facts, identification, identified, plots, simulation};
 
-/// Maximum number of designs in a sweep.
+/// Maximum number of designs in a grid.
 const MOST: u64 = 900;
 
-/// Simulates the emitted cam of a scene: data of `gaitcam simulate --json`, table and picture; only `why` if there is no cam.
+/// Simulates the cam of a scene with the numbers of its exported files. The response contains the data of `gaitcam simulate --json`, a table and a
+/// figure. If there is no cam, it contains only the reason, `why`.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of its machine.
+/// The scene or its machine is invalid.
 pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     let made = made(files, table(&which.scene)?)?;
     let (design, language) = (&made.design, words::current());
@@ -47,11 +48,12 @@ pub fn simulate(files: &Files, which: &Which) -> Result<Value> {
     }))
 }
 
-/// The recorded walk and the cam at resonance: sentence, table and picture; empty without eight consecutive recorded strides.
+/// Comparison of two responses of a lightly damped mode: to the cam, whose excitation is exactly periodic, and to the recorded walk. The result
+/// contains a sentence, a table and a figure. It is empty if fewer than eight consecutive strides are recorded.
 ///
 /// # Errors
 ///
-/// Faults of the scene.
+/// The scene is invalid.
 pub fn resonance(files: &Files, which: &Which) -> Result<Value> {
     let made = made(files, table(&which.scene)?)?;
     let (design, language) = (&made.design, words::current());
@@ -67,11 +69,11 @@ pub fn resonance(files: &Files, which: &Which) -> Result<Value> {
     }))
 }
 
-/// Request with the log of a running machine.
+/// Request to identify a machine from its log.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Logged {
-    /// TOML text of the scene of the logged cam.
+    /// TOML text of the scene that was running.
     pub scene: String,
     /// Name of the log file.
     pub log: String,
@@ -79,11 +81,12 @@ pub struct Logged {
     pub hash: Hash,
 }
 
-/// Machine identified from a log, as text and picture, and the scene of the next cam; only `why` if there is no cam.
+/// Machine identified from a log, as text and figure, and the scene of the next cam. If there is no cam, the response contains only the reason,
+/// `why`.
 ///
 /// # Errors
 ///
-/// Faults of the scene and of the log.
+/// The scene or the log is invalid.
 pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     let log = Log::read(
         Path::new(&asked.log),
@@ -105,7 +108,7 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     }))
 }
 
-/// Scene of the next cam with the measured and the predicted force error.
+/// Scene of the next cam, with the measured force error and the predicted error, N.
 fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
     let search = Search::until(files.host.halt());
@@ -122,7 +125,7 @@ fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     }))
 }
 
-/// Request for designs over one or two keys of a scene.
+/// Request for a grid of designs over one or two keys of a scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Grid {
@@ -130,15 +133,15 @@ pub struct Grid {
     pub scene: String,
     /// Keys with their values in the syntax of `gaitcam sweep --vary`: `limits.stroke=50 mm:70 mm:9`.
     pub vary: Vec<String>,
-    /// Column of the requested figure.
+    /// Column name of the requested figure.
     pub column: String,
 }
 
-/// Verdict and one figure of each design of a grid, row by row; the last key varies fastest. Null if the time limit ended the design.
+/// Verdict and one figure for each design of a grid, row by row. The last key varies fastest. Values are null if the time limit ended the design.
 ///
 /// # Errors
 ///
-/// Keys or values that cannot be varied; more than 900 designs; missing recordings.
+/// A key or a value cannot be varied; there are more than 900 designs; a recording is missing.
 pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     let (_, table) = files.scene(&table(&asked.scene)?)?;
     let question = SweepQuestion {
@@ -170,7 +173,8 @@ pub fn sweep(files: &Files, asked: &Grid) -> Result<Value> {
     }))
 }
 
-/// Reasons why designs of a grid are not acceptable, row by row: the fault of the scene, or its violated or conflicting limits.
+/// Reasons why designs of a grid are not acceptable, row by row. A reason is the error of the scene, or the names of the violated or conflicting
+/// limits.
 fn why(records: &Records, language: Language) -> Vec<String> {
     let at = |column: &str, i: usize| {
         let words = records.words(column);

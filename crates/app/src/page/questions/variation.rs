@@ -1,4 +1,4 @@
-//! Sensitivity of a design to the numbers of its scene, and the trade-off front.
+//! Sensitivity of a design to each number of its scene, and trade-off front.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -14,18 +14,18 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether a figure can be traded against the force error and has a limit in the scene. Each point of its front is then a scene with that value of
-/// the limit.
+/// Whether a figure can be traded against the force error on the page. It must have a limit in the scene, because each point of the front becomes a
+/// scene with a value of this limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
 
-/// Number of points of a front.
+/// Number of points on a front.
 const POINTS: usize = 16;
-/// Maximum number of bars in a response.
+/// Maximum number of keys in the response to a sensitivity request.
 const BARS: usize = 12;
 
-/// Request for the sensitivity of a quantity to every number of the scene.
+/// Request for the sensitivity of one quantity to each number of the scene.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vary {
@@ -33,15 +33,16 @@ pub struct Vary {
     pub scene: String,
     /// Column name of the quantity whose sensitivity is computed.
     pub quantity: String,
-    /// Relative variation of each number.
+    /// Relative change of each number.
     pub share: f64,
 }
 
-/// Bars, one for every number of the scene: the quantity with the number reduced and increased by a fraction, the longest bar first.
+/// Values of a quantity if a number of the scene is reduced and if it is increased by a given fraction. Each number of the scene has one entry; the
+/// number with the largest effect is the first.
 ///
 /// # Errors
 ///
-/// Faults of the unchanged scene.
+/// The unchanged scene is invalid.
 pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
     let (scene, _) = files.scene(&table)?;
@@ -99,7 +100,7 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     }))
 }
 
-/// Design of a varied scene. A load model is evaluated again if its parameters change.
+/// Design of a changed scene; `None` if there is no such design. The force is computed again if `key` belongs to it.
 fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
         "gait" => files.target(scene).ok()?.map(|t| t.0),
@@ -120,21 +121,22 @@ fn value(design: &Design, figure: &Figure) -> Option<f64> {
     (design.infeasible.is_none() && value.is_finite()).then_some(value)
 }
 
-/// Request for the trade-off of a quantity against the force error.
+/// Request for the trade-off between a quantity and the force error.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trade {
     /// TOML text of the scene.
     pub scene: String,
-    /// Column of the second objective.
+    /// Column name of the quantity, which is the second objective.
     pub against: String,
 }
 
-/// Front: the minimum force error at each value of the other quantity. Each point contains the change for its scene.
+/// Trade-off front: the minimum force error for each value of the other quantity. Each point contains the key and the value that change the scene
+/// to this design.
 ///
 /// # Errors
 ///
-/// Scenes without a force; quantities that cannot be traded.
+/// The scene has no force, or the quantity cannot be traded against the force error.
 pub fn front(files: &Files, asked: &Trade) -> Result<Value> {
     let name = Figure::of_column(&asked.against).and_then(|f| f.trade);
     let against = traded(&format!("force_error:{}", name.unwrap_or(&asked.against)))?;

@@ -1,4 +1,4 @@
-//! Texts of the page, one Fluent file per language.
+//! Texts of the page, with one Fluent file per language.
 
 use std::cell::Cell;
 
@@ -8,7 +8,7 @@ use gaitcam::synth::{FIGURES, Figure};
 use gaitcam::wording::{Catalogue, Language, Sentences, limit_label};
 use serde_json::{Map, Value};
 
-/// Catalogue of the studio's messages.
+/// Catalogue of the messages of the page and its server.
 pub static WORDS: Catalogue = Catalogue::new(&[Sentences {
     files: &[[include_str!("en.ftl"), include_str!("es.ftl")]],
     as_typed: &["fault", "file", "folder", "list", "name"],
@@ -19,17 +19,17 @@ thread_local! {
     static LANGUAGE: Cell<Language> = const { Cell::new(Language::En) };
 }
 
-/// Sets the language of the messages for the request of this thread.
+/// Sets the language of messages for the request that this thread processes.
 pub fn settle(language: Language) {
     LANGUAGE.set(language);
 }
 
-/// Language of the request of this thread.
+/// Language of messages for the request that this thread processes.
 pub fn current() -> Language {
     LANGUAGE.get()
 }
 
-/// Texts of the page by their keys; the names of figures have keys `figure-COLUMN`. The page replaces `{name}` by a value.
+/// Texts of the page by their keys. The names of figures have the keys `figure-COLUMN`. The page replaces `{name}` in a text by a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
     let arguments = include_str!("en.ftl").split("{ $").skip(1);
@@ -52,7 +52,7 @@ pub fn page(language: Language) -> Map<String, Value> {
     own.chain(limits(language)).chain(figures).collect()
 }
 
-/// Labels of the fields of limits.
+/// Keys and labels of the form fields for limits.
 fn limits(language: Language) -> impl Iterator<Item = (String, Value)> {
     LimitKind::ALL.iter().filter_map(move |kind| {
         let key = keys::of_limit(*kind)?.path;
