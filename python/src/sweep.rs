@@ -186,7 +186,7 @@ impl Sweep {
         let blocks = py.detach(|| {
             let blocks =
                 SharedBlocks::open(&folder, &self.sweep, block_rows, "parquet", Language::En)?;
-            let missing = blocks.missing()?;
+            let missing = blocks.missing_of(0, 1)?;
             Ok((blocks.blocks, missing))
         });
         let (blocks, missing) = blocks.raise(py)?;

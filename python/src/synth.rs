@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use gaitcam::error::Result;
+use gaitcam::force::Walker;
+use gaitcam::scene::Gait;
 use gaitcam::synth::{Outcome, Search};
 use gaitcam_app::Input;
 use gaitcam_output::Timing;
@@ -69,14 +71,32 @@ pub(crate) fn asked(
             return Err(PyTypeError::new_err("give force or forces, not both"));
         }
         Some(mut forces) => {
-            let gait = scene.input.scene.gait.as_ref();
-            let left_out = gait.map_or(&[][..], |gait| &gait.leave_out);
-            forces.retain(|force| !left_out.contains(&force.name));
+            let given = Gait::given();
+            let gait = scene.input.scene.gait.as_ref().unwrap_or(&given);
+            forces.retain(|force| !gait.leave_out.contains(&force.name));
+            if forces.is_empty() {
+                return Err(PyTypeError::new_err(
+                    "forces is empty: give at least one force",
+                ));
+            }
+            let walker = |force: &PyRef<'_, Force>| Walker::new(&force.name, force.curve.clone());
+            check_open(gait, forces.iter().map(walker)).raise(py)?;
             Some(Force::of_walkers(py, &forces)?)
         }
         None => Force::of_argument(force)?,
     };
     Ok((scene, force))
+}
+
+/// Rejects walkers whose recordings have open questions that the scene does not accept.
+fn check_open(gait: &Gait, walkers: impl Iterator<Item = Walker>) -> Result<()> {
+    let open: Vec<Walker> = walkers
+        .filter(|walker| !gait.open_questions(&walker.curve).is_empty())
+        .collect();
+    if open.is_empty() {
+        return Ok(());
+    }
+    gait.walkers(open, &[]).map(drop)
 }
 
 /// Designs a scene. A given force replaces that of the scene.

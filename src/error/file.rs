@@ -64,6 +64,13 @@ pub enum FileError {
         feet: Option<String>,
         kind: Option<String>,
         cycle: Option<String>,
+        open: Option<String>,
+    },
+    /// No file and no walker of the population has the excluded name.
+    NoSuchWalker {
+        name: String,
+        nearest: Option<String>,
+        known: String,
     },
     /// The file with the torque curve of a motor or with a motion contains no table of numbers. `start` is the beginning of the file.
     NoTable { start: String, purpose: String },

@@ -1,11 +1,16 @@
 //! Reading the walkers of a scene from the content of their files.
 
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::Gait;
-use crate::error::{Error, FileError, Placed, Result};
+use crate::error::{Error, FileError, Placed, Result, nearest};
 use crate::force::{self, ForceCurve, Walker, WalkerFault, WalkerRow, walker_faults};
 use crate::wording::InLanguages;
+
+/// Maximum number of names in a message.
+const LISTED: usize = 12;
 
 /// File name extensions of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
@@ -16,6 +21,8 @@ pub(super) struct PopulationReader<'a> {
     walkers: Vec<Walker>,
     /// Errors of the files and rows that could not be read as a cycle.
     unreadable: Vec<Error>,
+    /// All names of files and rows.
+    names: RefCell<BTreeSet<String>>,
 }
 
 impl<'a> PopulationReader<'a> {
@@ -25,20 +32,44 @@ impl<'a> PopulationReader<'a> {
             gait,
             walkers: Vec::new(),
             unreadable: Vec::new(),
+            names: RefCell::default(),
         }
     }
 
     /// Whether the scene excludes a file from the population.
     pub fn leaves_out(&self, path: &Path) -> bool {
-        let names = [file_name(path), path.display().to_string()];
-        names.iter().any(|name| self.gait.leave_out.contains(name))
+        let names = [file_name(path), path.display().to_string(), stem(path)];
+        self.is_named(&names)
     }
 
     /// Whether the scene excludes a row of a table, by the name of the walker or by file and line.
     fn leaves_row_out(&self, path: &Path, row: &WalkerRow) -> bool {
         let place = format!("{}:{}", file_name(path), row.line);
-        let names = [&row.name, &place];
+        self.is_named(&[row.name.clone(), place])
+    }
+
+    /// Whether the scene excludes one of the names of a file or row. The names are recorded as those that exist.
+    fn is_named(&self, names: &[String]) -> bool {
+        self.names.borrow_mut().extend(names.iter().cloned());
         names.iter().any(|name| self.gait.leave_out.contains(name))
+    }
+
+    /// Rejects excluded names that no file and no walker has.
+    fn check_names(&self) -> Result<()> {
+        let names = self.names.borrow();
+        let unknown = |name: &&String| !names.contains(*name);
+        let Some(name) = self.gait.leave_out.iter().find(unknown) else {
+            return Ok(());
+        };
+        let known = names
+            .iter()
+            .filter(|n| !n.contains('/') && !n.contains(':'));
+        let fault = FileError::NoSuchWalker {
+            name: name.clone(),
+            nearest: nearest(name, known.clone().map(String::as_str)).map(str::to_string),
+            known: known.take(LISTED).cloned().collect::<Vec<_>>().join(", "),
+        };
+        Err(fault.at_key("gait.leave_out"))
     }
 
     /// Adds the cycle of a recording, or all rows of a table of walkers. `metadata` returns the table of subjects. Errors are collected for the
@@ -83,6 +114,7 @@ impl<'a> PopulationReader<'a> {
     ///
     /// Walkers with errors, grouped by the reason. An error without a file is reported for the file `first`.
     pub fn mean(self, first: &Path) -> Result<ForceCurve> {
+        self.check_names()?;
         let walkers = self.gait.walkers(self.walkers, &self.unreadable);
         let mean = walkers.and_then(ForceCurve::of_walkers);
         mean.map_err(|e| e.in_file(first))
@@ -104,8 +136,7 @@ fn cycle(
 ) -> Result<Walker> {
     let options = gait.read_options(metadata())?;
     let curve = force::force_curve(path, bytes, &options, gait.feet)?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Ok(Walker::new(&name, curve))
+    Ok(Walker::new(&stem(path), curve))
 }
 
 impl Gait {
@@ -117,7 +148,13 @@ impl Gait {
     /// Walkers with errors, grouped by the reason.
     pub fn walkers(&self, mut all: Vec<Walker>, unreadable: &[Error]) -> Result<Vec<Walker>> {
         all.retain(|w| !self.leave_out.contains(&w.name));
-        let mut names: [Vec<String>; 5] = Default::default();
+        let mut names: [Vec<String>; 6] = Default::default();
+        for walker in &all {
+            let open = self.open_questions(&walker.curve);
+            if !open.is_empty() {
+                names[5].push(format!("{} ({})", walker.name, open.join(", ")));
+            }
+        }
         for (walker, fault) in all.iter().zip(walker_faults(&all)) {
             let name = walker.name.clone();
             let (kind, shown) = match fault {
@@ -152,12 +189,31 @@ impl Gait {
             feet: text(&names[2]),
             kind: text(&names[3]),
             cycle: text(&names[4]),
+            open: text(&names[5]),
         }
         .into())
     }
 }
 
+impl Gait {
+    /// Names of the open questions about the recording of a cycle that the scene does not accept.
+    pub fn open_questions(&self, curve: &ForceCurve) -> Vec<&'static str> {
+        let recording = curve.recording.as_ref();
+        let notes = recording.map_or(&curve.notes[..], |r| &r.warnings);
+        let open = force::Note::doubts(notes).into_iter();
+        open.filter(|question| !self.accept.contains(question))
+            .map(|question| question.name())
+            .collect()
+    }
+}
+
 fn file_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
+}
+
+/// Name of a file without its extension: the name of the walker in a recording.
+fn stem(path: &Path) -> String {
+    let name = path.file_stem().unwrap_or_default();
     name.to_string_lossy().into_owned()
 }

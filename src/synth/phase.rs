@@ -8,7 +8,7 @@ use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
 use super::families;
-use super::limits::force_report;
+use super::report::force::ForceReport;
 use super::search::Search;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
@@ -36,7 +36,7 @@ fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
     let of_force = of_force.then(|| problem.minimising(Minimise::ForceError));
     let problem = of_force.as_ref().unwrap_or(problem);
     let found = families::law(problem, search)?.ok();
-    Ok(found.map(|found| force_report(problem, &found.law).rms_error_n))
+    Ok(found.map(|found| ForceReport::of(problem, &found.law).rms_error_n))
 }
 
 /// The problem at the phase for which `error` is minimum.

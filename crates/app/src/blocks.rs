@@ -6,10 +6,10 @@
 //! A block is written under a temporary name and then renamed. Therefore any number of processes on any number of machines can share the folder.
 //! After an interruption, only the missing blocks are computed.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::ffi::OsStr;
 use std::fs;
-use std::io::Read;
+use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -140,28 +140,37 @@ impl SharedBlocks {
         })
     }
 
-    /// Row ranges of the missing blocks.
+    /// Row ranges of all blocks.
+    fn all(&self) -> impl Iterator<Item = Range<u64>> {
+        let starts = (0..self.rows).step_by(self.block_rows as usize);
+        starts.map(|start| start..(start + self.block_rows).min(self.rows))
+    }
+
+    /// Row ranges of the blocks without a file. The contents of the files are not checked.
     ///
     /// # Errors
     ///
     /// The folder cannot be read.
     pub fn missing(&self) -> Result<Vec<Range<u64>>> {
         let present: HashSet<Range<u64>> = self.blocks.present()?.into_iter().collect();
-        let starts = (0..self.rows).step_by(self.block_rows as usize);
-        let all = starts.map(|start| start..(start + self.block_rows).min(self.rows));
-        Ok(all.filter(|rows| !present.contains(rows)).collect())
+        Ok(self.all().filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// Missing blocks of share `part` of `parts` equal shares. Consecutive blocks belong to different shares. Shares are numbered from 1; share 0
+    /// Missing and incomplete blocks of share `part` of `parts` equal shares. Consecutive blocks belong to different shares. Shares are numbered from 1; share 0
     /// is the same as share `parts`.
     ///
     /// # Errors
     ///
     /// The errors of [`SharedBlocks::missing`].
     pub fn missing_of(&self, part: u64, parts: u64) -> Result<Vec<Range<u64>>> {
-        let mut out = self.missing()?;
-        out.retain(|rows| (rows.start / self.block_rows + 1) % parts == part % parts);
-        Ok(out)
+        let present: HashMap<Range<u64>, PathBuf> =
+            files(&self.blocks.folder)?.into_iter().collect();
+        let is_own = |rows: &Range<u64>| (rows.start / self.block_rows + 1) % parts == part % parts;
+        let is_there = |rows: &Range<u64>| present.get(rows).is_some_and(|p| is_complete(p, rows));
+        Ok(self
+            .all()
+            .filter(|rows| is_own(rows) && !is_there(rows))
+            .collect())
     }
 }
 
@@ -198,7 +207,37 @@ pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
-/// Ranges of rows that are missing in the folder: gaps between the blocks, and all rows after the last block.
+/// Complete blocks in a folder, with their row ranges, in the order of the rows.
+///
+/// # Errors
+///
+/// The folder cannot be read.
+pub fn complete_files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
+    let mut out = files(folder)?;
+    out.retain(|(rows, path)| is_complete(path, rows));
+    Ok(out)
+}
+
+/// The last four bytes of a file.
+fn tail(path: &Path) -> std::io::Result<[u8; 4]> {
+    let (mut file, mut bytes) = (fs::File::open(path)?, [0; 4]);
+    file.seek(SeekFrom::End(-4))?;
+    file.read_exact(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Whether a block contains the rows in its name: a CSV file has a line for each row, and a Parquet file has its end mark.
+fn is_complete(path: &Path, rows: &Range<u64>) -> bool {
+    if path.extension().is_some_and(|ending| ending == "parquet") {
+        return tail(path).is_ok_and(|bytes| &bytes == b"PAR1");
+    }
+    fs::read(path).is_ok_and(|bytes| {
+        let lines = bytes.iter().filter(|b| **b == b'\n').count() as u64;
+        bytes.ends_with(b"\n") && lines == rows.end - rows.start + 1
+    })
+}
+
+/// Ranges of rows that are missing in the folder: gaps between the complete blocks, and all rows after the last one.
 ///
 /// # Errors
 ///
@@ -208,7 +247,7 @@ pub fn missing_rows(folder: &Path) -> Result<Vec<Range<u64>>> {
     let plan: Value = serde_json::from_slice(&plan).unwrap_or_default();
     let (mut out, mut next) = (Vec::new(), 0);
     let end = plan["rows"].as_u64().map(|rows| rows..rows);
-    for rows in files(folder)?.into_iter().map(|f| f.0).chain(end) {
+    for rows in complete_files(folder)?.into_iter().map(|f| f.0).chain(end) {
         if rows.start > next {
             out.push(next..rows.start);
         }
@@ -275,7 +314,14 @@ mod tests {
         let open = || SharedBlocks::open(folder.path(), &sweep, 4, "csv", Language::En).unwrap();
         let first = open();
         assert_eq!(first.missing().unwrap(), [0..4, 4..8, 8..10]);
-        fs::write(first.blocks.path(&(4..8)), b"").unwrap();
+        let block = first.blocks.path(&(4..8));
+        fs::write(&block, "row\n4\n5\n6\n").unwrap();
+        assert_eq!(open().missing_of(0, 1).unwrap(), [0..4, 4..8, 8..10]);
+        let missing = missing_rows(folder.path()).unwrap();
+        assert_eq!((missing.len(), missing[0].clone()), (1, 0..10));
+        fs::write(&block, "row\n4\n5\n6\n7").unwrap();
+        assert_eq!(open().missing_of(0, 1).unwrap(), [0..4, 4..8, 8..10]);
+        fs::write(&block, "row\n4\n5\n6\n7\n").unwrap();
         fs::write(folder.path().join(".rows-1-2.parquet.7.partial"), b"").unwrap();
         assert_eq!(open().missing().unwrap(), [0..4, 8..10]);
         assert_eq!(open().missing_of(1, 2).unwrap(), [0..4, 8..10]);

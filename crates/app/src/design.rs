@@ -59,7 +59,10 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
     gait.step_frequency = match gait.step_frequencies.take() {
         // For several walkers: the step frequency at this speed selects the walker.
         Some(_) => step_frequency(&design),
-        None => gait.step_frequency.map(|f| faster * f),
+        // Rounded, because the frequency is part of the name of the target.
+        None => gait
+            .step_frequency
+            .map(|f| (faster * f * 1e9).round() / 1e9),
     };
     let (target, missing) = match gait.model_force() {
         Ok(None) => return Ok((design, None)),

@@ -140,17 +140,22 @@ impl Design {
     /// The design with the same cam in a machine with another drive.
     #[must_use]
     pub fn on_drive(self, drive: Drive) -> Design {
-        Design {
-            problem: Arc::new(self.problem.with_drive(drive)),
-            ..self
-        }
+        let problem = self.problem.with_drive(drive);
+        self.of_problem(problem)
     }
 
     /// The design with the same cam in a machine with another drive and another target over time.
     #[must_use]
     pub fn moved_to(self, drive: Drive, target: Option<ForceCurve>) -> Design {
+        let problem = self.problem.against(drive, target);
+        self.of_problem(problem)
+    }
+
+    /// The design with the same cam and the force of another problem.
+    fn of_problem(self, problem: Problem) -> Design {
         Design {
-            problem: Arc::new(self.problem.against(drive, target)),
+            force: ForceReport::of(&problem, self.pressing()),
+            problem: Arc::new(problem),
             ..self
         }
     }

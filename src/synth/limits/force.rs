@@ -3,14 +3,12 @@
 use super::finished::{Finished, SLACK};
 use crate::cam::{Check, Criterion, LimitKind};
 use crate::force::ForceCurve;
-use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::qp::{
     Limit, MeanSquare, Meaning, PEAK, Program, RmsLimit, TOLERANCE, structural,
 };
-use crate::synth::report::force::ForceReport;
 
 /// Limits on the minimum and maximum force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -87,26 +85,6 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
         most,
         meaning: Meaning::times(1.0 / problem.target_mean()),
     })
-}
-
-/// Comparison of the force of a law with the target, exact on the spans of law and target.
-pub fn report(problem: &Problem, law: &Law) -> ForceReport {
-    let own = problem.force_curve(law);
-    let (low, high) = problem.force_extremes(law);
-    let (start, length) = law.extent();
-    let mut report = ForceReport {
-        mean_n: own.integral() / length,
-        min_n: low.value,
-        max_n: high.value,
-        ..ForceReport::default()
-    };
-    if let Some(target) = &problem.target {
-        report.target_mean_n = target.mean_n();
-        [report.rms_error_n, report.max_error_n] = target.error_of(law, &problem.drive);
-        report.rms_error_percent_of_mean = 100.0 * report.rms_error_n / report.target_mean_n.abs();
-        debug_assert!(start == 0.0);
-    }
-    report
 }
 
 /// Negative contact force, relative to the maximum absolute force, that counts as a rounding error.

@@ -24,7 +24,6 @@ mod slack;
 pub use diameter::{check as diameter_check, is_nonconvex as diameter_is_nonconvex};
 pub use dwell_vibration::Vibrations;
 pub use finished::{Finished, GEOMETRY};
-pub use force::report as force_report;
 pub use hertz_pressure::{bearable_on_some_size, smallest_base_radius};
 pub use kinematic::above_base_circle;
 pub use loads::{largest, power_curve, torque_curve};

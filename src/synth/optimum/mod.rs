@@ -20,6 +20,7 @@ use super::qp::{
     Demand, Equality, Failure, Limit, OFFSET, PEAK, Program, Quadratic, RADIUS, RISE, Solution,
     Stop,
 };
+use super::report::force::ForceReport;
 use super::search::Search;
 use super::sizing;
 use crate::criterion::Criterion;
@@ -167,7 +168,7 @@ fn sequence_from(
     }
     // A law that satisfies every limit passes; only its force error may still exceed the accuracy.
     let passes = |s: &Solution| {
-        let error = || limits::force_report(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
+        let error = || ForceReport::of(problem, &Law::of(&program.basis, &s.x)).rms_error_n;
         search.only_passing && problem.allowed_error().is_none_or(|most| error() <= most)
     };
     scp::refine(program, &starts, limits.clone(), passes)

@@ -29,7 +29,7 @@ fn half_the_acceleration_costs_the_square_of_half_the_wave() {
     let law = law.unwrap().law;
     assert!((law.stroke() / amplitude(&problem) - 1.0).abs() < 1e-6);
     let missing = 0.15 * problem.target_mean() / 2.0_f64.sqrt();
-    let error = limits::force_report(&problem, &law).rms_error_n;
+    let error = ForceReport::of(&problem, &law).rms_error_n;
     assert!((error / missing - 1.0).abs() < 1e-6);
 }
 

@@ -3,6 +3,8 @@
 use serde::Serialize;
 
 use crate::drive::Drive;
+use crate::law::Law;
+use crate::problem::Problem;
 
 /// Comparison of the force of a cam with the target. All values are exact for the continuous law.
 ///
@@ -36,6 +38,27 @@ pub struct ForceReport {
 }
 
 impl ForceReport {
+    /// Comparison of the force of a law with the target, exact on the spans of law and target.
+    pub(in crate::synth) fn of(problem: &Problem, law: &Law) -> ForceReport {
+        let own = problem.force_curve(law);
+        let (low, high) = problem.force_extremes(law);
+        let (start, length) = law.extent();
+        let mut report = ForceReport {
+            mean_n: own.integral() / length,
+            min_n: low.value,
+            max_n: high.value,
+            ..ForceReport::default()
+        };
+        if let Some(target) = &problem.target {
+            report.target_mean_n = target.mean_n();
+            [report.rms_error_n, report.max_error_n] = target.error_of(law, &problem.drive);
+            report.rms_error_percent_of_mean =
+                100.0 * report.rms_error_n / report.target_mean_n.abs();
+            debug_assert!(start == 0.0);
+        }
+        report
+    }
+
     /// Converts a report with moments about the pivot of an arm, N·m, to forces at the lever of the arm, N. Other reports are unchanged.
     #[must_use]
     pub fn newtons(self, drive: &Drive) -> ForceReport {

@@ -4,7 +4,7 @@ use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, PrimeCircle};
 use crate::error::Result;
 use crate::law::Law;
 use crate::problem::Problem;
-use crate::synth::limits::{ENLARGED, Finished, diameter_check, force_report};
+use crate::synth::limits::{ENLARGED, Finished, diameter_check};
 use crate::synth::report::force::ForceReport;
 use crate::synth::sizing;
 
@@ -52,7 +52,7 @@ fn checked(problem: &Problem, cam: Cam, raised: f64, end: Option<Law>) -> Result
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
     let pressing = end.as_ref().unwrap_or(&cam.law);
-    let force = force_report(problem, pressing);
+    let force = ForceReport::of(problem, pressing);
     let finished = Finished {
         problem,
         cam: &cam,

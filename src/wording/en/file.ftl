@@ -77,5 +77,13 @@ file-walkers = { $count ->
     }{ $kind ->
         [none] {""}
        *[other] {" "}Different kind of movement: { $kind }.
+    }{ $open ->
+        [none] {""}
+       *[other] {" "}Open questions: { $open }.
     }
-    .help = correct them, or exclude them by name: gait.leave_out = ["NAME", "FILE:LINE", …] (FILE:LINE for a row of a table)
+    .help = correct them, or exclude them by name: gait.leave_out = ["NAME", "FILE:LINE", …] (FILE:LINE for a row of a table); open questions can be accepted with gait.accept
+file-no-such-walker = no walker and no file has the name "{ $name }"
+    .help = { $nearest ->
+        [none] the names are { $known }
+       *[other] did you mean "{ $nearest }"?
+    }

@@ -122,7 +122,7 @@ key-machine-floor-mode-N-ordinate = Ordinate of the mode at the shaker.
 key-machine-walkers-count = Number of walkers on the structure, including the shaker; all are at the position of the shaker.
 key-machine-walkers-phases = Phase of the force of each walker, the shaker first. Default: random phases of the other walkers, the same in every run.
 key-machine-walkers-weights = Weight of each walker, the shaker first; only their ratios matter. Default: equal weights.
-key-accuracy-rms = Maximum RMS force error as a fraction of the mean force; auto: 0.5 %, or the step-to-step spread of the recording if larger; none: not judged.
+key-accuracy-rms = Maximum RMS force error as a fraction of the mean force; auto: 0.5 %, or the step-to-step spread of the recording if larger, and none for several walkers; none: not judged.
 
 built-in-footbridge = Load model of walking on a footbridge, 700 N at 1.85 Hz: the default
 built-in-footbridge_double_harmonic = Footbridge with a double harmonic fitted to the same force

@@ -77,5 +77,13 @@ file-walkers = { $count ->
     }{ $kind ->
         [none] {""}
        *[other] {" "}Tipo de movimiento distinto: { $kind }.
+    }{ $open ->
+        [none] {""}
+       *[other] {" "}Preguntas abiertas: { $open }.
     }
-    .help = corríjalos, o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", "ARCHIVO:LÍNEA", …] (ARCHIVO:LÍNEA para una fila de una tabla)
+    .help = corríjalos, o exclúyalos por su nombre: gait.leave_out = ["NOMBRE", "ARCHIVO:LÍNEA", …] (ARCHIVO:LÍNEA para una fila de una tabla); las preguntas abiertas se pueden aceptar con gait.accept
+file-no-such-walker = ningún caminante y ningún archivo tiene el nombre «{ $name }»
+    .help = { $nearest ->
+        [none] los nombres son { $known }
+       *[other] ¿quiso decir «{ $nearest }»?
+    }

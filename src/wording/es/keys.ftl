@@ -122,7 +122,7 @@ key-machine-floor-mode-N-ordinate = Ordenada del modo en el excitador.
 key-machine-walkers-count = Número de peatones sobre la estructura, incluido el excitador; todos están en la posición del excitador.
 key-machine-walkers-phases = Fase de la fuerza de cada peatón, primero el excitador. Por defecto: fases aleatorias de los demás peatones, las mismas en cada ejecución.
 key-machine-walkers-weights = Peso de cada peatón, primero el excitador; solo cuentan sus proporciones. Por defecto: pesos iguales.
-key-accuracy-rms = Error RMS de fuerza máximo como fracción de la fuerza media; auto: 0,5 %, o la dispersión entre pasos del registro si es mayor; none: no se juzga.
+key-accuracy-rms = Error RMS de fuerza máximo como fracción de la fuerza media; auto: 0,5 %, o la dispersión entre pasos del registro si es mayor, y none para varios caminantes; none: no se juzga.
 
 built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,85 Hz: la escena por defecto
 built-in-footbridge_double_harmonic = Pasarela con una doble armónica ajustada a la misma fuerza

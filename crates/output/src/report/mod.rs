@@ -82,10 +82,11 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
         workshop::section(&mut out, synthesis, &words);
     }
     tables::solution(&mut out, synthesis, time, &words);
-    let footer = words.text(match synthesis.cam.follower.measures() {
+    let footer = match synthesis.cam.follower.measures() {
         Measures::Straight => "report-footer-straight",
         _ => "report-footer",
-    });
+    };
+    let footer = words::with_length_unit(&words, footer);
     // Writing to a String cannot fail, here and below.
     let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&footer));
     if synthesis.infeasible.is_none() {

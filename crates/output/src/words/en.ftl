@@ -122,9 +122,15 @@ report-certified = No law of the family reduces the objective by more than one p
 report-uncertified = The law is not certified as the optimum: { $why }.
 report-certificate = Relative duality gap { $gap }; KKT residual { $stationarity }; constraint violation { $violation }.
 report-remarks = Remarks
-report-footer = Lengths are in millimetres and angles in degrees. θ is measured counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.
-report-footer-straight = Lengths are in millimetres and angles in degrees. Travel is measured from the start of the pass. Extrema are computed on the continuous law.
-report-footer-sweep = Values are in SI units unless stated. Extrema are computed on the continuous law.
+report-footer = Lengths are in { $unit ->
+        [in] inches
+       *[mm] millimetres
+    } and angles in degrees. θ is measured counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.
+report-footer-straight = Lengths are in { $unit ->
+        [in] inches
+       *[mm] millimetres
+    } and angles in degrees. Travel is measured from the start of the pass. Extrema are computed on the continuous law.
+report-footer-sweep = Every value has its unit. Extrema are computed on the continuous law.
 
 # Animation.
 report-play = Play

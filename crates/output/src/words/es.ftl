@@ -122,9 +122,15 @@ report-certified = Ninguna ley de la familia reduce el objetivo en más de una p
 report-uncertified = La ley no se certifica como óptima: { $why }.
 report-certificate = Brecha dual relativa { $gap }; residuo KKT { $stationarity }; violación de restricciones { $violation }.
 report-remarks = Observaciones
-report-footer = Las longitudes están en milímetros y los ángulos en grados. θ se mide en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
-report-footer-straight = Las longitudes están en milímetros y los ángulos en grados. El recorrido se mide desde el inicio de la pasada. Los extremos se calculan en la ley continua.
-report-footer-sweep = Los valores están en unidades SI salvo indicación. Los extremos se calculan en la ley continua.
+report-footer = Las longitudes están en { $unit ->
+        [in] pulgadas
+       *[mm] milímetros
+    } y los ángulos en grados. θ se mide en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
+report-footer-straight = Las longitudes están en { $unit ->
+        [in] pulgadas
+       *[mm] milímetros
+    } y los ángulos en grados. El recorrido se mide desde el inicio de la pasada. Los extremos se calculan en la ley continua.
+report-footer-sweep = Cada valor lleva su unidad. Los extremos se calculan en la ley continua.
 
 # Animación.
 report-play = Reproducir

@@ -95,7 +95,7 @@ impl Row<'_> {
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
     if path.is_dir() {
         let mut columns = None;
-        for (_, block) in blocks::files(path)? {
+        for (_, block) in blocks::complete_files(path)? {
             columns = Some(each_row_of(&block, &mut each)?);
         }
         return columns.ok_or_else(|| CliError::NoBlocks.in_file(path));

@@ -337,3 +337,24 @@ fn a_speed_without_a_target_or_without_a_turning_shaft_is_a_row_that_says_so() {
     let rows = table_of_speeds(&out);
     assert!(rows[0][1..].iter().all(String::is_empty), "{rows:?}");
 }
+
+#[test]
+fn the_report_at_another_speed_has_the_force_error_of_that_speed() {
+    let folder = tempfile::tempdir().unwrap();
+    let result = folder.path().join("footbridge");
+    let slow = folder.path().join("slow");
+    let [result, slow] = [&result, &slow].map(|path| path.to_str().unwrap());
+    gaitcam(&["synth", "footbridge", "--out", result]);
+    gaitcam(&["simulate", result, "--speed", "96 rpm", "--out", slow]);
+    let read = |name: &str| std::fs::read_to_string(format!("{slow}/{name}")).unwrap();
+    let run: serde_json::Value = serde_json::from_str(&read("simulation.json")).unwrap();
+    let error = run["force"]["rms_error_n"].as_f64().unwrap();
+    assert!(error > 10.0, "{run}");
+    let shown = gaitcam::wording::rounded(gaitcam::wording::Language::En, error, 3);
+    let report = read("report.html");
+    assert!(
+        report.contains(&format!("Force error {shown} N RMS")),
+        "{shown}"
+    );
+    assert!(report.contains("young 1.6 Hz"));
+}

@@ -280,3 +280,56 @@ fn messages_name_flags_keys_files_and_rows_as_they_were_typed() {
         "{text}"
     );
 }
+
+/// Two written cycles of walkers; an open question in the second one.
+fn walkers(folder: &std::path::Path) {
+    for (name, open) in [("first", ""), ("second", "# open = mass\n")] {
+        let mut text = format!("# cycle\n# period_s = 1.1\n{open}time_s,force_n\n");
+        for i in 0..100 {
+            let phase = std::f64::consts::TAU * f64::from(i) / 100.0;
+            let force = 700.0 * (1.0 + 0.3 * (2.0 * phase).sin());
+            text += &format!("{},{force}\n", 0.011 * f64::from(i));
+        }
+        std::fs::write(folder.join(format!("{name}.csv")), text).unwrap();
+    }
+}
+
+#[test]
+fn a_population_names_open_questions_and_unknown_exclusions() {
+    let folder = tempfile::tempdir().unwrap();
+    let people = folder.path().join("people");
+    std::fs::create_dir(&people).unwrap();
+    walkers(&people);
+    let file = format!("gait.file={}", people.display());
+    let out = folder.path().join("out");
+    let run = |more: &[&str]| {
+        let mut words = vec!["synth", "footbridge", "--set", &file];
+        words.extend(["--set", "accuracy.rms=none", "--out", out.to_str().unwrap()]);
+        more.iter()
+            .for_each(|change| words.extend(["--set", change]));
+        gaitcam(&words)
+    };
+    let open = run(&[]);
+    assert_eq!(open.status.code(), Some(2));
+    assert!(stderr(&open).contains("second (mass)"), "{}", stderr(&open));
+    let unknown = run(&["gait.leave_out=[\"secnd\"]"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(
+        stderr(&unknown).contains("did you mean \"second\""),
+        "{}",
+        stderr(&unknown)
+    );
+    for sufficient in [
+        "gait.accept=mass",
+        "gait.leave_out=[\"second\"]",
+        "gait.leave_out=[\"second.csv\"]",
+    ] {
+        let designed = run(&[sufficient]);
+        assert_eq!(
+            designed.status.code(),
+            Some(0),
+            "{sufficient}: {}",
+            stderr(&designed)
+        );
+    }
+}
