@@ -105,6 +105,17 @@ class Class(Pages):
                 self.assertFalse(page.page.is_visible("#design"))
                 self.assertEqual(page.said, [])
 
+    def test_an_exercise_in_spanish_has_no_words_of_the_scene_file(self):
+        page = self.page()
+        page.opens("camdas_09_eight_motions")
+        page.does(lambda: page.page.click("#language"))
+        page.page.click(".menu summary")
+        page.page.click("#show-exercise")
+        page.page.wait_for_function("document.querySelector('.sheet')?.innerText.includes('cicloidal')")
+        seen = page.page.inner_text(".sheet")
+        for word in ("cycloidal", "dwell", "program\n", "flat-translating", "roller-translating", "fixed-axis", " deg"):
+            self.assertNotIn(word, seen)
+
     def test_a_film_of_the_turning_cam_is_decoded_by_the_browser(self):
         page = self.page()
         page.page.click("#open-export")
