@@ -5,7 +5,6 @@ use super::solved::{SolvedLaw, solved_law};
 use crate::error::Result;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Minimise};
-use crate::synth::limits::NonconvexLimits;
 use crate::synth::optimum::{self, Optimum, Sought};
 use crate::synth::qp;
 use crate::synth::search::Search;
@@ -117,8 +116,6 @@ pub fn larger(size: usize) -> usize {
 
 /// Increases the number of spans while the force error under active limits decreases sufficiently. Returns the best optimum and the sufficient
 /// number of spans.
-///
-/// With nonconvex limits the optima are local, and a larger number of spans can give a worse one. The search then tries one more number.
 fn while_worthwhile(
     problem: &Problem,
     search: &Search,
@@ -126,7 +123,6 @@ fn while_worthwhile(
     wanted: f64,
 ) -> Sought<(Optimum, usize)> {
     let mut best: Option<(f64, Optimum)> = None;
-    let mut patience = usize::from(NonconvexLimits::of(problem).is_some());
     loop {
         let optimum = match (solve(problem, search, spans)?, best.take()) {
             (Err(_), Some((_, earlier))) => {
@@ -155,10 +151,7 @@ fn while_worthwhile(
             Some(earlier) if earlier.0 <= error => earlier,
             _ => (error, optimum),
         };
-        let ends = reached || spans >= MOST_AUTO_SPANS || search.halt.is_asked();
-        if enough.is_some() && !ends && patience > 0 {
-            patience -= 1;
-        } else if ends || enough.is_some() {
+        if reached || enough.is_some() || spans >= MOST_AUTO_SPANS || search.halt.is_asked() {
             return Ok(Ok((better.1, enough.unwrap_or(spans))));
         }
         best = Some(better);
