@@ -165,7 +165,8 @@ fn rows_that_a_folder_of_blocks_lacks_are_named() {
             let (start, end) = (2 * block, 2 * block + 2);
             let rows = [&lines[..1], &lines[1 + start..1 + end]]
                 .concat()
-                .join("\n");
+                .join("\n")
+                + "\n";
             std::fs::write(blocks.join(format!("rows-{start:012}-{end:012}.csv")), rows).unwrap();
         }
         let out = folder.path().join("front");
