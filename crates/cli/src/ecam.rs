@@ -25,7 +25,7 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Force error, % of the mean force, below which the error of the file is not printed as a number.
+/// Force error, % of the mean force, below which the message only states that the added error is below this value.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:

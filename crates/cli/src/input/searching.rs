@@ -91,8 +91,8 @@ pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
-/// Stop condition that holds after this additional processor time of the process, s. Other programs on the computer have no influence on
-/// it.
+/// Stop condition that becomes true when the process has used `seconds` of additional processor time. Other programs on the computer do
+/// not influence this time.
 fn after(seconds: f64) -> Halt {
     let (begun, limit) = (ProcessTime::now(), duration(seconds));
     Halt::when(move || begun.elapsed() >= limit)

@@ -14,7 +14,8 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Maximum numbers of lines of each kind. Further lines are only counted; summary.json contains all data.
+/// Maximum numbers of console lines for each kind of information. For further lines, only their number is stated. The file summary.json
+/// contains all data.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
 /// Number of harmonics whose load factor is printed.
@@ -78,7 +79,7 @@ const LABELS: [&str; 17] = [
     "sequence",
 ];
 
-/// Row with a label in front of the text. A row with an empty label continues the previous row.
+/// Row of the summary: a label and a text. A row with an empty label continues the previous row.
 pub fn row(label: &str, text: &str) -> String {
     let shown = |name: &str| words::text(&format!("label-{name}"));
     let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
@@ -91,13 +92,12 @@ pub fn row(label: &str, text: &str) -> String {
     format!("  {label:<width$} {text}")
 }
 
-/// Row with a label and the message `key`, in which `arguments` replace the placeholders.
+/// Row of the summary: a label and the message `key`, in which `arguments` replace the placeholders.
 pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// The first lines, so that the result has at most `most` lines. If lines are omitted, the last line states their number with the message
-/// `what`.
+/// Shortens a list of lines to at most `most` lines. If lines are omitted, the last line states their number with the message `what`.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
