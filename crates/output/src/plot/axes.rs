@@ -29,7 +29,7 @@ pub struct Panel<'a, 'c> {
 
 /// Distance between the label of the vertical axis and the frame, em.
 pub const QUANTITY: f64 = 5.7;
-/// Maximum width of a tick label beside which the label of the axis has enough space, em.
+/// Maximum width of a tick label, em, for which the label of the axis has enough space next to it.
 const WIDEST_TICK: f64 = 4.3;
 
 /// Approximately `count` equally spaced round numbers in [low, high].
@@ -77,7 +77,8 @@ pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     fixed(language, value, decimals).replace('-', "−")
 }
 
-/// Exponent of the power of ten by which wide tick labels are divided. It is a multiple of 3, and 0 for labels of normal width.
+/// Exponent of the power of ten by which the values of wide tick labels are divided. The exponent is a multiple of 3. It is 0 for labels
+/// of normal width.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
@@ -99,7 +100,7 @@ fn raised(power: i32) -> String {
         .collect()
 }
 
-/// Range of `values`, extended at both ends by the fraction `share` of its length. The length is never zero.
+/// Range of the finite `values`, extended at both ends by the fraction `share` of its length. The length is never zero.
 pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -315,8 +316,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    /// Marks an extreme with a dot and its value. The value is above a maximum and below a minimum, if there is space inside the frame. If
-    /// `ground` is set, it has a light background, for diagrams in which dashed lines cross the number.
+    /// Marks an extreme with a dot and its value. The value is written above a maximum and below a minimum, if there is space inside the
+    /// frame. If `ground` is set, the value has a light background, so that it is legible in front of dashed lines.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

@@ -346,7 +346,7 @@ impl Frame {
         canvas.apply_coord_spec(axes)
     }
 
-    /// Position on the sheet, points, of the values (u, v) on axes with the ranges `x` and `y`.
+    /// Position on the sheet, points, of the point (u, v) of a diagram whose axes have the ranges `x` and `y`.
     pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [

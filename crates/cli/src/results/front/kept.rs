@@ -100,7 +100,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Counts the next row of the table. If the row is a candidate (`good`) and the next k-th one, it is added to the sample.
+    /// Counts the next row of the table. `good` is true if the row is a candidate. Every k-th candidate is added to the sample.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;
