@@ -13,11 +13,11 @@ const SHOWN_DAMPING: f64 = 0.005;
 /// Display of a fact on the console. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
-    /// The console does not show the fact.
+    /// The fact is not shown on the console.
     Not,
-    /// The console shows the name and the value of the fact.
+    /// The name and the value of the fact are shown on the console.
     Whole,
-    /// The console shows only the value of the fact.
+    /// Only the value of the fact is shown on the console.
     Value,
 }
 
@@ -89,7 +89,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// The facts of a group that the console shows, in one line; `None` without such facts.
+/// Facts of a group that are shown on the console, in one line; `None` without such facts.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {

@@ -63,7 +63,7 @@ pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<
     Ok(input)
 }
 
-/// Table of a scene without the changes, the input files of the scene, and the path of the scene file.
+/// TOML table of a scene without the changes of `--set`, input files of the scene, and path of the scene file.
 pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     let none = Disk::default;
     Ok(match &args.scene {

@@ -41,7 +41,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Maximum number of strides that can be generated.
 const MOST_GENERATED: i64 = 2048;
-/// Maximum coefficient of variation of generated step times and amplitudes. It excludes step times near zero.
+/// Maximum coefficient of variation of generated step times and amplitudes. The limit prevents step times near zero.
 const MOST_VARIED: f64 = 0.15;
 
 /// Arguments of `gaitcam walk`.

@@ -84,7 +84,8 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     Value::Object(out)
 }
 
-/// Convergence of the law with the varying speed of the shaft, and sensitivity of the force error to machine parameters.
+/// Data of a design with varying shaft speed: convergence of the iteration between design and simulation, force error of the law for
+/// constant speed, estimated ripple, and sensitivity of the force error to machine parameters.
 fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,

@@ -1,4 +1,4 @@
-//! Figure of the radius of curvature and of the pressure angle or contact position.
+//! Figure with two diagrams: the radius of curvature, and the pressure angle or the contact position on a flat face.
 
 use plotters_backend::text_anchor::VPos;
 

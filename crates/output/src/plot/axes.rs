@@ -11,7 +11,7 @@ use crate::plot::sheet::{
 use crate::plot::text::text_width;
 use gaitcam::wording::{Language, fixed, number};
 
-/// A diagram. The horizontal axis is the cam angle in degrees or another quantity, the vertical axis is a quantity.
+/// A diagram of a quantity on the vertical axis. The horizontal axis is the cam angle in degrees or another quantity.
 pub struct Panel<'a, 'c> {
     canvas: &'c Canvas<'a>,
     plane: Plane<'a>,
@@ -56,7 +56,8 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Multiples of the smallest step of 5°, 15°, 30°, 45°, 90° … for which there are at most nine intervals.
+/// Tick positions in the range `x`, degrees. They are multiples of a step, which is the smallest of 5°, 15°, 30°, 45°, 90° … that gives
+/// at most nine intervals.
 pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]

@@ -246,19 +246,19 @@ impl Lettering {
         }
     }
 
-    /// The same style, written upwards.
+    /// Copy of the style, with the text written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// The same style in bold letters.
+    /// Copy of the style, with bold letters.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
     }
 
-    /// The same style with another anchor.
+    /// Copy of the style, with other horizontal and vertical anchors.
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self

@@ -20,10 +20,10 @@ const MOST_TURNS: usize = 4;
 pub struct Motion {
     /// First angle of the cam in the displayed unit.
     start: f64,
-    /// Length of one turn (or of the travel) in the displayed unit.
+    /// Angle of one turn, or length of the travel, in the displayed unit.
     length: f64,
     turns: usize,
-    /// Time of one turn (or of the travel), s.
+    /// Duration of one turn, or of the travel, s.
     period: f64,
     /// Travel of an unrolled cam, mm per displayed unit of its angle or travel; 0 for a rotating cam.
     slide: f64,

@@ -53,7 +53,7 @@ pub fn reason(of: &Assigned) -> String {
     words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
 }
 
-/// Table of the errors for each number of cams, with the name of the worst walker and the errors of cross-validation.
+/// Table of the errors for each number of cams, with the name of the walker with the maximum error and the errors of cross-validation.
 pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     let mut rows = vec![
         [

@@ -174,7 +174,7 @@ fn foot_name(foot: Option<Foot>, words: &Words) -> String {
     })
 }
 
-/// Maximum number of points that are drawn of a curve, approximately one per two pixels of the figure.
+/// Maximum number of drawn points per curve, approximately one per two pixels of the figure.
 const POINTS: usize = 512;
 
 /// Points of a curve for every n-th sample and the last sample. `across` returns the horizontal position of a sample from its index and
