@@ -220,7 +220,7 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
     print(&simulation::table(outcome, measures, language::current()));
 }
 
-/// Folder for the files: the folder given by `--out`. Without this option, the files of an unchanged result are written to its own
+/// Folder for the files: the folder given by `--out`. Without this option, the files of an unchanged result folder are written into this
 /// folder. In all other cases, the folder is `out/NAME`, or `out/NAME_run` for a changed machine.
 fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {

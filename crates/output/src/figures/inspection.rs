@@ -70,8 +70,7 @@ pub fn diagram(
     )
 }
 
-/// Figure of the profile with the deviations along its normals. The deviations are magnified by a factor of the sequence 1, 2, 5, 10, 20
-/// …
+/// Figure of the profile with the deviations along its normals, magnified by a factor of the sequence 1, 2, 5, 10, 20 …
 pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Picture {
     let words = words::words(language);
     let cam = &design.cam;
