@@ -19,8 +19,8 @@ use crate::refused;
 /// Default limits of processor time, s: `DESIGN_S` for one design, `ROW_S` for one row of a sweep.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// Delay after the time limit before the program ends while it waits for an input. During the delay, an error about a folder locked by
-/// another process can be reported first.
+/// Delay between the time limit and the end of a program that still waits for an input. During the delay, an error about a folder locked
+/// by another process can be reported first.
 const GRACE: Duration = Duration::from_millis(300);
 /// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;

@@ -206,7 +206,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// Method of the solver and, if a closed form was rejected, its error.
+/// Method of the solver. If a simpler law family was rejected, the text also states the reason.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));

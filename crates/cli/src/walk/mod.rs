@@ -77,7 +77,7 @@ pub struct WalkArgs {
     pub json: bool,
 }
 
-/// Computes the programme and writes it. The exit code is 3 if the design has no cam.
+/// Computes the speed programme, and writes its file and a picture. The exit code is 3 if the design has no cam.
 pub fn run(args: &WalkArgs) -> Result<u8> {
     let most = args.max_acceleration.as_deref();
     let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;

@@ -135,7 +135,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     }
 }
 
-/// Motion of a design: its law and rigid force or, with `running`, the simulated motion.
+/// Motion of a design for the animation: lift and force of the rigid machine or, if `running` is given, the simulated motion.
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
