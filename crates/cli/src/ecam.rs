@@ -25,7 +25,7 @@ use gaitcam_app::workshop::ecam_json;
 use gaitcam_app::{PATIENCE, ResultFolder};
 use gaitcam_cad::ecam::{self, Dialect, ElectronicCam, Interpolation, Number};
 
-/// Force error, % of the mean force, below which the error of the file is not printed as a number.
+/// Force error, % of the mean force, below which the message only states that the added error is below this value.
 const LEAST_SHARE: f64 = 1e-3;
 
 const EXAMPLES: &str = "Examples:
@@ -131,8 +131,8 @@ struct Several {
     misfits: [Misfit; 3],
 }
 
-/// Design for `count` consecutive recorded strides. Its response of lightly damped modes is compared with the response to all recorded
-/// strides.
+/// Design for `count` consecutive recorded strides. For lightly damped modes, the response to the force of this design is compared with
+/// the response to all recorded strides.
 fn of_strides(made: &Made, design: &Design, count: usize) -> Result<Several> {
     let walk = design.walk();
     let recorded = walk.as_ref().map_or(0, Walk::strides);
@@ -163,7 +163,7 @@ impl Several {
     }
 }
 
-/// Sentence on the force error that results from the controller's interpolation and number format.
+/// Sentence that states the force error caused by the controller's interpolation and number format.
 pub fn sentence(cam: &ElectronicCam) -> String {
     let carries = cam.dialect.carries();
     let curve = words::text(match carries.interpolation {

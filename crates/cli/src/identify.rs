@@ -1,4 +1,5 @@
-//! `gaitcam identify` and `gaitcam recut`: the parameters of a machine, and the next cam, from logs of the running machine.
+//! `gaitcam identify` estimates the parameters of a machine from logs of the running machine. `gaitcam recut` designs a corrected cam
+//! from such logs.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -113,8 +114,8 @@ struct Run {
 }
 
 impl LoggedArgs {
-    /// Reads the design and its logs, and checks that the files `names` can be written to the folder. The result is `None` if the design
-    /// has no cam; the reason is then reported.
+    /// Reads the design and its logs, and checks that the files `names` can be written to the folder. If the design has no cam, the
+    /// function reports the reason and returns `None`.
     fn read<'a>(
         &self,
         place: impl Fn(&Input) -> Result<Option<PathBuf>>,
@@ -202,7 +203,7 @@ fn write(path: &Path, input: &Input, design: &Design, found: &Identified) -> Res
     Ok(place)
 }
 
-/// Scene of the input with absolute paths. The values of `keys` are copied from the scene `from`.
+/// Scene of the input with absolute paths, in which the values of `keys` are replaced by their values in the scene `from`.
 fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>) -> Result<Table> {
     let mut out = input.resolved();
     for key in keys {
@@ -216,8 +217,8 @@ fn carried<'a>(from: &Table, input: &Input, keys: impl Iterator<Item = &'a str>)
     Ok(out)
 }
 
-/// Designs the next cam and writes the same files as `synth`. The exit code is 3 if there is no feasible cam. It is also 3 if the
-/// repeatable error cannot be distinguished from noise.
+/// Designs the corrected cam and writes the same files as `synth`. The exit code is 3 if there is no feasible cam, or if the repeatable
+/// error cannot be distinguished from noise.
 pub fn recut(args: &RecutArgs) -> Result<u8> {
     let start = Instant::now();
     let place = |input: &Input| folder(input, args.out.as_deref(), args.json, "_recut");

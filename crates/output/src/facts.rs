@@ -13,11 +13,11 @@ const SHOWN_DAMPING: f64 = 0.005;
 /// Display of a fact on the console. The report shows every fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Brief {
-    /// The console does not show the fact.
+    /// The fact is not shown on the console.
     Not,
-    /// The console shows the name and the value of the fact.
+    /// The name and the value of the fact are shown on the console.
     Whole,
-    /// The console shows only the value of the fact.
+    /// Only the value of the fact is shown on the console.
     Value,
 }
 
@@ -28,7 +28,7 @@ pub struct Fact {
     pub name: String,
     /// Value of the fact with its unit.
     pub value: String,
-    /// Column name of the figure, or message key of the name.
+    /// Key of the fact: column name in the table of design quantities, or message key of the name.
     pub(crate) key: &'static str,
     brief: Brief,
 }
@@ -89,7 +89,7 @@ pub fn facts(design: &Design, group: Group, language: Language) -> Vec<Fact> {
     list.facts
 }
 
-/// The facts of a group that the console shows, in one line; `None` without such facts.
+/// Facts of a group that are shown on the console, in one line; `None` without such facts.
 pub fn line(design: &Design, group: Group, language: Language) -> Option<String> {
     let facts = facts(design, group, language);
     let part = |fact: &Fact| match fact.brief {
@@ -101,7 +101,7 @@ pub fn line(design: &Design, group: Group, language: Language) -> Option<String>
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// Name of the figure in a column, for the follower of a design.
+/// Name of the design quantity with the given column name, for the follower of a design.
 pub(crate) fn label(design: &Design, column: &str, words: &Words) -> String {
     let label = |f: &Figure| f.label_on(&design.cam.follower, words.language());
     Figure::of_column(column).map_or(String::new(), label)
@@ -159,8 +159,8 @@ pub fn at_resonance(walker: &OfWalker, language: Language) -> ([String; 4], Vec<
     (columns.map(|name| words.text(name)), rows.collect())
 }
 
-/// Text of a force of a design with its unit. The number of digits is that of the figure in `column`. If the follower oscillates, the
-/// value is a moment.
+/// Force in a design as text with its unit. `column` is the design quantity that determines the number of digits. If the follower
+/// oscillates, the value is a moment.
 pub fn force(design: &Design, column: &str, value: f64, language: Language) -> String {
     let unit = design.cam.follower.measures().force();
     let digits = |f: &Figure| f.digits;
@@ -193,13 +193,13 @@ impl List<'_> {
         });
     }
 
-    /// Adds a quantity that is not in the table of figures.
+    /// Adds a quantity that is not in the table of design quantities.
     fn quantity(&mut self, key: &'static str, unit: Unit, value: f64) {
         let value = unit.shown(value, self.words.language());
         self.put(key, value, Brief::Not);
     }
 
-    /// Adds a figure as a fact, unless its value is undefined.
+    /// Adds a design quantity as a fact, unless its value is undefined.
     fn figure(&mut self, column: &'static str, brief: Brief) {
         let Some(figure) = Figure::of_column(column) else {
             return;

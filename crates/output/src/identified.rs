@@ -20,13 +20,13 @@ fn shown(scene: &Scene, parameter: &Parameter, value: f64, language: Language) -
     quantity(language, value, unit).trim_end().to_string()
 }
 
-/// Note that the log contains no cam angle; `None` if it contains one.
+/// Note that the log contains no cam angle; `None` if the log contains the angle.
 pub fn no_angle(found: &Identified, language: Language) -> Option<String> {
     (!found.has_angle).then(|| words::words(language).text("identify-no-angle"))
 }
 
-/// Lines on an identification: noise and residual, each parameter with its interval, the parameters that the logs do not identify, and a
-/// run that would identify them.
+/// Lines that describe an identification: noise and residual, each parameter with its confidence interval, and the parameters that the
+/// logs do not identify. If such parameters exist, a further run that would identify them is suggested.
 pub fn lines(scene: &Scene, found: &Identified, language: Language) -> Vec<String> {
     let words = words::words(language);
     let number = |x: f64| number(language, x);

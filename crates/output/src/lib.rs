@@ -33,7 +33,7 @@ pub use report::ActiveLimit;
 pub use report::laws as laws_report;
 pub use report::sweep as sweep_report;
 
-/// Sampled motion, and values of its target, for drawings in other crates.
+/// Functions for drawings in other crates: sampled motion of a law, target force, and maximum drawn radius of curvature.
 pub mod curve {
     pub use super::pose::{largest_radius, motion, target_at};
 }

@@ -13,8 +13,8 @@ pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
 }
 
-/// `n` equally spaced angles over the range of the law. For a closed law, the last angle is one step before the end, which equals the
-/// first angle. For an open law, the last angle is the end.
+/// `n` equally spaced angles over the range of the law, rad. For an open law, the last angle is the end of the range. For a closed law,
+/// the last angle is one step before the end, because the end is the same position as the first angle.
 pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     let (start, length) = law.extent();
     let steps = if law.is_closed() {
@@ -98,8 +98,9 @@ pub fn pose(cam: &Cam, theta: f64) -> Pose {
     }
 }
 
-/// Ends of the face that a flat follower needs: the range of the contact, m. They are measured from the cam centre along x or, for an arm,
-/// along the face from the foot of the perpendicular from the pivot. `None` for other followers.
+/// Ends of the face that a flat follower needs, m, computed from the range of the contact. For a translating follower, they are measured
+/// from the cam centre along x. For an arm, they are measured along the face from the foot of the perpendicular from the pivot. `None`
+/// for other followers.
 pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
     if !cam.follower.is_flat() {
         return None;
@@ -123,8 +124,8 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
     out
 }
 
-/// Maximum radius of curvature that is drawn. For a disc, it is `size` times the larger of prime radius and stroke, because curves with
-/// larger radii look straight. For an unrolled cam, it is at least the 75th percentile of `radii`.
+/// Maximum radius of curvature that is drawn, m. It is `size` times the prime radius or the stroke, whichever is larger, because curves
+/// with larger radii look straight. For an unrolled cam, it is at least the 75th percentile of `radii`.
 pub fn largest_radius(cam: &Cam, size: f64, radii: impl Iterator<Item = f64>) -> f64 {
     let size = size * cam.follower.prime_radius().max(cam.law.stroke());
     if !cam.follower.is_unrolled() {

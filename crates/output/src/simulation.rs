@@ -276,7 +276,8 @@ fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static
     lines
 }
 
-/// Change of a force, N, or of the fraction of lost contact, below which the change is a rounding error.
+/// Change below which a change of the results is a rounding error. It is in N for a force; for lost contact, it is a fraction of the
+/// cycle.
 const LEAST_CHANGE: f64 = 5e-5;
 
 fn impact_json(hit: &Impact) -> Value {
@@ -312,7 +313,7 @@ fn difference_json(next: &Difference, lever: f64) -> Value {
     })
 }
 
-/// Text on the change of the results if the next finer model is used. Forces are in N. For an arm, moments are divided by `lever`, the
+/// Text that describes how the results change with the next finer model. Forces are in N. For an arm, moments are divided by `lever`, the
 /// length of the lever, m.
 pub(crate) fn change(next: &Difference, lever: f64, words: &Words) -> String {
     let model = &*words.name(next.model.name());

@@ -3,7 +3,7 @@
 use gaitcam::cam::Verdict;
 use gaitcam::error::Error;
 
-/// A cam was designed, and every check passes (apart from suitability for high speed).
+/// A cam was designed, and every check passes. The verdict may still be "not for high speed".
 pub const BUILT: u8 = 0;
 /// Internal error, or an output that could not be written.
 pub const INTERNAL_ERROR: u8 = 1;

@@ -1,4 +1,4 @@
-//! Language of messages: the value of `--lang`, otherwise of `LC_ALL`, otherwise of `LANG`, otherwise English.
+//! Language of messages. It is the first available value of `--lang`, `LC_ALL` and `LANG`. Without these values, it is English.
 
 use std::ffi::OsString;
 use std::sync::OnceLock;

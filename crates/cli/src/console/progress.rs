@@ -24,8 +24,8 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Starts a thread that runs `work`. The receiver passed to `work` is disconnected when the watch is dropped. If the system cannot
-    /// start a thread, nothing happens.
+    /// Starts a thread that runs `work`. The receiver passed to `work` is disconnected when the returned value is dropped. If the system
+    /// cannot start a thread, no progress is displayed.
     pub fn new(work: impl FnOnce(Receiver<()>) + Send + 'static) -> Watch {
         let (done, waits) = channel();
         Watch {

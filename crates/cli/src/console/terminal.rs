@@ -1,4 +1,4 @@
-//! Standard output and standard error. It is not an error if the reader of a pipe closes the pipe early. A full disk is an error.
+//! Standard output and standard error. If the reader of a pipe closes the pipe early, this is not an error. A full disk is an error.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Result, Write};
@@ -31,7 +31,7 @@ pub fn report(message: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
 }
 
-/// The text, shortened to its first `most` bytes and an ellipsis if it is longer. Characters are not split.
+/// The text, if it has at most `most` bytes; otherwise its first `most` bytes and an ellipsis. Characters are not split.
 fn shortened(text: &str, most: usize) -> String {
     if text.len() <= most {
         return text.to_string();

@@ -1,4 +1,4 @@
-//! Errors in the command line.
+//! Converts errors of the command-line parser to error messages in the language of the output.
 
 use std::error::Error as _;
 use std::ffi::{OsStr, OsString};
@@ -97,8 +97,8 @@ pub fn fault(error: &clap::Error) -> Error {
     }
 }
 
-/// Valid values of a missing flag, joined by commas. The result is "table" for the output file of a table, and "none" for other flags
-/// without a list of values.
+/// Valid values of a missing flag, joined by commas. For a flag without a list of values, the result is "table" if the flag is the output
+/// file of a table, otherwise "none".
 fn choices(missing: &str) -> String {
     if missing.starts_with("--out <") {
         return "table".to_string();

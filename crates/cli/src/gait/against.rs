@@ -21,7 +21,7 @@ use gaitcam_app::Input;
 use gaitcam_app::design::scene_of_cover;
 use gaitcam_app::read::read_text;
 
-/// Best cam of a cover folder for each walker, for every number of cams in the cover. Returns a table for the console and JSON data.
+/// Best cam of a cover folder for each walker, for every number of cams in the cover. Returns a table for the console, and JSON data.
 ///
 /// # Errors
 ///

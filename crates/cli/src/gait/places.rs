@@ -21,8 +21,9 @@ pub struct Places {
 }
 
 impl Places {
-    /// Paths for the value of `--out`. If it is a folder, they are `NAME_cycle.csv` for each recording and `joint_mean.csv`. If it is a
-    /// file, it receives the joint mean if `several` is set, otherwise the cycle. `recordings` contains the files of each recording.
+    /// Paths for the value of `--out`. For a folder, the paths are `NAME_cycle.csv` for each recording, and `joint_mean.csv`. For a file,
+    /// the joint mean is written to this file if `several` is set, otherwise the cycle. `recordings` contains the files of each
+    /// recording.
     ///
     /// # Errors
     ///

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use gaitcam::force::{PlateFile, plate_of};
 use gaitcam_app::read::open;
 
-/// Number of bytes that are read from the start of a file; they contain its header.
+/// Number of bytes that are read from the start of a file. The header of the file must be within these bytes.
 const HEAD: u64 = 1 << 16;
 
 /// Files grouped by recording, in the given order. All plates of one trial form a group. Each other file forms its own group.
@@ -35,8 +35,8 @@ pub fn by_trial(files: Vec<PathBuf>) -> Vec<Vec<PathBuf>> {
     trials.into_iter().map(|(_, paths)| paths).collect()
 }
 
-/// Trial and force plate of a file, from its header; `None` if the file is not of this kind or cannot be read. A reading error is reported
-/// later.
+/// Trial and force plate of a file, from its header. `None` if the file does not contain one force plate of a trial, or if it cannot be
+/// read. A reading error is reported later.
 fn plate(file: &Path) -> Option<PlateFile> {
     let mut head = Vec::new();
     let start = open(file).ok()?.take(HEAD).read_to_end(&mut head);

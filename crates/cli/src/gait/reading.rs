@@ -94,7 +94,7 @@ pub(super) fn read(options: ReadOptions, paths: &[PathBuf], feet: Feet, all: boo
     })
 }
 
-/// Names of the files of a recording, as returned by `name`, joined by commas.
+/// Names of the files of a recording, joined by ` + `. `name` returns the name of one file.
 pub(super) fn together(paths: &[PathBuf], name: impl Fn(&Path) -> String) -> String {
     let names = paths.iter().map(|path| name(path));
     names.collect::<Vec<_>>().join(BETWEEN_PLATES)
@@ -111,18 +111,18 @@ impl Read {
         }
     }
 
-    /// Paths of the files of the recording, joined by commas.
+    /// Paths of the files of the recording, joined by ` + `.
     pub(super) fn shown(&self) -> String {
         together(&self.paths, |path| path.display().to_string())
     }
 
-    /// Cycle of the recording: its mean cycle, or the only cycle of the file.
+    /// Cycle of the recording: the mean cycle or, for a file that contains exactly one cycle, this cycle.
     pub(super) fn curve(&self) -> Option<&ForceCurve> {
         let mean = self.cycle.as_ref().map(|c| &c.curve);
         mean.or(self.given.as_ref())
     }
 
-    /// Writes the cycle. For a recording that is not a single cycle, a picture is also written, even if the recording has no mean cycle.
+    /// Writes the cycle. For a recording of several steps, a picture is also written, even if the recording has no mean cycle.
     pub(super) fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.shown());

@@ -95,7 +95,7 @@ fn object(read: &Read) -> Value {
     object
 }
 
-/// Paths relative to the common folder of all recordings.
+/// Names of the recordings: the paths of their files, relative to the common folder of all recordings.
 fn short_names(reads: &[Read]) -> Vec<String> {
     let paths = reads.iter().flat_map(|read| &read.paths);
     let mut parents = paths.map(|path| path.parent().map(Path::to_path_buf));

@@ -35,7 +35,6 @@ impl Made {
     /// Folder for files that are made from a design: the folder given by the user, otherwise the results folder of its scene.
     ///
     /// # Errors
-    /// A scene name that is not a file name.
     /// The name of the scene cannot be a file name.
     pub fn folder(&self, given: &Path) -> Result<PathBuf> {
         match given.is_dir() {
@@ -91,14 +90,14 @@ impl Made {
         })
     }
 
-    /// Sentence on the reason for which a key has no effect in this run; `None` if it has an effect.
+    /// Sentence that states why a key has no effect in this run; `None` if the key has an effect.
     pub fn unused(&self, key: &str) -> Option<String> {
         let note = self.running.no_effect_of(key)?;
         Some(note.sentence(language::current()))
     }
 
-    /// The designed cam in the machine of this run. The second value is the reason for which there is no target at this speed, if there is
-    /// none.
+    /// The designed cam in the machine of this run. The second value is the reason why the cam has no target at this speed; `None` if it
+    /// has a target.
     ///
     /// # Errors
     ///

@@ -45,7 +45,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     completed(args, |table| table)
 }
 
-/// As [`scene`]. `complete` then adds keys whose values come from other arguments.
+/// Reads the scene and applies the changes, as [`scene`] does. `complete` then adds keys whose values come from other arguments.
 pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<Input> {
     let (mut table, files, file) = written(args)?;
     for change in &args.set {
@@ -63,7 +63,7 @@ pub fn completed(args: &SceneArgs, complete: impl Fn(Table) -> Table) -> Result<
     Ok(input)
 }
 
-/// Table of a scene without the changes, the input files of the scene, and the path of the scene file.
+/// TOML table of a scene without the changes of `--set`, input files of the scene, and path of the scene file.
 pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     let none = Disk::default;
     Ok(match &args.scene {
@@ -78,7 +78,7 @@ pub fn written(args: &SceneArgs) -> Result<(Table, Disk, Option<PathBuf>)> {
     })
 }
 
-/// Returns a function that adds a flag as the place of an error, unless the error already has a place.
+/// Returns a function that adds a flag to an error as the source of the error, unless the error already states its source.
 pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
     move |e| e.at_argument(flag)
 }

@@ -19,8 +19,8 @@ use crate::refused;
 /// Default limits of processor time, s: `DESIGN_S` for one design, `ROW_S` for one row of a sweep.
 const DESIGN_S: f64 = 60.0;
 const ROW_S: f64 = 5.0;
-/// Delay after the time limit before the program ends while it waits for an input. During the delay, an error about a folder locked by
-/// another process can be reported first.
+/// Delay between the time limit and the end of a program that still waits for an input. During the delay, an error about a folder locked
+/// by another process can be reported first.
 const GRACE: Duration = Duration::from_millis(300);
 /// Maximum time limit, s. A longer limit is reduced to this value.
 const LONGEST_S: f64 = 1e9;
@@ -91,8 +91,8 @@ pub fn search() -> Search {
     Search::until(after(DESIGN_S))
 }
 
-/// Stop condition that holds after this additional processor time of the process, s. Other programs on the computer have no influence on
-/// it.
+/// Stop condition that becomes true when the process has used `seconds` of additional processor time. Other programs on the computer do
+/// not influence this time.
 fn after(seconds: f64) -> Halt {
     let (begun, limit) = (ProcessTime::now(), duration(seconds));
     Halt::when(move || begun.elapsed() >= limit)

@@ -27,7 +27,7 @@ pub struct LawsArgs {
     pub json: bool,
 }
 
-/// Derivatives of the lift that the rise can match at its start and end. If both ends agree, they are stated once.
+/// Derivatives of the lift that the rise can match at its start and end. If they are the same at both ends, they are listed only once.
 fn joined(ends: &Ends) -> String {
     let joins = |end: &End| end.joins_in(language::current());
     let (start, end) = (joins(&ends.start), joins(&ends.end));

@@ -1,4 +1,4 @@
-//! `gaitcam simulate`: simulates the profile that is written to the files, and not the law from which it is computed.
+//! `gaitcam simulate`: simulates the cam from the points of its output profile, as for manufacture, and not from the law of the design.
 
 mod speeds;
 
@@ -202,7 +202,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Sentence on why the simulated force is not compared with a target.
+/// Sentence that states why the simulated force is not compared with a target.
 fn no_target(why: &Error) -> String {
     let why = why.sentence(language::current());
     words::fill("simulate-no-target", &json!({"why": why}))
@@ -220,8 +220,8 @@ fn describe(design: &Design, remarks: impl Iterator<Item = String>, outcome: &Ou
     print(&simulation::table(outcome, measures, language::current()));
 }
 
-/// Folder for the files: the folder given by `--out`. Without this option, a result folder that is simulated without changes is used
-/// again. In all other cases, the folder has the name of the scene.
+/// Folder for the files: the folder given by `--out`. Without this option, the files of an unchanged result folder are written into this
+/// folder. In all other cases, the folder is `out/NAME`, or `out/NAME_run` for a changed machine.
 fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     match (&args.out, &args.scene.scene) {
         (None, Some(result)) if result.is_dir() && !made.other_machine => Ok(result.clone()),
@@ -232,8 +232,8 @@ fn folder(args: &SimulateArgs, made: &Made) -> Result<PathBuf> {
     }
 }
 
-/// Remark on which cam is simulated: the cam of the result in a changed machine, or a cam designed again for another speed. `None` in
-/// other cases.
+/// Remark that the cam of the result runs in a changed machine, or that the cam was designed again for another speed. `None` in other
+/// cases.
 fn remark(args: &SimulateArgs, made: &Made, design: &Design) -> Option<String> {
     if made.other_machine {
         let rpm = words::number(design.problem.drive.speed * 30.0 / PI);

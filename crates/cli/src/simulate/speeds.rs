@@ -34,7 +34,7 @@ const MOST: usize = 1000;
 const COLUMNS: &str =
     "speed_rad_per_s,rms_error_n,dlf_1,dlf_2,dlf_3,dlf_4,torque_max_n_m,contact_lost,ripple";
 
-/// Row of the table: the results at one speed, or in `stands` the reason why the motor cannot turn the shaft.
+/// Row of the table: the results at one speed. If the motor cannot turn the shaft at this speed, `stands` contains the reason.
 struct Row {
     at: AtSpeed,
     stands: Option<String>,

@@ -97,7 +97,8 @@ pub fn sweep(args: &SweepArgs) -> Result<(Sweep, Vec<Disk>)> {
     Ok((sweep, files))
 }
 
-/// Description of a sweep, with the folders of its scenes. A continued sweep must have the same description.
+/// Description of a sweep, including the folders of its scenes. An interrupted sweep can be continued only if the description is
+/// unchanged.
 pub fn description(sweep: &Sweep, files: &[Disk]) -> Value {
     let mut description = sweep.description();
     for (i, files) in files.iter().enumerate() {

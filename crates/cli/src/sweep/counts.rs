@@ -1,4 +1,4 @@
-//! Numbers of rows of a sweep by outcome and verdict.
+//! Counts of the rows of a sweep by outcome and verdict.
 
 use std::path::Path;
 
@@ -70,7 +70,7 @@ impl Counts {
         self.rows += 1;
     }
 
-    /// Adds the counts of the rows that follow these rows.
+    /// Adds the counts of the next rows of the table.
     pub fn add(&mut self, next: Counts) {
         self.rows += next.rows;
         self.built += next.built;

@@ -61,8 +61,8 @@ impl Work<'_> {
         self.stop.load(Ordering::Relaxed)
     }
 
-    /// Computes the rows of a range and the content of their block. If the user stops the computation, only the first rows of the range
-    /// are computed.
+    /// Computes the rows of a range, and the content of the block file for these rows. If the user stops the computation, only the first
+    /// rows of the range are computed.
     pub fn block(&self, rows: Range<u64>) -> Result<(Records, Vec<u8>)> {
         // Each thread formats the lines of its rows. A single thread would need as much time for the lines as two threads for the rows.
         let part = |records: Records| (self.format.lines(&records), records);

@@ -24,7 +24,7 @@ pub fn lines(design: &Design, points: usize) -> Vec<Choice> {
     out
 }
 
-/// Choice of the law family. The reason states the error of a simpler family that was rejected, if there is one.
+/// Choice of the law family. If a simpler family was rejected, the text states why.
 fn family(design: &Design) -> Choice {
     let values = json!({"family": design.family.name(), "degree": design.degree});
     let passed_over = design.solver.passed_over.as_ref();

@@ -80,12 +80,12 @@ fn title(name: &str, against: &Figure) -> String {
     words::fill("trade-title", &arguments)
 }
 
-/// Force of a design with its errors, N.
+/// Force data of a design on the front, with forces and errors in N.
 fn force(t: &Trade) -> ForceReport {
     t.design.force.newtons(&t.design.problem.drive)
 }
 
-/// Value of a quantity in a design, in SI units.
+/// Value of a quantity for a design on the front, in SI units.
 fn value(figure: &Figure, t: &Trade) -> f64 {
     figure.value(&Figures::of(&t.design))
 }

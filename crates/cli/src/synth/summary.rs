@@ -14,7 +14,8 @@ use super::reports::{floor, population, shaft};
 use crate::console::language;
 use crate::console::words::{self, fixed, number, power};
 
-/// Maximum numbers of lines of each kind. Further lines are only counted; summary.json contains all data.
+/// Maximum numbers of console lines for each kind of information. For further lines, only their number is stated. The file summary.json
+/// contains all data.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
 /// Number of harmonics whose load factor is printed.
@@ -78,7 +79,7 @@ const LABELS: [&str; 17] = [
     "sequence",
 ];
 
-/// Row with a label in front of the text. A row with an empty label continues the previous row.
+/// Row of the summary: a label and a text. A row with an empty label continues the previous row.
 pub fn row(label: &str, text: &str) -> String {
     let shown = |name: &str| words::text(&format!("label-{name}"));
     let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
@@ -91,13 +92,12 @@ pub fn row(label: &str, text: &str) -> String {
     format!("  {label:<width$} {text}")
 }
 
-/// Row with a label and the message `key`, in which `arguments` replace the placeholders.
+/// Row of the summary: a label and the message `key`, in which `arguments` replace the placeholders.
 pub fn filled(label: &str, key: &str, arguments: Value) -> String {
     row(label, &words::fill(key, &arguments))
 }
 
-/// The first lines, so that the result has at most `most` lines. If lines are omitted, the last line states their number with the message
-/// `what`.
+/// Shortens a list of lines to at most `most` lines. If lines are omitted, the last line states their number with the message `what`.
 fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
@@ -206,7 +206,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
     at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
 }
 
-/// Method of the solver and, if a closed form was rejected, its error.
+/// Method of the solver. If a simpler law family was rejected, the text also states the reason.
 fn status(solver: &SolverReport) -> String {
     let language = language::current();
     let missed = solver.passed_over.iter().map(|p| p.sentence(language));

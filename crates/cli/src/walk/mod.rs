@@ -41,7 +41,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Maximum number of strides that can be generated.
 const MOST_GENERATED: i64 = 2048;
-/// Maximum coefficient of variation of generated step times and amplitudes. It excludes step times near zero.
+/// Maximum coefficient of variation of generated step times and amplitudes. The limit prevents step times near zero.
 const MOST_VARIED: f64 = 0.15;
 
 /// Arguments of `gaitcam walk`.
@@ -77,7 +77,7 @@ pub struct WalkArgs {
     pub json: bool,
 }
 
-/// Computes the programme and writes it. The exit code is 3 if the design has no cam.
+/// Computes the speed programme, and writes its file and a picture. The exit code is 3 if the design has no cam.
 pub fn run(args: &WalkArgs) -> Result<u8> {
     let most = args.max_acceleration.as_deref();
     let acceleration = input::positive("--max-acceleration", most, Dimension::AngularAcceleration)?;
@@ -179,7 +179,8 @@ fn statistics(args: &WalkArgs, strides: usize) -> Result<StepStatistics> {
     })
 }
 
-/// The walk, scaled to the mean force of the cam if the axis moves. The mean force corresponds to the weight of the walker.
+/// The walk in the machine of a design. If the axis moves, the force of the walk is scaled to the mean force of the cam, because this
+/// mean force corresponds to the weight of the walker.
 fn on_cam(walk: Walk, design: &Design) -> Walk {
     let drive = &design.problem.drive;
     if drive.kind != DriveKind::MovingAxis {
@@ -190,7 +191,8 @@ fn on_cam(walk: Walk, design: &Design) -> Walk {
     walk.scaled(drive.newtons(drive.rest_force) / mean)
 }
 
-/// Force of the cam at constant speed, and misfits of its response relative to the response to the recorded walk.
+/// Force of the cam at constant speed, and three misfits, one per damping ratio. Each misfit compares the response of a vibration mode to
+/// this force with its response to the recorded walk.
 fn steady(run: &Run, walk: &Walk, steps: usize) -> Result<(RepeatedForce, [Misfit; 3])> {
     let mut still = run.clone();
     still.machine.motor = None;
@@ -267,19 +269,19 @@ fn json(walk: &Walk, found: &Followed, even: &(RepeatedForce, [Misfit; 3])) -> V
     })
 }
 
-/// Coefficient of variation of the force amplitude at the step frequency, for the cam with the speed programme.
+/// Coefficient of variation of the cam's force amplitude at the step frequency, when the cam runs with the speed programme.
 fn amplitude_cv(walk: &Walk, found: &Followed) -> f64 {
     let own = walk.with_force(&found.run.force_n[..walk.samples()]);
     own.variability().amplitude_cv
 }
 
-/// Values of the misfits (misfit or ratio of the peaks), joined to one text with three decimals.
+/// One value of each misfit as text with three decimals. `value` selects the misfit or the ratio of the peaks.
 pub fn list(of: &[Misfit], value: impl Fn(&Misfit) -> f64) -> String {
     let all: Vec<String> = of.iter().map(|m| fixed(value(m), 3)).collect();
     all.join("  ")
 }
 
-/// Damping ratios of the misfits, %, joined to one text.
+/// Damping ratios of the misfits, %, as one text.
 pub fn dampings(of: &[Misfit]) -> String {
     let all: Vec<String> = of.iter().map(|m| number(100.0 * m.damping_ratio)).collect();
     all.join("  ")

@@ -7,7 +7,7 @@ use gaitcam::sweep::{Field, Records};
 /// Components of a force error, as they are named in columns: differences in weight, speed and shape.
 pub const PARTS: [&str; 3] = ["weight", "speed", "shape"];
 
-/// A column of errors. Its name ends with the unit of the error measure.
+/// Table column with errors. Its name ends with the unit of the error measure.
 fn column(name: &str, error: ErrorMeasure, values: impl Iterator<Item = f64>) -> Field {
     Field::numbers(&format!("{name}_{}", error.suffix()), values.collect())
 }

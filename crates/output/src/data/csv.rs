@@ -18,7 +18,7 @@ const LAW: [&str; 9] = [
     "time_s",
     "speed_rad_per_s",
 ];
-/// Columns that contain a length, with the name that they have if the follower oscillates and the value is an angle.
+/// Columns that contain a length. If the follower oscillates, the value is an angle and the column has the second name.
 const ANGLES: [(&str, &str); 6] = [
     ("s_m", "s_rad"),
     ("v_m_per_rad", "v_rad_per_rad"),
@@ -103,7 +103,7 @@ pub fn walkers(design: &Design) -> Option<Records> {
     Some(Records { fields })
 }
 
-/// `law.csv`: lift, its derivatives with respect to the cam angle, force and target at `points` equal steps.
+/// `law.csv`: lift, derivatives of the lift with respect to the cam angle, force and target at `points` equally spaced cam angles.
 ///
 /// The force is the output force; for a polydyne cam it is the force of the follower end. Numbers have the minimum number of digits for
 /// which they are read back exactly. `target_n` is empty for a programme of classical laws, because it has no target.
@@ -111,7 +111,8 @@ pub fn law(synthesis: &Design, points: usize) -> String {
     text(&law_columns(synthesis, points))
 }
 
-/// Columns of `law.csv`. For an arm, the force is the moment divided by the lever. Without a target, its column is NaN.
+/// Columns of `law.csv`. For an arm, the force is the moment divided by the length of the lever. Without a target, the target column is
+/// NaN.
 pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
     let names = named(LAW, cam.follower.is_oscillating());
@@ -128,16 +129,16 @@ pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     columns(names, rows)
 }
 
-/// `profile.csv`: contact point, pitch curve, radius of curvature and pressure angle at `rows` equal steps.
+/// `profile.csv`: contact point, pitch curve, radius of curvature and pressure angle at `rows` equally spaced cam angles.
 ///
-/// Each row contains the contact at one cam angle. The curve of a closed law closes at the first row. At a flat point of the profile
-/// `rho_m` is `inf`. For a barrel cam, the table contains the lower wall of the groove with the centre of its roller. If the follower has
-/// two rollers, this centre is below the centre of the stud.
+/// Each row contains the contact at one cam angle. For a closed law, the curve continues from the last row to the first row. At a flat
+/// point of the profile, `rho_m` is `inf`. For a barrel cam, the table contains the lower wall of the groove and the centre of the roller
+/// on this wall. If the follower has two rollers, this centre is below the centre of the stud.
 pub fn profile(synthesis: &Design, rows: usize) -> String {
     text(&profile_columns(synthesis, rows))
 }
 
-/// Columns of `profile.csv` at `rows` equal steps.
+/// Columns of `profile.csv`, with values at `rows` equally spaced cam angles.
 pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {
@@ -150,7 +151,7 @@ pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     points_columns(&all)
 }
 
-/// Any profile as CSV with the columns of `profile.csv`, such as the profile of the second cam of a conjugate pair.
+/// Profile points as CSV with the columns of `profile.csv`. It is used, for example, for the second cam of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
     text(&points_columns(rows))
 }

@@ -84,7 +84,8 @@ pub fn summary(design: &Design, time: Timing) -> Value {
     Value::Object(out)
 }
 
-/// Convergence of the law with the varying speed of the shaft, and sensitivity of the force error to machine parameters.
+/// Data of a design with varying shaft speed: convergence of the iteration between design and simulation, force error of the law for
+/// constant speed, estimated ripple, and sensitivity of the force error to machine parameters.
 fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     json!({
         "rounds": on_shaft.rounds,
@@ -95,7 +96,7 @@ fn shaft_design(design: &Design, on_shaft: &OnShaft) -> Value {
     })
 }
 
-/// Summary of a scene without a cam: the reason, and the key that causes the reason.
+/// Summary of a scene without a cam: the reason, and the scene key to which the reason refers.
 pub fn summary_without_cam(name: &str, error: &Error, total_s: f64) -> Value {
     let place = error.place.to_string();
     let key = place.trim_end_matches(": ");
@@ -186,9 +187,9 @@ fn law(design: &Design) -> Value {
     out
 }
 
-/// End of a flexible follower for which a polydyne cam is designed. The force of the law is the force at this end. Stroke, velocity,
-/// acceleration and jerk of the law are those at the cam. Each miss is a deviation in the flexible simulation: `end_miss` and `force_miss`
-/// for this cam, `plain_force_miss` for a cam that has the law of the end.
+/// Data of the follower end for which a polydyne cam is designed. The force of the law is the force at this end. Stroke, velocity,
+/// acceleration and jerk of the law are those at the cam. Each miss is a deviation in the flexible simulation: `end_miss` and
+/// `force_miss` for this cam, and `plain_force_miss` for a cam whose lift is the law of the end.
 fn polydyne(end: &End, drive: &Drive) -> Value {
     let newtons = |force: f64| drive.newtons(force);
     json!({

@@ -53,7 +53,6 @@ pub fn table(name: &str, columns: &Columns) -> Result<Vec<u8>> {
 /// one point.
 ///
 /// # Errors
-/// A workbook that cannot be assembled.
 /// The workbook cannot be assembled.
 pub fn points(unit: &str, points: &[[f64; 2]]) -> Result<Vec<u8>> {
     let built = || {

@@ -8,13 +8,13 @@ use crate::plot::palette::{BLUE, GREEN, ORANGE};
 use crate::plot::picture::Picture;
 use gaitcam::wording::Language;
 
-/// Radius of a point, points. It is half the width of the line of the lower bound.
+/// Radius of a plotted point, in points. It is half the width of the line of the lower bound.
 const DOT: f64 = 4.5;
 
 /// Curve of an error as a function of the number of cams; the curve may be empty.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// Name of the curve in the key.
+    /// Name of the curve in the legend.
     pub name: String,
     /// Points of the curve: number of cams, and error in the unit of the vertical axis.
     pub points: Vec<(f64, f64)>,

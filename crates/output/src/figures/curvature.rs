@@ -1,4 +1,4 @@
-//! Figure of the radius of curvature and of the pressure angle or contact position.
+//! Figure with two diagrams: the radius of curvature, and the pressure angle or the contact position on a flat face.
 
 use plotters_backend::text_anchor::VPos;
 
@@ -16,8 +16,8 @@ use gaitcam::law::Svaj;
 use gaitcam::poly::Extreme;
 use gaitcam::synth::Design;
 
-/// Maximum radius of curvature in the figure, as a multiple of the larger of prime radius and stroke. Profiles with larger radii look
-/// straight.
+/// Maximum radius of curvature in the figure, as a multiple of the prime radius or the stroke, whichever is larger. Profiles with larger
+/// radii look straight.
 const CAP: f64 = 2.2;
 
 /// Figure of the radius of curvature and the pressure angle over the cam angle. For a flat face, the contact position replaces the
@@ -131,7 +131,7 @@ fn pressure<'a, 'c>(
     Ok(panel)
 }
 
-/// Values at which lines for a limit of the pressure angle are drawn, degrees.
+/// Values of the pressure angle at which lines for its limit are drawn, degrees.
 fn pressure_lines(check: &Check) -> Vec<f64> {
     let shown = check.name.limit().and_then(|kind| kind.facts().diagram);
     match shown {

@@ -20,8 +20,8 @@ use gaitcam::wording::Language;
 /// Number of sampled points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
-/// Figure of the achieved force and the target, with the error in a second diagram below. A band shows the tolerance of the scene, or
-/// otherwise the step-to-step spread of the recording.
+/// Figure of the achieved force and the target, with the error in a second diagram below. A band shows the tolerance in the scene.
+/// Without a tolerance, the band shows the step-to-step spread of the recording.
 pub fn force(synthesis: &Design, language: Language) -> Picture {
     force_in(synthesis, Layout::ALONE, &words::words(language))
 }
@@ -170,8 +170,8 @@ fn desired(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     curve
 }
 
-/// Diagram of the force error. It contains the edges of the tolerance band relative to the target or, without a band, lines at ± the RMS
-/// error.
+/// Diagram of the force error. It contains the edges of the tolerance band relative to the target. Without a band, it contains lines at
+/// plus and minus the RMS error.
 fn difference(
     f: &Figure,
     synthesis: &Design,
@@ -239,7 +239,7 @@ impl Names {
     }
 }
 
-/// Frame of the diagrams of a layout, with space above it for the key of the curves.
+/// Frame of the diagrams of a layout, with space above it for the legend.
 pub(crate) fn force_frame(layout: Layout) -> Frame {
     let frame = layout.frame();
     Frame {

@@ -15,7 +15,7 @@ const POINTS: usize = 1440;
 const SHOWN: f64 = 0.08;
 
 /// Diagram of the deviations normal to the profile, µm. If the law of the manufactured cam is known, a second diagram contains the forces
-/// as designed and as manufactured.
+/// of the cam as designed and as manufactured.
 pub fn diagram(
     design: &Design,
     inspected: &Inspection,
@@ -70,7 +70,7 @@ pub fn diagram(
     )
 }
 
-/// Figure of the profile with the deviations along its normals. They are magnified by a round factor.
+/// Figure of the profile with the deviations along its normals, magnified by a factor of the sequence 1, 2, 5, 10, 20 …
 pub fn polar(design: &Design, inspected: &Inspection, language: Language) -> Picture {
     let words = words::words(language);
     let cam = &design.cam;

@@ -57,8 +57,8 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
     })
 }
 
-/// Positions at which a derivative is infinite, each with its sign (true: positive). A jump of the next lower derivative gives an infinite
-/// value of one sign. A jump of a derivative of still lower order gives infinite values of both signs.
+/// Positions at which the derivative of order `order` is infinite, each with its sign (`true` for +∞). A jump of the derivative of order
+/// `order` − 1 gives an infinite value of one sign. A jump of a derivative of lower order gives infinite values of both signs.
 fn infinities(cam: &Cam, order: usize) -> Vec<(f64, bool)> {
     let mut out = Vec::new();
     for below in 0..order {

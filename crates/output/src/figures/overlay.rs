@@ -41,7 +41,7 @@ pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Pic
     diagrams_over(across, head, what, names, rows, Language::En)
 }
 
-/// Diagrams over a quantity with the name `across`, which need not be the cam angle.
+/// Diagrams over any quantity, one above the other. `across` is the name of the quantity on the horizontal axis.
 pub fn diagrams_over(
     across: &str,
     head: &str,
@@ -104,7 +104,7 @@ pub fn diagrams_over(
     })
 }
 
-/// Divides the entries of the key into lines of at most three entries and at most `room` em.
+/// Divides the entries of the legend into lines of at most three entries and at most `room` em.
 fn lines<'a>(
     entries: &'a [(RGBAColor, f64, &'a str)],
     room: f64,

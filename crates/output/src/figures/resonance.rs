@@ -15,7 +15,7 @@ use gaitcam::wording::Language;
 
 /// Damping ratio of the vibration mode.
 const DAMPING: f64 = 0.005;
-/// Number of recorded strides for which the figure shows the response to an electronic cam that repeats them.
+/// Number of recorded strides that an electronic cam repeats. The figure shows the response to this repeated force.
 const STRIDES: usize = 16;
 
 /// A force for which the response of a mode is computed.
@@ -42,8 +42,8 @@ pub enum Responding {
     Programme,
 }
 
-/// Responses to the recorded walk, to this cam at constant speed, and to a few recorded strides that are repeated. Without a recorded walk
-/// only the frame is drawn.
+/// Figure of three responses: to the recorded walk, to this cam at constant speed, and to a few recorded strides that are repeated.
+/// Without a recorded walk, only the frame is drawn.
 pub fn resonance(design: &Design, language: Language) -> Picture {
     resonance_in(design, Layout::ALONE, &words::words(language))
 }
@@ -60,12 +60,13 @@ pub(crate) fn resonance_in(design: &Design, layout: Layout, words: &Words) -> Pi
     drawn(&design.problem.name, &all, layout, words)
 }
 
-/// Responses of a mode to several forces. The range of natural frequencies is around the step frequency of the first force.
+/// Figure of the responses of a vibration mode to several forces. The range of natural frequencies is around the step frequency of the
+/// first force.
 pub fn responses(name: &str, all: &[Response], language: Language) -> Picture {
     drawn(name, all, Layout::ALONE, &words::words(language))
 }
 
-/// Periodic force of 16 typical consecutive strides of a walk. `None` if the walk does not have more strides.
+/// Periodic force of 16 typical consecutive strides of a walk. `None` if the walk has at most 16 strides.
 pub fn repeated_strides(walk: &Walk) -> Option<Response> {
     let part = walk.typical(STRIDES).filter(|_| walk.strides() > STRIDES)?;
     Some(Response {

@@ -18,7 +18,7 @@ use gaitcam::force::ForceCurve;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
-/// A curve in the key: colour, line width (points), name.
+/// An entry of the legend: colour, line width (points) and name of a curve.
 type Entry = (RGBAColor, f64, String);
 
 /// A simulation whose quantities are drawn over the displayed cam angle, or over time if the shaft speed varies.
@@ -50,7 +50,7 @@ impl Shown<'_> {
         self.outcome.rows[i % a_turn].time + (i / a_turn) as f64 * self.period()
     }
 
-    /// Points of a quantity over all samples, with the first value repeated at the end.
+    /// Points (horizontal position, value) of a quantity at all samples, with the first value repeated at the end.
     fn curve(&self, value: impl Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let total = self.outcome.rows.len();
         let point = |i: usize| (self.across(i), value(i % total));
@@ -66,7 +66,7 @@ impl Shown<'_> {
         f.panel(frame, x, columns, y)
     }
 
-    /// Draws the simulated force, with the target and the force of the rigid model behind it. Returns the entries of the key.
+    /// Draws the simulated force. The target and the force of the rigid model are drawn behind it. Returns the entries of the legend.
     fn force(&self, f: &Figure, frame: Frame, words: &Words) -> Drawn<Vec<Entry>> {
         let law = &self.synthesis.cam.law;
         let (start, length) = law.extent();

@@ -126,7 +126,7 @@ impl Shown<'_> {
         self.rows.iter().map(point).collect()
     }
 
-    /// Curves of one diagram. Curves of the target are first.
+    /// Curves of one diagram. The curves of the target come first, so that the other curves are drawn over them.
     fn curves(&self, strip: Strip) -> Vec<Curve> {
         let one = |of: &dyn Fn(&AtSpeed) -> Option<f64>| vec![(self.curve(of), BLUE, 2.2)];
         match strip {

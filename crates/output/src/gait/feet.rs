@@ -1,4 +1,4 @@
-//! Table of the means over the stances of each foot, and of quantities that depend on both feet.
+//! Table of mean values over the stances of each foot, and of quantities that depend on both feet.
 
 use gaitcam::force::{Cycle, Foot, Kind, Point, Stance, Stances};
 use gaitcam::units::G;

@@ -10,8 +10,8 @@ use gaitcam::units::G;
 
 /// JSON data of a recording; `cycle` is null without a mean cycle.
 ///
-/// `warnings` contains each note as a code with data, `notes` contains the notes as sentences. The times of contacts are those of the
-/// file.
+/// `warnings` contains each note as a code with data, and `notes` contains the notes as sentences. The times of contacts are on the time
+/// axis of the file.
 pub fn json(
     understood: &Interpretation,
     recording: &Recording,

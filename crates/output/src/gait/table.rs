@@ -191,7 +191,7 @@ impl Lines {
         }
     }
 
-    /// Rejected contacts. The text of each contains its column and the reason.
+    /// Rejected contacts, each with a text that contains its column and the reason for the rejection.
     fn rejections<'a>(&self, understood: &'a Interpretation) -> Vec<(&'a Contact, String)> {
         let sentence = |c: &'a Contact| {
             let column = understood.columns.get(c.column);
@@ -312,8 +312,8 @@ impl Lines {
     }
 }
 
-/// Number of columns that the user can select so that clipped columns are excluded. It is zero for a C3D file, because a plate may be the
-/// sum of several channels.
+/// Number of loaded columns without clipped forces. The user can select these columns and so exclude the clipped ones. The number is zero
+/// for a C3D file, because a plate may be the sum of several channels.
 fn unclipped(understood: &Interpretation) -> usize {
     if matches!(understood.format, Format::C3d { .. }) {
         return 0;

@@ -80,7 +80,7 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     cells
 }
 
-/// The name, of which only the end is kept if it is too long. The end distinguishes the files of a folder.
+/// The name, shortened to its end if it is too long. The end distinguishes the files of a folder.
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= NAME {
@@ -110,7 +110,7 @@ fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     ]
 }
 
-/// Text that the recording is included in the joint mean, or the reason for its exclusion.
+/// Text stating that the recording is included in the joint mean, or why it is excluded.
 fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
         (Some(fault), _) => fault.what(words.language()),

@@ -11,7 +11,7 @@ use crate::plot::sheet::{
 use crate::plot::text::text_width;
 use gaitcam::wording::{Language, fixed, number};
 
-/// A diagram. The horizontal axis is the cam angle in degrees or another quantity, the vertical axis is a quantity.
+/// A diagram of a quantity on the vertical axis. The horizontal axis is the cam angle in degrees or another quantity.
 pub struct Panel<'a, 'c> {
     canvas: &'c Canvas<'a>,
     plane: Plane<'a>,
@@ -29,7 +29,7 @@ pub struct Panel<'a, 'c> {
 
 /// Distance between the label of the vertical axis and the frame, em.
 pub const QUANTITY: f64 = 5.7;
-/// Maximum width of a tick label beside which the label of the axis has enough space, em.
+/// Maximum width of a tick label, em, for which the label of the axis has enough space next to it.
 const WIDEST_TICK: f64 = 4.3;
 
 /// Approximately `count` equally spaced round numbers in [low, high].
@@ -56,7 +56,8 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     (first..=last).map(|k| k as f64 * step).collect()
 }
 
-/// Multiples of the smallest step of 5°, 15°, 30°, 45°, 90° … for which there are at most nine intervals.
+/// Tick positions in the range `x`, degrees. They are multiples of a step, which is the smallest of 5°, 15°, 30°, 45°, 90° … that gives
+/// at most nine intervals.
 pub fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     let length = x[1] - x[0];
     let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
@@ -77,7 +78,8 @@ pub fn tick_text(value: f64, step: f64, language: Language) -> String {
     fixed(language, value, decimals).replace('-', "−")
 }
 
-/// Exponent of the power of ten by which wide tick labels are divided. It is a multiple of 3, and 0 for labels of normal width.
+/// Exponent of the power of ten by which the values of wide tick labels are divided. The exponent is a multiple of 3. It is 0 for labels
+/// of normal width.
 fn power(values: &[f64], step: f64) -> i32 {
     let widest = values
         .iter()
@@ -99,7 +101,7 @@ fn raised(power: i32) -> String {
         .collect()
 }
 
-/// Range of `values`, extended at both ends by the fraction `share` of its length. The length is never zero.
+/// Range of the finite `values`, extended at both ends by the fraction `share` of its length. The length is never zero.
 pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -315,8 +317,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         write(self.canvas, text, at, letters)
     }
 
-    /// Marks an extreme with a dot and its value. The value is above a maximum and below a minimum, if there is space inside the frame. If
-    /// `ground` is set, it has a light background, for diagrams in which dashed lines cross the number.
+    /// Marks an extreme with a dot and its value. The value is written above a maximum and below a minimum, if there is space inside the
+    /// frame. If `ground` is set, the value has a light background, so that it is legible in front of dashed lines.
     pub fn mark(
         &self,
         (x, value): (f64, f64),

@@ -1,4 +1,4 @@
-//! Layout of figures, as separate files or in the report: title, frames, key of the curves.
+//! Layout of figures, as separate files or in the report: title, frames, legend.
 
 use plotters::prelude::*;
 
@@ -86,7 +86,7 @@ pub struct Figure<'a, 'c> {
     pub language: Language,
 }
 
-/// Positions of vertical grid lines over the cam angle in degrees, or over another quantity.
+/// Positions of vertical grid lines. The horizontal axis is an angle in degrees if `is_angle` is set, otherwise another quantity.
 pub fn columns(x: [f64; 2], is_angle: bool) -> Vec<f64> {
     if is_angle {
         angle_ticks(x)
@@ -120,10 +120,10 @@ pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
         .collect()
 }
 
-/// Distance from the start of a line sample in the key to the start of its name, em.
+/// Distance from the start of a line sample in the legend to the start of its name, em.
 const SWATCH: f64 = 2.6;
 
-/// Width of an entry of the key, including the gap to the next entry, em.
+/// Width of an entry of the legend, including the gap to the next entry, em.
 pub fn key_width(name: &str) -> f64 {
     SWATCH + text_width(name) + 1.7
 }
@@ -171,12 +171,12 @@ impl<'a, 'c> Figure<'a, 'c> {
         self.write(what, [after, y], plain)
     }
 
-    /// Draws the key of the curves: a line sample and a name for each curve, from left to right.
+    /// Draws the legend of the curves: a line sample and a name for each curve, from left to right.
     pub fn key(&self, place: [f64; 2], size: f64, entries: &[(RGBAColor, f64, &str)]) -> Drawn {
         self.key_and_levels(place, size, entries, &[])
     }
 
-    /// Draws the key of the curves, followed by the key of dashed lines ([`Panel::level`]).
+    /// Draws the legend of the curves, followed by the legend of dashed lines ([`Panel::level`]).
     pub fn key_and_levels(
         &self,
         [mut x, y]: [f64; 2],

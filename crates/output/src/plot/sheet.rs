@@ -246,19 +246,19 @@ impl Lettering {
         }
     }
 
-    /// The same style, written upwards.
+    /// Copy of the style, with the text written upwards.
     pub fn upwards(mut self) -> Self {
         self.upwards = true;
         self
     }
 
-    /// The same style in bold letters.
+    /// Copy of the style, with bold letters.
     pub fn bold(mut self) -> Self {
         self.bold = true;
         self
     }
 
-    /// The same style with another anchor.
+    /// Copy of the style, with other horizontal and vertical anchors.
     pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
         (self.h, self.v) = (h, v);
         self
@@ -346,7 +346,7 @@ impl Frame {
         canvas.apply_coord_spec(axes)
     }
 
-    /// Position on the sheet, points, of the values (u, v) on axes with the ranges `x` and `y`.
+    /// Position on the sheet, points, of the point (u, v) of a diagram whose axes have the ranges `x` and `y`.
     pub fn place(&self, x: [f64; 2], y: [f64; 2], (u, v): (f64, f64)) -> [f64; 2] {
         let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         [

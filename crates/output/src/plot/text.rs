@@ -95,7 +95,7 @@ pub struct Line {
     pub at: [f64; 2],
     /// Height of an em, points.
     pub size: f64,
-    /// Part of the text that is at the position: 0 for the start, ½ for the middle, 1 for the end.
+    /// Horizontal anchor of the text, as a fraction of its length: 0 if `at` is its start, ½ for its middle, 1 for its end.
     pub anchor: f64,
     pub bold: bool,
     pub upwards: bool,

@@ -1,8 +1,8 @@
-//! Computes for each pixel the fraction that a shape covers. The changes of the covered area at the edges are stored and then summed along
+//! Computes the fraction of each pixel that a shape covers. The changes of the covered area at the edges are stored and then summed along
 //! each row.
 //!
-//! Source: R. Levien, font-rs (2015). In each row, an edge adds the signed area to its right. The running sum along the row is the
-//! coverage.
+//! Source: R. Levien, font-rs (2015). In each row, an edge adds its signed area to the pixels on its right. The running sum along the row
+//! is the coverage.
 
 use std::ops::Range;
 
@@ -77,8 +77,8 @@ impl Coverage {
         }
     }
 
-    /// Calls `give` for each part of a row with constant coverage: row, columns, coverage 0 … 1. The order is row by row from the left.
-    /// All edges are removed.
+    /// Calls `give` with the row, the columns and the coverage 0 … 1 of each part of a row in which the coverage is constant. The order
+    /// is row by row from left to right. All edges are then removed.
     pub fn take(&mut self, mut give: impl FnMut(usize, Range<usize>, f32)) {
         let touched = std::mem::replace(&mut self.touched, self.rows.len()..0);
         for row in touched {

@@ -2,7 +2,7 @@
 
 /// Minimum number of corners of a circle.
 const CORNERS: usize = 24;
-/// Maximum distance between a removed point and the line, pixels. Coordinates are rounded to 1/16 pixel.
+/// Maximum distance of a removed point from the simplified line, pixels. Coordinates are rounded to 1/16 pixel.
 const UNSEEN: f64 = 0.06;
 /// Sine of the angle between two segments above which a disc is drawn at their joint.
 const SHARP: f64 = 0.1;
@@ -21,7 +21,7 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The line without the points that lie within 0.06 pixel of the line through the remaining points.
+/// Simplified line. Points within 0.06 pixel of the line through the remaining points are removed.
 pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     let Some((&first, rest)) = points.split_first() else {

@@ -214,8 +214,8 @@ fn circle(out: &mut String, part: &str, r: f64, style: &str) {
     let _ = write!(out, "<circle data-part=\"{part}\" r=\"{r:.4}\" {style}/>");
 }
 
-/// Draws a translating cam with its foot, or the unrolled groove of a barrel cam with both walls. The profile of a closed law is repeated
-/// once on each side.
+/// Draws a translating cam with its foot, or the unrolled groove of a barrel cam with both walls. For a closed law, the profile is drawn
+/// three times, one copy on each side of the middle one.
 fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
     let travel = slide(cam) * cam.law.extent().1 / MM;
     let rounds: &[f64] = if cam.law.is_closed() {

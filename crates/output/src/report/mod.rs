@@ -44,7 +44,7 @@ pub struct Running<'a> {
     pub second_cam: Option<f64>,
 }
 
-/// Report of a design with a simulation. The animation shows the simulated motion.
+/// Report of a design with the results of a simulation. The animation shows the simulated motion.
 pub fn html_of_run(
     synthesis: &Design,
     time: Timing,

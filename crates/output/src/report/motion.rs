@@ -1,4 +1,4 @@
-//! Data of the animation, with one value per step; lengths in mm, forces in N, angles in degrees.
+//! Data of the animation, with one value per step. Lengths are in mm, forces in N and angles in degrees.
 
 use serde::Serialize;
 
@@ -20,10 +20,10 @@ const MOST_TURNS: usize = 4;
 pub struct Motion {
     /// First angle of the cam in the displayed unit.
     start: f64,
-    /// Length of one turn (or of the travel) in the displayed unit.
+    /// Angle of one turn, or length of the travel, in the displayed unit.
     length: f64,
     turns: usize,
-    /// Time of one turn (or of the travel), s.
+    /// Duration of one turn, or of the travel, s.
     period: f64,
     /// Travel of an unrolled cam, mm per displayed unit of its angle or travel; 0 for a rotating cam.
     slide: f64,
@@ -51,7 +51,7 @@ pub struct Motion {
     qa: Vec<Option<f64>>,
 }
 
-/// Values that are displayed next to the drawing. They do not influence its parts.
+/// Values that are displayed next to the drawing. They do not influence the positions of the moving parts.
 #[derive(Default, Serialize)]
 struct Readings {
     torque: Vec<Option<f64>>,
@@ -60,7 +60,8 @@ struct Readings {
     phi: Vec<Option<f64>>,
 }
 
-/// Unit of θ on the page: factor from SI, and name as it is written after a number. For a translating cam, it is the unit of the travel.
+/// Unit of θ on the page: factor that converts the SI unit to the displayed unit, and name as it is written after a number. For a
+/// translating cam, it is a unit of length.
 pub fn angle_unit(cam: &Cam) -> (f64, String) {
     let unit = cam.follower.measures().angle();
     (unit.factor, unit.after(""))
@@ -94,8 +95,8 @@ fn to(x: f64, places: f64) -> Option<f64> {
     x.is_finite().then(|| (x * places).round() / places)
 }
 
-/// State of a simulation at the angle `theta`, interpolated linearly between two rows. If one of the rows is in flight, force and torque
-/// are those of the nearer row. The force of a landing then does not appear during the flight.
+/// State of a simulation at the cam angle `theta`, rad, interpolated linearly between two rows. If there is a gap in one of the rows,
+/// force and torque are taken from the nearer row. The force at landing then does not appear during the flight.
 fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
     let n = rows.len();
     let x = (theta - rows[0].theta) / step;
@@ -134,7 +135,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
     }
 }
 
-/// Motion of a design: its law and rigid force or, with `running`, the simulated motion.
+/// Motion of a design for the animation: lift and force of the rigid machine or, if `running` is given, the simulated motion.
 pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();

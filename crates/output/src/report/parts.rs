@@ -73,7 +73,8 @@ pub fn drawing(design: &Design, language: Language) -> String {
     out
 }
 
-/// Positions of the moving parts of [`drawing`] at equal steps over one turn, with lift and force; mm, N, degrees.
+/// Positions of the moving parts of [`drawing`] at equal steps over one turn, with lift and force. Lengths are in mm, forces in N and
+/// angles in degrees.
 pub fn motion(design: &Design) -> Motion {
     motion::motion(design, None).without_readings()
 }

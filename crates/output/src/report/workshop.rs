@@ -10,7 +10,7 @@ use crate::words::Words;
 /// Wall thickness between the bore and the profile below which the report warns, m.
 const LEAST_WALL: f64 = 0.003;
 
-/// Writes the section. It is omitted for a cam that does not rotate.
+/// Writes the section for the manufacturer. It is omitted for a cam that does not rotate.
 pub fn section(out: &mut String, design: &Design, words: &Words) {
     if design.cam.follower.is_unrolled() {
         return;

@@ -23,7 +23,7 @@ pub fn across(words: &Words, measures: Measures) -> String {
     }
 }
 
-/// The label with the key `label`, which contains the displayed unit of length.
+/// Label with the message key `label`, in which the placeholder is replaced by the displayed unit of length.
 pub fn with_length_unit(words: &Words, label: &str) -> String {
     words.fill(label, &[("unit", Unit::length().name)])
 }

@@ -147,7 +147,7 @@ fn numbers(typed: &str) -> Result<(usize, usize)> {
     })
 }
 
-/// The given scene with the walkers as its target.
+/// Scene of the command, with the recordings of the walkers as its target and with the changes of `--set`.
 fn scene(args: &CoverArgs) -> Result<Input> {
     let scene = SceneArgs {
         scene: args.scene.clone(),

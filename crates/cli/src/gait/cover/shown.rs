@@ -38,7 +38,7 @@ pub(super) fn fold_object(fold: &Fold, error: ErrorMeasure) -> Value {
     in_unit(out, &values, error)
 }
 
-/// The JSON object with the given errors added. The name of each error ends with the unit of the error measure.
+/// Returns the JSON object with the given errors added. The name of each error ends with the unit of the error measure.
 fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasure) -> Value {
     for (name, value) in values {
         object[format!("{name}_{}", error.suffix())] = json!(value);
@@ -46,14 +46,14 @@ fn in_unit(mut object: Value, values: &[(&str, Option<f64>)], error: ErrorMeasur
     object
 }
 
-/// Name of the largest component of the force error of a walker.
+/// Name of the component (weight, speed or shape) with the largest part of a walker's force error.
 pub fn reason(of: &Assigned) -> String {
     let largest =
         (0..PARTS.len()).max_by(|i, j| of.parts_percent[*i].total_cmp(&of.parts_percent[*j]));
     words::text(&format!("cover-{}", PARTS[largest.unwrap_or_default()]))
 }
 
-/// Table of the errors for each number of cams, with the name of the worst walker and the errors of cross-validation.
+/// Table of the errors for each number of cams, with the name of the walker with the maximum error and the errors of cross-validation.
 pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     let mut rows = vec![
         [
@@ -108,7 +108,7 @@ pub(super) fn text(input: &Input, covers: &[Cover], folds: &[Fold]) -> String {
     format!("{head}\n{}\n{}", table(&rows, &sides), words::text(of))
 }
 
-/// Key of the variant of a message for an error measure: relative or in newtons.
+/// Key of a message in the variant for an error measure: errors relative to the mean force, or errors in newtons.
 pub fn of_unit(message: &str, error: ErrorMeasure) -> String {
     match error {
         ErrorMeasure::Relative => message.to_string(),

@@ -21,7 +21,7 @@ use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 use gaitcam_output::sweep_report::{self, Page};
 use read::Design;
 
-/// A picture as (file name without ending, heading, picture).
+/// A picture of the page, as a tuple: file name without ending, heading, picture.
 type Drawn = (&'static str, String, Picture);
 
 const EXAMPLES: &str = "Examples:

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-9;
 /// Function that returns the text of a cell for a design.
 type Cell = fn(&Design) -> String;
 
-/// Rows without numbers: key of the heading, and function for the cells.
+/// Rows whose cells are words: key of the heading, and function that returns the text of a cell.
 const WORDS: [(&str, Cell); 4] = [
     ("compare-verdict", |d| word(&d.summary["verdict"])),
     ("compare-outcome", |d| outcome(&d.summary["outcome"])),
@@ -25,8 +25,9 @@ const WORDS: [(&str, Cell); 4] = [
     ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
 ];
 
-/// Quantities whose two extremes are in summary.json: column, table, keys of the extremes, order of the derivative. The extremes are
-/// derivatives with respect to the cam angle; with the speed of the cam they become time derivatives.
+/// Quantities whose maximum and minimum are in summary.json. Each entry contains the column, the table, the two keys of the extremes, and
+/// the order of the derivative. The extremes are derivatives with respect to the cam angle. They are converted to time derivatives with
+/// the speed of the cam.
 const EXTREMES: [(&str, &str, [&str; 2], i32); 4] = [
     (
         "velocity_max_m_per_s",
@@ -72,7 +73,7 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     words.chain(figures).filter(is_known).collect()
 }
 
-/// Value of a quantity in summary.json. Quantities of the force have a value only if there is a target force.
+/// Value of a quantity in summary.json; `None` if it is undefined. Force quantities are defined only if there is a target force.
 fn value(figure: &Figure, d: &Design) -> Option<f64> {
     if let Some((_, section, keys, order)) = EXTREMES.iter().find(|row| row.0 == figure.column) {
         let ends = keys

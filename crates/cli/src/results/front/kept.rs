@@ -53,7 +53,7 @@ impl Input {
         }
     }
 
-    /// Position of a cell on the axis: its number, or the index of its word; NaN for an unknown word.
+    /// Position of a cell on the axis: the number in the cell, or the index of the word in the cell; NaN for an unknown word.
     pub fn place(&self, cell: &str) -> f64 {
         if self.is_number {
             return cell.parse().unwrap_or(f64::NAN);
@@ -100,7 +100,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Counts the next row of the table and adds it to the sample if required. `good`: the row is a candidate.
+    /// Counts the next row of the table. `good` is true if the row is a candidate. Every k-th candidate is added to the sample.
     pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;

@@ -67,7 +67,7 @@ const SHOWN: usize = 40;
 /// Maximum number of listed ranges of missing rows.
 const SHOWN_GAPS: usize = 6;
 
-/// Designs of a table, evaluated by the objectives.
+/// Result of reading a table: its front, the sample for the pictures, and the omitted and missing rows.
 struct Evaluation {
     columns: Columns,
     objectives: Vec<Objective>,

@@ -18,7 +18,7 @@ use gaitcam_output::sweep_report;
 /// Maximum number of lines or dots in a picture.
 const DRAWN: usize = 3000;
 
-/// A picture as (file name without ending, heading, picture).
+/// A picture of the page, as a tuple: file name without ending, heading, picture.
 type Drawn = (&'static str, String, Picture);
 
 /// Writes the pictures and report.html.

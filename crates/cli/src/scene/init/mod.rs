@@ -25,7 +25,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Maximum length of a comment line, characters.
 const WIDTH: usize = 100;
-/// Prefix that marks the line of an optional key in a template.
+/// Prefix that marks a template line with an optional key.
 const OFFERED: &str = "#- ";
 
 /// Arguments of `gaitcam init`.

@@ -75,7 +75,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// Points of the other edges to be cut: upper wall of a groove, or second cam of a pair, m.
+    /// Points of the edges to be cut, other than the first profile, m: upper wall of a groove, or second cam of a pair.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     /// Contact pressure at the points of `rows`; `None` if it is not drawn.
@@ -311,7 +311,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// Vertical position of the foot of an unrolled cam in the drawing, mm.
+    /// Vertical position of the lower edge of an unrolled cam in the drawing, mm.
     fn foot(&self) -> f64 {
         let heights = self.rows.iter().map(|p| MM * p.y);
         let low = heights.fold(f64::INFINITY, f64::min);

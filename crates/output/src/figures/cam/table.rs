@@ -1,4 +1,4 @@
-//! Key of the lines, and main dimensions, in the figure of the cam.
+//! Legend of the lines, and main dimensions, in the figure of the cam.
 
 use plotters::style::{Color, RGBAColor};
 
@@ -10,7 +10,7 @@ use crate::plot::sheet::{Drawn, Lettering, circle, dashed, line, stroke};
 use crate::plot::text::text_width;
 use crate::words::Words;
 
-/// Keys of the facts that are written next to the cam. Base and prime radius are part of the key of the lines.
+/// Keys of the facts that are written next to the cam. The base radius and the prime radius are given in the legend.
 const KEYS: [&str; 8] = [
     "stroke_m",
     "report-follower",
@@ -23,7 +23,7 @@ const KEYS: [&str; 8] = [
 ];
 
 impl Scene<'_> {
-    /// Draws the key of the lines. Returns the vertical position below the key.
+    /// Draws the legend of the lines. Returns the vertical position below the legend.
     pub(super) fn lines(&self, f: &Figure, [x, mut y]: [f64; 2], words: &Words) -> Drawn<f64> {
         let e = f.e;
         let step = 1.75 * e;

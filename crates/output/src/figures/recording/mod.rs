@@ -174,11 +174,11 @@ fn foot_name(foot: Option<Foot>, words: &Words) -> String {
     })
 }
 
-/// Maximum number of points that are drawn of a curve, approximately one per two pixels of the figure.
+/// Maximum number of drawn points per curve, approximately one per two pixels of the figure.
 const POINTS: usize = 512;
 
-/// Every n-th sample and the last sample of a curve. `across` returns the horizontal position of a sample from its index and the number of
-/// samples.
+/// Points of a curve for every n-th sample and the last sample. `across` returns the horizontal position of a sample from its index and
+/// the number of samples.
 fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Curve {
     let n = force.len();
     if n < 2 {

@@ -28,7 +28,7 @@ pub(super) fn height(understood: &Interpretation, e: f64, words: &Words) -> f64 
     (LANE * lanes + 1.6 * reasons(understood, words).len() as f64 + 0.8) * e
 }
 
-/// Indices of the columns that are drawn: those with contacts or, if there are none, those that are loaded.
+/// Indices of the columns that are drawn: the columns with contacts or, if no column has contacts, the loaded columns.
 fn loaded(understood: &Interpretation) -> Vec<usize> {
     let columns = understood.columns.iter().enumerate();
     let live = columns.filter(|(_, c)| c.idle.is_none()).map(|(i, _)| i);
@@ -100,7 +100,8 @@ fn shortened(column: &Column, words: &Words) -> String {
 /// Maximum length of the name of a lane, characters.
 const LANE_NAME: usize = 9;
 
-/// Name of a lane: the foot of its column. If the foot is unknown, it contains as many whole words of the column name as fit.
+/// Name of a lane: the foot of the column. If the foot is unknown, the name consists of the first words of the column name, as many as
+/// fit.
 fn lane_name(column: &Column, words: &Words) -> String {
     if column.foot.is_some() {
         return foot_name(column.foot, words);

@@ -26,12 +26,12 @@ pub struct Quantity {
     pub label: String,
     /// One value per design; non-finite values are not drawn.
     pub values: Vec<f64>,
-    /// If the values are words: names of the values 0, 1, 2 …; otherwise empty.
+    /// Names of the values 0, 1, 2 … if the values are words, otherwise empty.
     pub words: Vec<String>,
 }
 
-/// Label in which the SI unit is replaced by a customary unit, and the factor from SI. `stroke, m` becomes `stroke, mm` with the factor
-/// 1000.
+/// Label in a customary unit, and factor that converts values from the SI unit to this unit. `stroke, m` becomes `stroke, mm` with the
+/// factor 1000.
 pub fn unit_for_people(label: &str) -> (String, f64) {
     match label.rsplit_once(", ") {
         Some((name, unit)) => {
@@ -46,7 +46,7 @@ pub fn unit_for_people(label: &str) -> (String, f64) {
 }
 
 impl Quantity {
-    /// The column in its customary unit, and the factor from SI.
+    /// The column in its customary unit, and the factor that converts SI values to this unit.
     fn shown(&self) -> (Quantity, f64) {
         let (label, factor) = unit_for_people(&self.label);
         let shown = Quantity {
@@ -67,7 +67,7 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
-/// Several columns in customary units, and their factors from SI.
+/// Several columns in customary units, and for each column the factor that converts SI values to this unit.
 fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     let both = all.map(Quantity::shown);
     let factors = both.each_ref().map(|b| b.1);

@@ -27,8 +27,8 @@ pub fn shown(measures: Measures, limit: Criterion, value: f64, words: &Words) ->
     unit.after(&words.number(value))
 }
 
-/// Distance of the worst value from its limit, as a fraction of the limit; negative if the limit is violated, infinite if the limit is
-/// zero and not reached.
+/// Distance of the worst value from its limit, as a fraction of the limit. The distance is negative if the limit is violated, and
+/// infinite if the limit is zero and not reached.
 fn margin(check: &Check) -> f64 {
     let gap = (check.worst - check.limit).abs();
     let share = if check.limit == 0.0 {
@@ -50,8 +50,8 @@ pub fn state(check: &Check) -> &'static str {
     }
 }
 
-/// Limit, and position of the worst value, in SI. The limit is `None` if it is only a rounding tolerance. The position is `None` if the
-/// value applies to the whole cycle.
+/// Limit, and position of the worst value, in SI units. The limit is `None` if it is only a rounding tolerance. The position is `None` if
+/// the value applies to the whole cycle.
 pub fn limit_and_place(check: &Check) -> (Option<f64>, Option<f64>) {
     let is_rounding = matches!(
         check.name,
@@ -136,7 +136,7 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     close(out);
 }
 
-/// An active limit: criterion, multiplier with the maximum absolute value, its position, and number of active points.
+/// An active limit: criterion, multiplier with the maximum absolute value, position of this multiplier, and number of active points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)] // the names are the documentation
 pub struct ActiveLimit {
@@ -198,7 +198,7 @@ fn note(out: &mut String, text: &str) {
     let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
 }
 
-/// Writes for each active limit the predicted objective if this limit is relaxed by one percent.
+/// Writes, for each active limit, the predicted value of the objective after this limit is relaxed by one percent.
 fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;

@@ -70,7 +70,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
     }
 }
 
-/// A status as a separate sentence; empty if the status is empty.
+/// A solver status as a sentence with a capital letter and a full stop; empty if the status is empty.
 fn sentence(status: &str) -> String {
     match status.trim().trim_end_matches('.') {
         "" => String::new(),
