@@ -31,7 +31,7 @@ pub struct Trial {
 
 /// Whether a cam satisfies its limits, and the errors of all cycles with this cam.
 pub type Column = (bool, Vec<f64>);
-/// Cache of the columns. The key is the walkers of a cam and the objective of its design.
+/// Cache of the results of cams. The key consists of the walkers of a cam and the objective of its design.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {

@@ -222,8 +222,8 @@ fn convergent(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics of the correction, and RMS of what remains. A harmonic above its noise is multiplied by the fraction `made` and by its likely repeatable
-/// part. The remainder contains the other harmonics and the noise. Both results are zero if the residual is only noise.
+/// Harmonics of the correction, and RMS of the remaining force error, N. A harmonic above its noise is multiplied by the fraction `made` and by its
+/// likely repeatable part. The remainder contains the other harmonics and the noise. Both results are zero if the residual is only noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],

@@ -199,7 +199,7 @@ fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     Ok(factor)
 }
 
-/// A cycle with another number of samples, by interpolation.
+/// Copy of a cycle with another number of samples, computed by interpolation.
 fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
     if curve.force_n.len() == samples {
         return curve.clone();

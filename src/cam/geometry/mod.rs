@@ -105,8 +105,9 @@ impl Geometry {
         }
     }
 
-    /// Position of the contact on the follower, m. On a flat face it is measured from the foot of the perpendicular from the cam centre (translating)
-    /// or from the pivot (oscillating); on a mushroom along the chord from the middle of the arc.
+    /// Position of the contact on the follower, m. On a flat face, it is measured from the foot of the perpendicular on the face. The perpendicular
+    /// starts at the cam centre (translating) or at the pivot (oscillating). On a mushroom, the position is measured along the chord from the
+    /// middle of the arc.
     pub fn travel(&self, at: Svaj) -> f64 {
         match self {
             Geometry::Flat(_) => at.v,

@@ -67,7 +67,7 @@ impl Family {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShaftSpeed {
-    /// The varying speed that results from the motor, if the scene has a motor.
+    /// The varying speed of a shaft that the motor drives, if the scene has a motor.
     #[default]
     Motor,
     /// A constant speed.

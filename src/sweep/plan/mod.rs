@@ -269,8 +269,9 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with words,
-    /// and the first value of a key with numbers. A value that is invalid only in some combinations results in rows with an error.
+    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with
+    /// words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these combinations contain an
+    /// error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
