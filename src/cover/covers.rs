@@ -89,7 +89,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// Set of `count` cams that results from a trial, with the errors of all cycles.
+    /// Set of the `count` cams of a trial, with the errors of all cycles.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();

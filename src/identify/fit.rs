@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::cycles::{Averaged, derivative, shifted};
 use super::least_squares::{Bounded, Column, difference, dot, inverse, product};
 
-/// Number of trial values of a phase shift per turn. The best one is then refined.
+/// Number of trial values of a phase shift per turn. The best value is then refined.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
 /// Number of standard deviations by which the sum of squares of the residual must exceed its mean for pure noise. Only then does the residual count

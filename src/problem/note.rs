@@ -100,7 +100,7 @@ pub enum Note {
         shaft: Quantity,
         torque: Quantity,
     },
-    /// With the varying speed of its motor, the cam does not reach the accuracy; a larger inertia is sufficient.
+    /// The cam does not reach the accuracy because the speed of the motor varies. A larger inertia of the shaft is sufficient.
     InertiaForAccuracy {
         error: Quantity,
         allowed: Quantity,

@@ -35,7 +35,7 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// Creates a named scene from its table. The name is that in the table, so it does not depend on the computer.
+    /// Creates a named scene from its table. The name is taken from the table, so it does not depend on the computer.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
