@@ -110,10 +110,10 @@ pub struct LogFit {
     pub noise_rms_n: f64,
     /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
-    /// Measured mean cycle at equal cam angles, N.
+    /// Measured mean cycle of the force at equally spaced cam angles, N.
     #[serde(skip)]
     pub measured_n: Vec<f64>,
-    /// Mean cycle of the model with the fitted parameters, at equal cam angles, N.
+    /// Cycle of the modelled force with the fitted parameters, at equally spaced cam angles, N.
     #[serde(skip)]
     pub modelled_n: Vec<f64>,
 }

@@ -194,7 +194,7 @@ fn rms(harmonics: &[f64], from: usize) -> f64 {
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
 }
 
-/// RMS of values at equal angles. The mean is included if `from` = 0.
+/// RMS of values at equally spaced angles. The mean is included if `from` = 0.
 fn spread(values: &[f64], from: usize) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;

@@ -118,7 +118,8 @@ impl Series {
         Law::harmonic(self.mean_n, self.first(count))
     }
 
-    /// Cell for the RMS and maximum difference between [`Series::law`] and the force, N; empty until they are computed.
+    /// Cache cell for the RMS and the maximum of the difference between [`Series::law`] and the force, N. The cell is empty until these values are
+    /// computed.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
         &self.fit(count).0
     }

@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// Dimensions for all kinds of motion of follower and cam, each once.
+    /// Distinct dimensions for all kinds of motion of follower and cam.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {
