@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::scene::Robust;
 use crate::synth::population::errors::{in_tail, measure};
 
-/// Maximum number of alternations.
+/// Maximum number of alternations between design and assignment, for one start.
 const TURNS: usize = 30;
 /// Maximum number of consecutive alternations without improvement, while the shares of the worst walkers still change.
 const IDLE: usize = 4;

@@ -70,7 +70,7 @@ pub enum ShaftSpeed {
     /// The varying speed of a shaft that the motor drives, if the scene has a motor.
     #[default]
     Motor,
-    /// A constant speed.
+    /// The constant mean speed, even if the scene has a motor.
     Constant,
 }
 
@@ -273,9 +273,9 @@ pub struct LawSpec {
     pub shaft: ShaftSpeed,
     /// Exact conditions on the law at single cam angles.
     pub points: Vec<LawPoint>,
-    /// Dwells of the law.
+    /// Prescribed dwells of the law: ranges of cam angles with constant lift.
     pub dwells: Vec<Dwell>,
-    /// Segments of a programme.
+    /// Segments of a programme, from the start of the law; empty for other families.
     pub segments: Vec<SegmentSpec>,
 }
 
