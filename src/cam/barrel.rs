@@ -194,8 +194,8 @@ impl BarrelGroove {
         1.0 / self.pitch_curvature(self.law.svaj(theta), radius)
     }
 
-    /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. The wall is undercut
-    /// where a positive pitch radius is below the radius of the roller.
+    /// Signed radius of curvature of a wall, unrolled at `radius`, m. Positive where the wall is convex towards the groove. On its convex parts,
+    /// the wall is undercut where the radius of curvature of the middle line is below the radius of the roller.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
         // The material of the lower wall is below the groove, that of the upper wall above it: their curvatures have opposite signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()

@@ -90,7 +90,7 @@ pub enum Verdict {
     Acceptable,
     /// Every check passes, but the acceleration has a jump. The cam is only suitable for slow machines.
     NotForHighSpeed,
-    /// A check fails, or lift or velocity jumps.
+    /// A check fails, or the lift or the velocity has a jump.
     Unacceptable,
 }
 

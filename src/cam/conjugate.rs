@@ -25,9 +25,9 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Closure {
-    /// Distance between both faces, or between both roller centres along the line of motion, m (translating followers).
+    /// Distance between the two faces, or between the two roller centres along the line of motion, m (translating followers).
     Distance(f64),
-    /// Angle β between both arms, rad (oscillating followers).
+    /// Angle β between the two arms, rad (oscillating followers).
     Angle(f64),
     /// Base radius of the second cam, m.
     SecondBaseRadius(f64),
@@ -53,7 +53,7 @@ pub struct Conjugate {
     pub first: Cam,
     /// The cam that drives the fall, in its own frame. On the shaft it is rotated by half a turn.
     pub second: Cam,
-    /// Constant dimension between both followers: distance, m, or angle between the arms, rad.
+    /// Constant dimension between the two followers: distance, m, or angle between the arms, rad.
     pub total: f64,
 }
 
@@ -62,8 +62,8 @@ impl Conjugate {
     ///
     /// # Errors
     ///
-    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or
-    /// an angle, the error contains the minimum feasible one, if there is one.
+    /// The first or the second cam is invalid, or `closure` does not match the kind of follower. If no second cam exists for a distance or an
+    /// angle, the error contains the minimum feasible value, if a feasible value exists.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
         Conjugate::closed(first, closure, second_roller, Cam::check)
     }
@@ -128,7 +128,7 @@ impl Conjugate {
         })
     }
 
-    /// Distance between both faces or roller centres along the line of motion, or angle between both arms. It does not depend on θ.
+    /// Distance between the two faces or roller centres along the line of motion, m, or angle between the two arms, rad. It does not depend on θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
         first.follower.start_place()

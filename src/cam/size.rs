@@ -32,9 +32,9 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 
 /// Minimum prime circle with |pressure angle| at most `rise` where the follower rises and at most `fall` where it falls, rad, both in (0, π/2).
 ///
-/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, |e| ≤
-/// tan φ·(s + D) with the smaller tangent. All limits are half planes in (D, e). The result is their point nearest to the origin: the foot
-/// of a perpendicular, or a corner. If `offset` is given, only D is unknown.
+/// With tan φ = (v − e)/(s + D) the limits are v − e ≤ tan φ₁·(s + D) and −(v − e) ≤ tan φ₂·(s + D). At a reversal of the follower, the limit with
+/// the smaller tangent is |e| ≤ tan φ·(s + D). All limits are half planes in (D, e). The result is the point nearest to the origin that lies in all
+/// half planes. It is on one boundary line, or at the intersection of two. If `offset` is given, only D is unknown.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (libm::tan(rise), libm::tan(fall));
     let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
@@ -105,7 +105,7 @@ pub struct SizeLimits {
 }
 
 impl SizeLimits {
-    /// Limits without undercut and with any pressure angle.
+    /// Limits that exclude undercut and permit any pressure angle.
     pub fn no_undercut() -> Self {
         SizeLimits {
             rho_min: 0.0,
@@ -133,7 +133,7 @@ impl SizeLimits {
     }
 }
 
-/// Growth factor of the search for a feasible cam, and maximum number of steps.
+/// Factor by which the size increases per step in the search for a feasible cam, and maximum number of steps.
 const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::scene::Robust;
 use crate::synth::population::errors::{in_tail, measure};
 
-/// Maximum number of alternations.
+/// Maximum number of alternations between design and assignment, for one start.
 const TURNS: usize = 30;
 /// Maximum number of consecutive alternations without improvement, while the shares of the worst walkers still change.
 const IDLE: usize = 4;
@@ -31,7 +31,7 @@ pub struct Trial {
 
 /// Whether a cam satisfies its limits, and the errors of all cycles with this cam.
 pub type Column = (bool, Vec<f64>);
-/// Cache of the columns. The key is the walkers of a cam and the objective of its design.
+/// Cache of the results of cams. The key consists of the walkers of a cam and the objective of its design.
 pub type Columns = HashMap<(Vec<usize>, String), Column>;
 
 impl People<'_> {

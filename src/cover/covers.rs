@@ -89,7 +89,7 @@ impl People<'_> {
         Ok(out)
     }
 
-    /// Set of `count` cams that results from a trial, with the errors of all cycles.
+    /// Set of the `count` cams of a trial, with the errors of all cycles.
     fn cover(&self, trial: &Trial, count: usize) -> Result<Cover> {
         let mut each: Vec<Option<Assigned>> = vec![None; self.shares.len()];
         let mut cams = Vec::new();
@@ -118,7 +118,8 @@ impl People<'_> {
         })
     }
 
-    /// Lower bound of the mean square error, or of the maximum one. For one cam, the certificate of its design can raise the bound.
+    /// Lower bound of the square of the objective: the mean square error over all walkers or over the worst walkers, or the maximum mean square
+    /// error. For one cam, the certificate of its design can raise the bound.
     fn bound(&self, cams: usize, trial: &Trial) -> Option<f64> {
         if self.points.is_empty() {
             return None;

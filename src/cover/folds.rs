@@ -37,11 +37,11 @@ pub struct Fold {
     pub walkers: usize,
     /// Mean RMS force error of these walkers, in percent of each mean force or in newtons, as `law.error` of the scene specifies.
     pub in_mean: f64,
-    /// Maximum error of these walkers.
+    /// Maximum RMS force error of these walkers, in the same unit.
     pub in_worst: f64,
-    /// Mean error of the new walkers, each with the best cam.
+    /// Mean RMS force error of the new walkers, each with the best cam, in the same unit.
     pub out_mean: f64,
-    /// Maximum error of the new walkers.
+    /// Maximum RMS force error of the new walkers, in the same unit.
     pub out_worst: f64,
 }
 

@@ -21,7 +21,7 @@ pub struct People<'a> {
     pub shares: Vec<f64>,
     /// The common cam of all walkers.
     pub one: Design,
-    /// Individual cam of each cycle as a point; empty if no bound is required.
+    /// Force of the individual cam of each cycle, with its mean square error and an error bound; empty if no lower bound is required.
     pub points: Vec<Point>,
 }
 

@@ -15,7 +15,7 @@ use crate::error::{LogError, Result};
 pub(super) const MOST: usize = 24;
 /// Minimum number of samples per cycle and harmonic. With fewer samples, the fit follows the noise.
 const PER_HARMONIC: f64 = 2.5;
-/// Range of the ratio of measured to expected speed. Outside it, the angle column has another unit.
+/// Range of the ratio of measured to expected speed. Outside this range, the angle column has another unit.
 const SPEEDS: [f64; 2] = [1e-3, 1e3];
 /// Change of the mean cycle within the log, relative to the alternating force, above which the log is rejected.
 pub(super) const CHANGE: f64 = 0.05;

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::cycles::{Averaged, derivative, shifted};
 use super::least_squares::{Bounded, Column, difference, dot, inverse, product};
 
-/// Number of trial values of a phase shift per turn. The best one is then refined.
+/// Number of trial values of a phase shift per turn. The best value is then refined.
 const SHIFTS: usize = 720;
 const STEPS: usize = 20;
 /// Number of standard deviations by which the sum of squares of the residual must exceed its mean for pure noise. Only then does the residual count
@@ -211,8 +211,9 @@ fn size(stack: Stack, row: &[f64]) -> f64 {
     dot(row, row).max(dot(&sum, &sum))
 }
 
-/// Repeatable part of a mean residual whose entries have the given variances. The result is the sum of squares of each log, the variance of a
-/// coefficient, and the effective number of harmonics (participation ratio). With several logs, the means are included.
+/// Repeatable part of the mean residual `left`, whose entries have the noise variances `variance`. Returns the repeatable sum of squares of each
+/// log, the variance of one coefficient, and the effective number of harmonics (participation ratio). With several logs, the mean value of each
+/// log's residual is counted in addition to its harmonics.
 fn repeatable(stack: Stack, left: &[f64], variance: &[f64]) -> (Vec<f64>, f64, usize) {
     let pairs = |part: Range<usize>| -> Vec<(Range<usize>, f64)> {
         let mean = (stack.runs.len() > 1).then(|| (part.start..part.start + 1, 2.0));

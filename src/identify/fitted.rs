@@ -75,7 +75,7 @@ impl Fitted {
         all.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
-    /// Measured cycles of all logs at nearly the speed of the log `place`, at the phases of this log.
+    /// Measured cycles of all logs whose speed is nearly that of the log `place`, as harmonics of the phase of this log.
     pub fn measured_at(&self, place: usize) -> Averaged {
         let near = |i: &usize| {
             let speed = |run: &Run| run.cycles.speed;

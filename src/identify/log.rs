@@ -64,7 +64,7 @@ impl LogColumns {
     }
 }
 
-/// Adds whole turns to angles that restart after each turn.
+/// Adds whole turns to angles that restart after each turn, so that the angles increase.
 fn unwrap(theta: &mut [f64]) {
     let mut turns = 0.0;
     for row in 1..theta.len() {

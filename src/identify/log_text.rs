@@ -75,7 +75,7 @@ impl Log {
     ///
     /// # Errors
     ///
-    /// A column that is missing or ambiguous, or whose unit is missing or unknown; a cell that is not a number; and as [`Log::new`].
+    /// A column that is missing or ambiguous, or whose unit is missing or unknown; a cell that is not a number; the errors of [`Log::new`].
     pub fn read(path: &Path, bytes: &[u8], options: &LogOptions) -> Result<Log> {
         let table = NumberTable::find(path, bytes)?;
         let names = Names {

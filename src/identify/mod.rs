@@ -45,7 +45,7 @@ use crate::synth::Design;
 use fitted::Fitted;
 use model::Effect;
 
-/// Result of an identification.
+/// Result of an identification: parameters, residuals, and a suggested further run.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -84,9 +84,9 @@ pub struct Identified {
     pub cycles: usize,
     /// Whether every log contains the cam angle. Without the angle, the phase of a log is fitted.
     pub has_angle: bool,
-    /// Results for each log.
+    /// Speed, residuals and mean cycles of each log, in the given order.
     pub logs: Vec<LogFit>,
-    /// A further run that would identify more parameters; `None` if no candidate speed does.
+    /// A further run that is predicted to identify more parameters; `None` if no candidate speed identifies more.
     pub next_run: Option<NextRun>,
 }
 
@@ -110,10 +110,10 @@ pub struct LogFit {
     pub noise_rms_n: f64,
     /// Root mean square of the repeatable residual, N.
     pub repeatable_rms_n: f64,
-    /// Measured mean cycle at equal cam angles, N.
+    /// Measured mean cycle of the force at equally spaced cam angles, N.
     #[serde(skip)]
     pub measured_n: Vec<f64>,
-    /// Mean cycle of the model with the fitted parameters, at equal cam angles, N.
+    /// Cycle of the modelled force with the fitted parameters, at equally spaced cam angles, N.
     #[serde(skip)]
     pub modelled_n: Vec<f64>,
 }

@@ -131,15 +131,15 @@ pub(super) struct Term {
 /// Quantity by which a parameter is multiplied in the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Effect {
-    /// A constant force: the column of ones.
+    /// Constant force: the number 1.
     Constant,
     /// Mass on a moving axis: g + ω²a + αv, where α is the angular acceleration of the cam.
     Weight,
     /// Mass on a fixed axis: ω²a + αv, where α is the angular acceleration of the cam.
     Mass,
-    /// Spring: the lift s.
+    /// Stiffness of a spring: the lift s.
     Spring,
-    /// Damping: the column ωv.
+    /// Damping coefficient: the velocity ωv.
     Damping,
     /// Friction: the sign of v.
     Coulomb,

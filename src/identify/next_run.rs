@@ -14,7 +14,7 @@ use super::parameter::{Parameter, WIDEST};
 use crate::scene::Scene;
 use crate::synth::Design;
 
-/// Candidate speeds, relative to the speed of the first log. Of several speeds that identify equally many parameters, the first is selected.
+/// Candidate speeds, relative to the speed of the first log. Of several speeds that identify the same number of parameters, the first is selected.
 const SPEEDS: [f64; 8] = [0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 0.6, 1.7];
 /// Maximum predicted width of an interval, as a fraction of the maximum width for identified parameters. The margin is necessary because the residual
 /// of the further run is unknown.
@@ -85,8 +85,8 @@ pub(super) fn next_run(
     best
 }
 
-/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts with the rates
-/// `rate`. The rows are the harmonics of the log `place`.
+/// Jacobian of a run, and the minimum force of the run, N. The columns belong to the parameters and to `count` unknown phase shifts. `rate` gives
+/// the phase delay per unit of a shift, rad. The rows are the harmonics of the log `place`.
 fn jacobian(
     design: &Design,
     scene: &Scene,

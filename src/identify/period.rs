@@ -8,7 +8,8 @@ use crate::units::{Dimension, Quantity};
 
 /// Minimum number of whole cycles. It is required to separate noise and repeatable force.
 pub(super) const LEAST_CYCLES: usize = 3;
-/// Maximum change of the speed over the log, relative to the mean. With a larger change, harmonic 5 loses its phase, and the log is rejected.
+/// Maximum change of the speed over the log, relative to the mean. With a larger change, the phase of harmonic 5 is undetermined, and the log is
+/// rejected.
 pub(super) const DRIFT: f64 = 0.01;
 /// Number of time cells per expected cycle in the search for the period.
 const CELLS: usize = 64;

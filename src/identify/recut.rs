@@ -42,8 +42,8 @@ const ROUNDS: usize = 2;
 pub struct Recut {
     /// RMS difference between repeatable force and target, N. On a moving axis, the mean is excluded because it is the weight.
     pub before_rms_n: f64,
-    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that are not corrected,
-    /// and the friction whose sign changes at other angles.
+    /// Predicted RMS force error of the new cam, N. It contains the remaining noise, the effect of the limits, the harmonics that are not
+    /// corrected, and the friction, whose sign changes at other angles than before.
     pub predicted_rms_n: f64,
 }
 
@@ -194,7 +194,7 @@ fn rms(harmonics: &[f64], from: usize) -> f64 {
     (mean + 0.5 * dot(&harmonics[1..], &harmonics[1..])).sqrt()
 }
 
-/// RMS of values at equal angles. The mean is included if `from` = 0.
+/// RMS of values at equally spaced angles. The mean is included if `from` = 0.
 fn spread(values: &[f64], from: usize) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -222,8 +222,8 @@ fn convergent(drive: &Drive, frequency: f64) -> f64 {
     if sum > 0.0 { gain / sum } else { 1.0 }
 }
 
-/// Harmonics of the correction, and RMS of what remains. A harmonic above its noise is multiplied by the fraction `made` and by its likely repeatable
-/// part. The remainder contains the other harmonics and the noise. Both results are zero if the residual is only noise.
+/// Harmonics of the correction, and RMS of the remaining force error, N. A harmonic above its noise is multiplied by the fraction `made` and by its
+/// likely repeatable part. The remainder contains the other harmonics and the noise. Both results are zero if the residual is only noise.
 fn shrunk(
     news: &[f64],
     noise: &[f64],

@@ -22,7 +22,7 @@ const HELD: f64 = 0.999;
 const SIZES: [f64; 2] = [0.4, 2.5];
 /// Ratio of the alternating force to that of the model below which it counts as zero.
 const NO_FORCE: f64 = 0.02;
-/// Newtons per unit of common load cells.
+/// Common units of load cells, each with its value in N. They are tried if the magnitude of the measured force does not fit the machine.
 const UNITS: [(&str, f64); 5] = [
     ("kN", 1e3),
     ("lbf", 4.448_221_615_260_5),

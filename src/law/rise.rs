@@ -302,7 +302,7 @@ fn of_vdi(word: &str) -> Option<&'static str> {
     }
 }
 
-/// Names of the motions that have the ends of a word such as `R-U` (VDI 2143); `None` for other words.
+/// Names of the motions whose ends have the two letters of a word such as `R-U` (VDI 2143); `None` for other words.
 fn between_ends(word: &str) -> Option<Vec<String>> {
     let letters: Vec<String> = (word.chars().filter(|c| !"-–_ ".contains(*c)))
         .map(|c| c.to_uppercase().to_string())

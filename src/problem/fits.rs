@@ -9,8 +9,8 @@ use crate::scene::Minimise;
 const MOST_SPANS: usize = 100;
 
 impl Problem {
-    /// Cache for the force of the problem, and the key of this problem in it. `None` unless only the force error is minimised, without weights,
-    /// conditions or segments.
+    /// Cache for the force of the problem, and the key of this problem in the cache. `None` unless only the force error is minimised, without
+    /// weights, conditions or segments.
     fn fits(&self) -> Option<(FitKey, &Fits)> {
         let is_alone = self.objective() == Minimise::ForceError
             && !self.is_weighed()

@@ -52,7 +52,7 @@ impl Scaling {
         target
     }
 
-    /// The scaling for a force F, if `self` is the scaling for the force `times` · F.
+    /// Scaling for a force F that gives the same target as `self` for the force `times` · F.
     pub fn after(self, times: f64) -> Scaling {
         Scaling {
             factor: times * self.factor,

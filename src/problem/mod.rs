@@ -47,8 +47,8 @@ use crate::scene::{
 };
 use crate::units::G;
 
-/// Default degree of spline laws. For a polydyne cam with damping, the default is higher by two, because the cam depends on derivatives of the force
-/// up to the third.
+/// Default degree of spline laws. For a polydyne cam with damping, the default is higher by two, because the cam depends on the first three
+/// derivatives of the force.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 

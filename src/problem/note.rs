@@ -60,7 +60,7 @@ pub enum Note {
     },
     /// The scene switches off a default bound of the verdict.
     NotJudged { key: &'static str },
-    /// The scene gives weights of the walkers on the floor; the first weight is that of the machine.
+    /// The scene gives weights of the walkers on the floor. The first weight is that of the shaker.
     FirstWalker { weight: String, key: &'static str },
     /// The design selected the phase with the minimum force error.
     Phase { phase: Quantity },
@@ -94,13 +94,13 @@ pub enum Note {
         shaft: Quantity,
         torque: Quantity,
     },
-    /// The hole is much wider than the minimum shaft diameter.
+    /// The bore is much larger than the minimum diameter of a shaft for the torque.
     LargeBore {
         bore: Quantity,
         shaft: Quantity,
         torque: Quantity,
     },
-    /// With the varying speed of its motor, the cam does not reach the accuracy; a larger inertia is sufficient.
+    /// The cam does not reach the accuracy because the speed of the motor varies. A larger inertia of the shaft is sufficient.
     InertiaForAccuracy {
         error: Quantity,
         allowed: Quantity,

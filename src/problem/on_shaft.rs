@@ -1,8 +1,9 @@
 //! Problem for a shaft with varying speed: the target as a function of the cam angle, and the force that the variation of the speed adds.
 //!
-//! The force is F = F₀ + k s + c ω v + m (ω² a + ω ω′ v). It equals the force at the mean speed Ω plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). Δ
-//! is computed from the previous iterate, so the force remains linear in the law: Δ is subtracted from target, band and limits of the force.
-//! Families, certificates and checks are the same as for constant speed (theory §10).
+//! At the shaft speed ω(θ), the force is F = F₀ + k s + c ω v + m (ω² a + ω ω′ v), with the spring rate k, the damping c, the mass m, a constant
+//! F₀, and ω′ = dω/dθ. It equals the force at the mean speed Ω plus Δ = c (ω − Ω) v + m ((ω² − Ω²) a + ω ω′ v). Δ is computed from the previous
+//! iterate, so the force remains linear in the law: Δ is subtracted from target, band and limits of the force. Families, certificates and checks
+//! are the same as for constant speed (theory §10).
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -34,9 +35,9 @@ pub struct Extra {
 /// Change of the objective for a program in which the floor motion is that of the previous law. J is the objective of a law on a floor that responds
 /// to the law.
 ///
-/// The force in the program is P + Δ with fixed Δ, but the true force is T P + const. T multiplies harmonic n by the response Gₙ of the floor, which
-/// tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h = `(T − G∞)* π`, where `*` denotes the adjoint
-/// operator, and π is the derivative of the Lagrangian with respect to the force (theory §10).
+/// P is the force of the law on a rigid floor. The force in the program is P + Δ with fixed Δ, but the true force is T P + const. T multiplies
+/// harmonic n by the response Gₙ of the floor, which tends to G∞. The gradients agree if the program minimises G∞ J + mean(h P) + constant. Here h
+/// = `(T − G∞)* π`, where `*` denotes the adjoint operator, and π is the derivative of the Lagrangian with respect to the force (theory §10).
 #[derive(Debug, Clone)]
 pub struct ThroughFloor {
     /// Objective of the program to which these terms belong.

@@ -39,7 +39,7 @@ impl Target {
         Target::of(Arc::new(ForceCycle::new(curve)), Scaling::NONE)
     }
 
-    /// Creates a target whose cubics have the given slopes, N per sample. There is one slope more than samples.
+    /// Creates a target whose cubics have the given slopes, N per sample. The number of slopes is the number of samples plus one.
     pub(crate) fn with_slopes(curve: impl Into<Arc<ForceCurve>>, slopes: Vec<f64>) -> Self {
         let cycle = ForceCycle::with_slopes(curve, slopes);
         Target::of(Arc::new(cycle), Scaling::NONE)

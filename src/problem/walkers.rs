@@ -37,7 +37,7 @@ pub struct Served {
     pub share: f64,
     /// Drive of the machine after its adjustment for the walker.
     pub drive: Drive,
-    /// Factor β of the force of this walker's machine.
+    /// Factor β of the force of this walker's machine, relative to the reference machine.
     pub factor: f64,
     /// Force to which the error is related, N. For relative errors it is the mean of the walker's target, otherwise the same force for all walkers.
     pub unit: f64,
@@ -199,7 +199,7 @@ fn factor(own: &Drive, reference: &Drive) -> Result<f64> {
     Ok(factor)
 }
 
-/// A cycle with another number of samples, by interpolation.
+/// Copy of a cycle with another number of samples, computed by interpolation.
 fn resampled(curve: &ForceCurve, samples: usize) -> ForceCurve {
     if curve.force_n.len() == samples {
         return curve.clone();

@@ -183,7 +183,7 @@ impl Measures {
         unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
     }
 
-    /// Unit of the force per lift.
+    /// Unit of the spring rate: force per lift, or for an arm moment per angle.
     pub fn spring_rate(self) -> Unit {
         if self.swings() {
             unit(1.0, "N·m/rad")
@@ -192,7 +192,7 @@ impl Measures {
         }
     }
 
-    /// Unit of the force per velocity of the lift.
+    /// Unit of the damping coefficient: force per velocity, or for an arm moment per angular velocity.
     pub fn damping(self) -> Unit {
         let name = if self.swings() {
             "N·m·s/rad"

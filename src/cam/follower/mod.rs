@@ -229,7 +229,7 @@ impl Follower {
         self.start_angle().unwrap_or_else(|| self.start_height())
     }
 
-    /// Radius of the base circle on which the follower is at `start` when s = 0, m.
+    /// Base radius, m, for which the follower is at the position `start` when s = 0.
     pub(super) fn base_radius_at(&self, start: f64) -> f64 {
         let radius = self.roller_radius();
         match (self.pivot(), self.arm()) {
@@ -242,7 +242,7 @@ impl Follower {
         }
     }
 
-    /// The follower on the base circle for which it is at `start` when s = 0; `None` if no such follower exists.
+    /// The follower with the base radius for which its position is `start` when s = 0; `None` if no such follower exists.
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let flat_arm = self.pivot().is_some() && self.arm().is_none();
         let base = self.base_radius_at(start);

@@ -127,7 +127,7 @@ impl Cam {
         .into())
     }
 
-    /// Checks that the face rotates relative to the cam without reversal: 1 + σξ′ > 0.
+    /// Checks that the face rotates relative to the cam without reversal: 1 + σξ′ > 0, with the sign σ of the pivot's x coordinate and ξ′ = dξ/dθ.
     fn check_arm_speed(&self, side: f64) -> Result<()> {
         let (slow, fast) = self.law.extremes(1);
         let worst = if side > 0.0 { slow } else { fast };

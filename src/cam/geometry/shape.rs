@@ -6,8 +6,9 @@ use crate::law::Svaj;
 use crate::poly::Extreme;
 
 impl Cam {
-    /// Minimum and maximum pressure angle, rad, signed: positive if the force is rotated counter-clockwise from the motion, as during a
-    /// rise. Zero for a translating flat face. For a flat face on an arm sin φ = f/L, with the distance L from pivot to contact.
+    /// Minimum and maximum pressure angle φ, rad. It is positive if the force is rotated counter-clockwise from the motion, as during a rise. It is
+    /// zero for a translating flat face. For a flat face on an arm, sin φ = f/L, with the face offset f and the distance L from the pivot to the
+    /// contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
         if self.follower.is_flat() && self.follower.face_offset() == 0.0 {
             let zero = Extreme {
@@ -50,8 +51,8 @@ impl Cam {
 
     /// Minimum convex and concave radii of the finished profile.
     ///
-    /// For a translating flat face: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its minimum radius is signed and no
-    /// concave radius is given.
+    /// For a translating flat face, the radius of curvature is Rb + s + a, whose extremes are exact. A flat face cannot touch a concave flank, so
+    /// its minimum radius is signed and no concave radius is given.
     pub fn curvature(&self) -> Curvature {
         let geometry = Geometry::new(&self.follower);
         let flat = |low: Extreme| Curvature {
@@ -79,9 +80,9 @@ impl Cam {
         }
     }
 
-    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of a
-    /// perpendicular: from the cam centre (translating) or from the pivot (oscillating, as in CAM-DAS). On a mushroom they are measured along the
-    /// chord from the middle of the arc. `None` for rollers and knife edges.
+    /// Range of the contact on the follower, m: minimum and maximum position. On a flat face, positions are measured from the foot of the
+    /// perpendicular on the face. The perpendicular starts at the cam centre (translating) or at the pivot (oscillating, as in CAM-DAS). On a
+    /// mushroom they are measured along the chord from the middle of the arc. `None` for rollers and knife edges.
     pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
         match self.follower {
             Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
@@ -103,8 +104,8 @@ impl Cam {
 
     /// Minimum and maximum radius of the finished profile about the centre of the shaft, m, with their cam angles; `None` for unrolled profiles.
     ///
-    /// Where the distance of the profile from the centre is extreme, its normal is radial and the follower is at rest. The radius there
-    /// equals the radius of the base circle on which the follower would have this position at s = 0. The result is exact for a profile
+    /// Where the distance of the profile from the centre is extreme, the normal of the profile is radial and the follower is at rest. The radius
+    /// there equals the radius of the base circle on which the follower would have this position at s = 0. The result is exact for a profile
     /// without undercut.
     pub fn radii(&self) -> Option<[Extreme; 2]> {
         let follower = &self.follower;

@@ -66,7 +66,7 @@ impl Geometry {
         self.seen_from(self.frame(theta), theta, at)
     }
 
-    /// Profile points at the cam angles (or travels) `angles`, which increase in steps of `step`.
+    /// Profile points for the motions `motions` of the follower, at the cam angles (or travels) `angles`, which increase in steps of `step`.
     pub fn profile_points(&self, step: f64, angles: &[f64], motions: &[Svaj]) -> Vec<ProfilePoint> {
         let turns: [Frame; TURNS] = std::array::from_fn(|k| self.frame(step * k as f64));
         let mut out = Vec::with_capacity(angles.len());

@@ -7,7 +7,7 @@ use crate::cam::{Cam, ProfilePoint};
 
 /// Difference of rotation, rad, below which two fits count as the same fit.
 pub const SAME: f64 = 0.02;
-/// Factor of the minimum residual, and length in m added to it, up to which another fit counts as equally good.
+/// Limit up to which the residual of another fit counts as equally good: a factor of the minimum residual, plus a length, m.
 pub const ALIKE: (f64, f64) = (1.02, 1e-9);
 /// Number of initial angles of the search.
 const STARTS: usize = 72;
@@ -23,7 +23,7 @@ const CONVERGED: f64 = 1e-14;
 const REFINED: usize = 12;
 /// Ratio of the minimum and maximum eigenvalues of the normal equations below which the cam counts as circular.
 const ROUNDING: f64 = 1e-13;
-/// Standard error of the rotation, rad, above which the points do not determine it.
+/// Standard error of the rotation, rad, above which the points do not determine the rotation.
 const UNSURE: f64 = 0.1;
 
 /// A point in the cam's frame with the normal of the profile at its foot point and its distance along this normal.

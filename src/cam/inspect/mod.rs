@@ -24,7 +24,7 @@ use pose::{Pose, middle, wrapped};
 
 /// Minimum number of points: three unknowns and the shape.
 pub const FEWEST: usize = 12;
-/// Number of profile samples among which the foot point of a point is searched.
+/// Number of profile samples. The sample nearest to a measured point is the initial value of its foot point.
 const PROFILE: usize = 2880;
 /// Maximum residual of the fit if the points belong to this cam, relative to the difference of the profile's maximum and minimum radius.
 const OTHER: f64 = 0.1;

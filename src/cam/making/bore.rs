@@ -1,4 +1,4 @@
-//! Hole for the shaft: a bore with or without a keyway, and the surrounding wall.
+//! Bore for the shaft, with or without a keyway, and the wall around the bore.
 
 use serde::Serialize;
 
@@ -84,7 +84,7 @@ impl Keyway {
     }
 }
 
-/// The hole for the shaft about the centre of rotation; its keyway points along +y, towards θ = 0.
+/// Bore for the shaft, about the centre of rotation. Its keyway points along +y, towards θ = 0.
 ///
 /// ```
 /// use gaitcam::cam::Bore;
@@ -97,7 +97,7 @@ impl Keyway {
 pub struct Bore {
     /// Diameter of the bore, m.
     pub diameter: f64,
-    /// Keyway, if the hole has one; narrower than the bore.
+    /// Keyway, which must be narrower than the bore; `None` for a bore without a keyway.
     pub keyway: Option<Keyway>,
 }
 
@@ -115,7 +115,7 @@ impl Bore {
         0.5 * self.diameter
     }
 
-    /// Maximum distance of the edge of the hole from the centre, m. With a keyway it is the distance of its corners.
+    /// Maximum distance of the edge of the bore from the centre, m. With a keyway, it is the distance of the keyway's corners.
     pub fn reach(&self) -> f64 {
         match self.keyway {
             None => self.radius(),
@@ -123,8 +123,8 @@ impl Bore {
         }
     }
 
-    /// Minimum base radius with a sufficient wall around the hole, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway,
-    /// the wall is 3 mm, or half the depth of the keyway if this is more.
+    /// Minimum base radius with a sufficient wall around the bore, m. Around a bore without a keyway, the wall is 1 mm. Outside a keyway, the wall
+    /// is 3 mm, or half the depth of the keyway if this is more.
     pub fn least_base_radius(&self) -> f64 {
         let wall = |key: Keyway| KEYED_WALL.max(0.5 * key.depth);
         self.reach() + self.keyway.map_or(WALL, wall)
@@ -136,7 +136,7 @@ impl Bore {
         (self.radius() + HUB * self.diameter).max(self.least_base_radius())
     }
 
-    /// Distance of the edge of the hole from the centre, m, in the direction `angle` from +x, rad. Every ray meets the edge once.
+    /// Distance of the edge of the bore from the centre, m, in the direction `angle` from +x, rad. Every ray meets the edge once.
     pub fn edge(&self, angle: f64) -> f64 {
         let Some(key) = self.keyway else {
             return self.radius();
@@ -155,7 +155,7 @@ impl Bore {
         }
     }
 
-    /// Edge of the hole, counter-clockwise: vertices x, y (m) and the bulge of the following segment, tan(¼ of its arc); 0 for a straight segment.
+    /// Edge of the bore, counter-clockwise: vertices x, y (m) and the bulge of the following segment, tan(¼ of its arc); 0 for a straight segment.
     pub fn outline(&self) -> Vec<[f64; 3]> {
         let r = self.radius();
         let Some(key) = self.keyway else {
@@ -184,7 +184,7 @@ impl Bore {
         angles.into_iter().flatten().flat_map(both).collect()
     }
 
-    /// Angles from the middle of the keyway to its outer corner and to its edge on the bore, rad.
+    /// Angles at the centre, rad, from the middle of the keyway to its outer corner and to its inner corner on the circle of the bore.
     fn corner_angles(&self, key: Keyway) -> [f64; 2] {
         let half = 0.5 * key.width;
         let outer = libm::atan2(half, self.radius() + key.depth);

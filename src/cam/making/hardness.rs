@@ -30,7 +30,7 @@ pub enum HardnessScale {
     /// Vickers hardness, in HV.
     #[strum(serialize = "HV")]
     Vickers,
-    /// Rockwell hardness C, HRC.
+    /// Rockwell C hardness, HRC.
     #[strum(serialize = "HRC")]
     RockwellC,
     /// Brinell hardness, HB, with a ball of tungsten carbide.

@@ -104,7 +104,8 @@ impl Stock {
         Material { young, poisson }
     }
 
-    /// Contact pressure at which the material begins to yield below a line contact, Pa. Rolling fatigue in long runs needs a margin.
+    /// Contact pressure at which the material begins to yield below a line contact, Pa. In long operation, rolling fatigue requires a lower
+    /// pressure.
     pub fn allowable_pressure(self) -> f64 {
         FIRST_YIELD * self.constants()[2]
     }

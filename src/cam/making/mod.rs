@@ -1,4 +1,4 @@
-//! Manufacturing data of a cam: material, surface, tolerance, hole.
+//! Manufacturing data of a cam: material, surface, tolerance and bore.
 
 use serde::Serialize;
 

@@ -146,8 +146,8 @@ fn cure(
     }
 }
 
-/// Accepts a law whose lift is not below the base circle. For a segment given as a table, the lift may be below it by half a unit of the last decimal
-/// of the rows; the law is then raised.
+/// Returns the law of `draft` if its lift is not below the base circle. For a segment given as a table, the lift may be below the base circle by
+/// half a unit of the last decimal of the rows. The law is then raised.
 ///
 /// # Errors
 ///

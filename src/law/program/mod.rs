@@ -28,8 +28,8 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// The lengths do not cover the extent; the lift does not return or falls below the base circle; a motion cannot join its neighbour; two general
-/// polynomials are adjacent. The error names the segment.
+/// The lengths do not cover the extent; the lift does not return to its initial value, or falls below the base circle; a motion cannot join its
+/// neighbour; two general polynomials are adjacent. The error names the segment.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     checks::joints(&draft, segments, extent)?;

@@ -63,8 +63,8 @@ impl Extent {
     }
 }
 
-/// Maximum relative difference between the sum of the segment lengths and the extent. Such differences result from rounded degrees, for example; all
-/// lengths are then scaled.
+/// Maximum relative difference between the sum of the segment lengths and the extent. Rounded degrees cause such differences, for example. All
+/// lengths are then scaled to the extent.
 pub(super) const ROUNDING: f64 = 1e-6;
 /// Jump of a derivative, relative to the maximum of the derivative, below which it counts as a rounding error.
 pub(super) const JUMP: f64 = 1e-9;

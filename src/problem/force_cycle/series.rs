@@ -74,7 +74,7 @@ impl Series {
         self.is_finite
     }
 
-    /// RMS and maximum difference, N, between the force and a sum of harmonics whose mean is higher by `gap`. The RMS is computed by Parseval's
+    /// RMS and maximum difference, N, between the force and a sum of harmonics whose mean is higher by `gap`, N. The RMS is computed by Parseval's
     /// theorem. Differences of the size of rounding errors count as zero.
     pub fn error_of(&self, gap: f64, waves: &[(f64, f64)]) -> [f64; 2] {
         let rounding = ROUNDING * (self.mean_n.abs() + self.rest[0].sqrt());
@@ -118,12 +118,13 @@ impl Series {
         Law::harmonic(self.mean_n, self.first(count))
     }
 
-    /// Cell for the RMS and maximum difference between [`Series::law`] and the force, N; empty until they are computed.
+    /// Cache cell for the RMS and the maximum of the difference between [`Series::law`] and the force, N. The cell is empty until these values are
+    /// computed.
     pub fn error(&self, count: usize) -> &OnceLock<[f64; 2]> {
         &self.fit(count).0
     }
 
-    /// Law for which a drive has the first `count` harmonics of the force; `None` at resonance.
+    /// Law for which a drive produces the first `count` harmonics of the force; `None` at resonance.
     pub fn shape(&self, count: usize, drive: &Drive) -> Option<Shape> {
         Shape::of(self.mean_n, self.first(count), drive)
     }

@@ -39,7 +39,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Law for which a drive has the given mean force and harmonics of the force, N; `None` at resonance.
+    /// Law for which a drive produces a force with the given mean and harmonics, N; `None` at resonance.
     pub fn of(mean: f64, force: &[(f64, f64)], drive: &Drive) -> Option<Shape> {
         let lift = (1..).zip(force).map(|(n, wave)| drive.lift_of(n, *wave));
         let lift: Vec<(f64, f64)> = lift.collect::<Option<_>>()?;

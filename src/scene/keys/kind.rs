@@ -28,12 +28,12 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// Measure with one dimension for every follower.
+    /// Creates a measure with the same dimension for every kind of follower and cam.
     pub const fn same(dimension: Dimension) -> Measure {
         Measure::by_arm(dimension, dimension)
     }
 
-    /// Measure with one dimension for followers on an arm, and another one for all others.
+    /// Creates a measure with the dimension `arm` for followers on an arm, and the dimension `other` for all other followers.
     pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
         Measure {
             translating: other,
@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// Dimensions for all kinds of motion of follower and cam, each once.
+    /// Distinct dimensions for all kinds of motion of follower and cam.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {

@@ -322,23 +322,24 @@ fn no_force(scene: &Scene) -> Option<Idle> {
     scene.gait.is_none().then_some(Idle::NoForce)
 }
 
-/// Reason for which the key is idle: a translating flat face, for which the offset has no effect.
+/// Reason for which the offset has no effect, if the follower is a translating flat face; otherwise `None`.
 fn flat_translating(scene: &Scene) -> Option<Idle> {
     (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
 }
 
-/// Reason for which the key is idle: a cam that is not a disc, for which a diameter has no meaning.
+/// Reason for which a diameter has no effect, if the cam is not a disc; otherwise `None`.
 fn unrolled(scene: &Scene) -> Option<Idle> {
     (!is_disc(scene)).then_some(Idle::Follower)
 }
 
-/// Reason for which the key is idle: a follower without a flat or arched face, so that the length of the face has no meaning.
+/// Reason for which the length of the face has no effect, if the follower has no flat or arc-shaped face; otherwise `None`.
 fn no_face(scene: &Scene) -> Option<Idle> {
     let has_face = is_flat(scene) || scene.cam.follower.is_mushroom();
     (!has_face).then_some(Idle::Follower)
 }
 
-/// Reason for which the key is idle: a machine without damping and learned force. Its mean power is 0, so a limit on the mean power has no effect.
+/// Reason for which a limit on the mean power has no effect, if the machine has neither damping nor a learned force, because its mean power is then
+/// 0; otherwise `None`.
 fn undamped(scene: &Scene) -> Option<Idle> {
     let gives_back = scene.drive.damping == 0.0 && scene.machine.learned_force.is_empty();
     gives_back.then_some(Idle::Drive)
@@ -352,29 +353,30 @@ fn hydraulic(scene: &Scene) -> Option<Idle> {
     is_hydraulic(scene).then_some(Idle::Drive)
 }
 
-/// Reason for which the key is idle: a roller, for which sliding friction is not used.
+/// Reason for which sliding friction has no effect, if the follower has a roller; otherwise `None`.
 fn rolls(scene: &Scene) -> Option<Idle> {
     has_roller(scene).then_some(Idle::Follower)
 }
 
-/// Reason for which the key is idle: a rigid follower, which does not vibrate.
+/// Reason for which keys of the follower's vibration have no effect, if the follower is rigid; otherwise `None`.
 fn rigid(scene: &Scene) -> Option<Idle> {
     let machine = &scene.machine;
     let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
     (!is_flexible).then_some(Idle::RigidFollower)
 }
 
-/// Reason for which the key is idle: a shaft without a motor, whose speed is constant.
+/// Reason for which keys of the motor and the shaft have no effect, if no torque of the motor is given, because the speed is then constant;
+/// otherwise `None`.
 fn no_motor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.motor.is_given()).then_some(Idle::NoMotor)
 }
 
-/// Reason for which the key is idle: a rigid floor, on which walkers have no effect.
+/// Reason for which walkers have no effect, if the floor is rigid; otherwise `None`.
 fn no_floor(scene: &Scene) -> Option<Idle> {
     (!scene.machine.has_floor()).then_some(Idle::StiffFloor)
 }
 
-/// Reason for which the key is idle: a law without a dwell, so that a limit on the vibration in a dwell has no effect.
+/// Reason for which a limit on the vibration in a dwell has no effect, if the law has no dwell; otherwise `None`.
 fn no_dwell(scene: &Scene) -> Option<Idle> {
     let law = &scene.law;
     let rests = law.segments.iter().any(|s| s.motion == Rise::Dwell);

@@ -47,7 +47,7 @@ pub struct CamSpec {
     pub making: Making,
     /// Material of the contact surface of the follower.
     pub follower_material: StatedMaterial,
-    /// Distance of both faces, or of both roller centres, of a constant-breadth cam. The law then contains only the first half turn.
+    /// Distance between the two faces, or the two roller centres, of a constant-breadth cam. The law then contains only the first half turn.
     pub breadth: Option<f64>,
     /// Length of the travel of a translating cam; `None`: the total length of the segments.
     pub travel: Option<f64>,
@@ -163,7 +163,8 @@ impl CamSpec {
         arm.filter(|_| self.is_oscillating())
     }
 
-    /// Hole for the shaft, with its keyway. The keyway is omitted if the standard has none for the diameter of the bore. `None` without a bore.
+    /// Bore for the shaft, with its keyway. The keyway is omitted if the standard has no keyway for the diameter of the bore. `None` without a
+    /// bore.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;
         let keyway = self.keyway.and_then(|spec| match spec {
@@ -177,9 +178,9 @@ impl CamSpec {
 /// Second cam of a conjugate pair. Exactly one of the first three dimensions must be given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
-    /// Distance of both faces or both roller centres of translating followers, m.
+    /// Distance between the two faces or the two roller centres of translating followers, m.
     pub distance: Option<f64>,
-    /// Angle between both arms of an oscillating follower, rad.
+    /// Angle between the two arms of an oscillating follower, rad.
     pub angle: Option<f64>,
     /// Base radius of the second cam, m.
     pub base_radius: Option<f64>,

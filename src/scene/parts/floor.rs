@@ -69,9 +69,9 @@ impl FloorSpec {
 pub struct WalkersSpec {
     /// Number of walkers; the shaker counts as the first one.
     pub count: usize,
-    /// Phases of the walkers, starting with the shaker. Random phases are used if empty.
+    /// Phases of the walkers, starting with the shaker. If the list is empty, the phases are random.
     pub phases: Vec<String>,
-    /// Weights of the walkers, starting with the shaker. Only their ratios have an effect. Equal weights are used if empty.
+    /// Weights of the walkers, starting with the shaker. Only their ratios have an effect. If the list is empty, the weights are equal.
     pub weights: Vec<String>,
 }
 

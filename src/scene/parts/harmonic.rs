@@ -3,7 +3,7 @@
 use crate::error::SceneError;
 use crate::units::{Dimension, parse};
 
-/// Harmonic i of a force: a sin(2π i f t + p), where a is the factor and p the phase.
+/// Harmonic i of a force: a sin(2π i f t + p), with the amplitude a, the phase p and the frequency f of the first harmonic.
 ///
 /// ```
 /// use gaitcam::scene::Harmonic;

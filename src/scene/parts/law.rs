@@ -67,10 +67,10 @@ impl Family {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShaftSpeed {
-    /// The varying speed that results from the motor, if the scene has a motor.
+    /// The varying speed of a shaft that the motor drives, if the scene has a motor.
     #[default]
     Motor,
-    /// A constant speed.
+    /// The constant mean speed, even if the scene has a motor.
     Constant,
 }
 
@@ -273,9 +273,9 @@ pub struct LawSpec {
     pub shaft: ShaftSpeed,
     /// Exact conditions on the law at single cam angles.
     pub points: Vec<LawPoint>,
-    /// Dwells of the law.
+    /// Prescribed dwells of the law: ranges of cam angles with constant lift.
     pub dwells: Vec<Dwell>,
-    /// Segments of a programme.
+    /// Segments of a programme, from the start of the law; empty for other families.
     pub segments: Vec<SegmentSpec>,
 }
 

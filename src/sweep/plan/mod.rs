@@ -35,7 +35,7 @@ pub struct NamedScene {
 }
 
 impl NamedScene {
-    /// Creates a named scene from its table. The name is that in the table, so it does not depend on the computer.
+    /// Creates a named scene from its table. The name is taken from the table, so it does not depend on the computer.
     pub fn of(table: Table) -> NamedScene {
         let name = table.get("name").and_then(|name| name.as_str());
         let name = name.unwrap_or("cam").to_string();
@@ -269,8 +269,9 @@ impl Plan {
         Ok(())
     }
 
-    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with words,
-    /// and the first value of a key with numbers. A value that is invalid only in some combinations results in rows with an error.
+    /// Rejects a value of `axis` that is invalid in every tried combination with the other keys. The combinations use every word of a key with
+    /// words, and the first value of a key with numbers. If a value is invalid only in some combinations, the rows of these combinations contain an
+    /// error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
