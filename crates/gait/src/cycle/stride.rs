@@ -9,7 +9,7 @@ use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::{mean, median};
 use crate::walk::Walk;
 
-/// Stride from a heel strike to the next one of the same foot, with all contacts that overlap it.
+/// Stride from a heel strike to the next heel strike of the same foot, with all contacts that overlap the stride.
 #[derive(Debug, Clone)]
 pub(super) struct Stride {
     pub start_s: f64,

@@ -188,8 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration of the samples according to the times in a file, s, if it differs by more than a sample from the given period. If a span is
-/// given, it is compared with the part of the period that the span covers.
+/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. With a
+/// given span, the duration is compared with the part of the period that the span covers.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;

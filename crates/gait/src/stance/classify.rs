@@ -11,7 +11,7 @@ use crate::units::G;
 const LONGEST_RUNNING_S: f64 = 0.5;
 /// Ratio of the duration of a contact to the typical duration, above which the contact includes more than one step.
 const LONG: f64 = 1.5;
-/// The limit of `LONG` for a contact whose force has more peaks than the force of one foot.
+/// Value used instead of `LONG` for a contact whose force has more peaks than the force of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
@@ -21,8 +21,8 @@ const FRAGMENT: f64 = 0.25;
 const BRIDGED_S: f64 = 0.05;
 /// Ratio of the force of a contact to the force on another plate, below which the contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
-/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, two feet
-/// are on the ground for less than a third of a stance at either end.
+/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, both feet
+/// are on the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
@@ -181,7 +181,7 @@ fn too_long(
 /// Relation of a contact to the load on the other plates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beside {
-    /// There is no load on other plates. Or there is a load of the other foot at the start or the end of the contact.
+    /// During the contact, other plates are unloaded, or they are loaded only by the other foot at the start or the end of the contact.
     Apart,
     /// The load on another plate belongs to the same foot.
     Shared,

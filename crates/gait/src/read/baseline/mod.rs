@@ -159,10 +159,10 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// Large value that most samples have exactly and that no sample exceeds, as in a saturated amplifier.
+/// Large value that most samples have exactly and that no sample clearly exceeds, as in a saturated amplifier.
 ///
-/// Quiet standing does not count, because the force of landing or rising before it exceeds the value. Method: majority vote of Boyer and
-/// Moore (1991).
+/// Quiet standing has no such value, because the force is larger when the person lands or rises before standing. Method: majority vote of
+/// Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),
