@@ -1,6 +1,6 @@
 //! Texts that contain exactly one cycle: samples at equal or unequal distances, or the critical points of a curve.
 //!
-//! A comment line marks such a text, `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
+//! Such a text has a comment line `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
 //! table below the comments has a time column and a force column, and optionally a column with the spread of the force.
 
 use std::f64::consts::TAU;

@@ -38,7 +38,7 @@ const IMPACT_S: f64 = 0.25;
 const DROP: f64 = 1.9;
 /// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
 const EARLY: f64 = 0.155;
-/// Maximum number of contacts from which no rhythm can be determined.
+/// Number of contacts up to which no rhythm can be determined.
 const FEW: usize = 2;
 /// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;

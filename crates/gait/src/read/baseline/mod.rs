@@ -27,7 +27,8 @@ const BROAD: f64 = 1.2;
 /// between its mean and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Duration of each end of a recording that shows the unloaded level, s, and minimum difference from this level, N, that is reported.
+/// Duration, s, of each end of a recording from which the unloaded level is determined. Minimum difference, N, from the unloaded level
+/// during the walk that is reported.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
 /// Maximum number of values from which baseline and sign are determined; more values are thinned evenly.
