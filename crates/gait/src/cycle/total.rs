@@ -19,7 +19,7 @@ const FEWEST_STEPS: usize = 5;
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// Step duration, s, and relative variation of the total force. The steps of a recording that exceeds both values are not those of a
+/// Step duration, s, and relative variation of the total force. If a recording exceeds both values, its periodic force is not that of a
 /// walker.
 const SLOW: (f64, f64) = (0.85, 0.25);
 

@@ -94,8 +94,8 @@ impl Population {
 }
 
 impl ForceCurve {
-    /// Mean cycle of several walkers. Forces are averaged as fractions of the body weight, then scaled to the mean body weight and the mean
-    /// cadence.
+    /// Mean cycle of several walkers. The forces of each walker are divided by the mean force of this walker and averaged. The average is
+    /// then scaled to the average of the mean forces and to the mean cadence.
     ///
     /// The field `population` of the result lists the walkers. For a single walker, the result is the cycle of this walker.
     ///

@@ -239,7 +239,7 @@ pub enum WeightShare {
     Half,
 }
 
-/// Source of the time base.
+/// How the sampling rate of a recording was obtained.
 ///
 /// ```
 /// use gaitcam_gait::{ClockSource, ReadOptions, read};
