@@ -28,7 +28,7 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the peak to the force level before or after the contact, above which the contact is a landing.
+/// Ratio of the peak force after a flight to the median force before the flight, above which the flight is a jump.
 const LANDING: f64 = 1.6;
 /// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
 /// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings the time is 0.06 s; measured landings were not available.

@@ -11,10 +11,10 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// Range of readings, N, below which a channel was never loaded.
+/// Difference between maximum and minimum reading, N, below which a channel is nearly constant.
 const TOUCHED_N: f64 = 30.0;
 
-/// Duration, s, below which a constant reading may be a load.
+/// Duration of a recording, s, below which a nearly constant reading may be a load.
 const STEP_S: f64 = 0.4;
 
 /// Fraction of the maximum reading above which a level is a load.
@@ -27,11 +27,11 @@ const BROAD: f64 = 1.2;
 /// between its mean and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Duration, s, of each end of a recording from which the unloaded level is determined. Minimum difference, N, from the unloaded level
-/// during the walk that is reported.
+/// Constants for the unloaded level at the ends of a recording: duration of each end, s; minimum difference, N, from the unloaded level
+/// during the walk, for which a note is added.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Maximum number of values from which baseline and sign are determined; more values are thinned evenly.
+/// Maximum number of readings from which baseline and sign are determined; longer recordings are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
 /// Maximum number of readings that are examined for clipping, and the sampling rate, Hz, to which faster readings are thinned.
