@@ -177,8 +177,8 @@ fn without_groups(text: &str) -> Option<String> {
     groups.all(|g| g.len() == 3).then(|| plain + rest)
 }
 
-/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only before a digit,
-/// after at least one character, and if there is no other mark.
+/// Splits "1.85e-3mm" into "1.85e-3" and "mm". An `e` is an exponent only before a digit. A comma is a decimal mark only if it follows at
+/// least one digit, precedes a digit, and is the first decimal mark in the number.
 fn split_number(text: &str) -> (&str, &str) {
     let b = text.as_bytes();
     let digit = |i: usize| b.get(i).is_some_and(u8::is_ascii_digit);

@@ -48,8 +48,8 @@ impl Default for StepStatistics {
 impl Walk {
     /// Walk whose steps vary at random. `step_s` is the mean duration of a step, s; `force` is the periodic force, N, at a phase in steps.
     ///
-    /// The step times have a long-range correlation; the amplitudes of the steps are independent. Both have exactly the given coefficients
-    /// of variation. `None` for fewer than eight strides or if the duration of a step is not positive.
+    /// The step times have a long-range correlation; the amplitudes of the steps are independent. The step times and the amplitudes have
+    /// exactly the given coefficients of variation. `None` for fewer than eight strides or if the duration of a step is not positive.
     ///
     /// ```
     /// use gaitcam_gait::{StepStatistics, Walk};

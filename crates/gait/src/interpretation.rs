@@ -37,7 +37,7 @@ pub struct Interpretation {
     pub clock: Clock,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit of the force columns.
+    /// Source of the unit: the user, the file, or the magnitude of the readings.
     pub unit_from: UnitSource,
     /// Columns (plates, insoles, belts) of vertical force.
     pub columns: Vec<Column>,
@@ -82,7 +82,7 @@ pub struct Clock {
     pub start_s: f64,
     /// Time from the first sample to the last one, s.
     pub duration_s: f64,
-    /// Source of the time base.
+    /// How the sampling rate was obtained: from the user, the time column or the header, or by an assumption.
     pub from: ClockSource,
 }
 
@@ -211,7 +211,7 @@ pub enum StrideReject {
 pub struct Period {
     /// Duration of one cycle, s.
     pub seconds: f64,
-    /// Source of the duration.
+    /// Source of the duration, such as heel strikes or a typical duty factor.
     pub from: PeriodSource,
     /// Standard deviation of the durations of single strides, s, if there are several strides.
     pub spread_s: Option<f64>,

@@ -49,7 +49,7 @@ pub(super) fn ranked(mut values: Vec<f64>, rank: usize) -> Option<f64> {
     (rank < values.len()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
 }
 
-/// Sample of about `most` finite values, taken at equal distances.
+/// Finite values among every n-th value, with n chosen so that at most `most` values are taken.
 pub(super) fn sample(values: &[f64], most: usize) -> Vec<f64> {
     let step = values.len() / most + 1;
     let thin = values.iter().step_by(step).copied();

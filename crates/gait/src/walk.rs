@@ -13,11 +13,11 @@ use crate::statistics::{mean, sample_deviation};
 pub const FEWEST_STRIDES: usize = 8;
 /// Number of force samples per stride.
 const OF_STRIDE: usize = 128;
-/// Number of phases of a stride at which its harmonics are computed.
+/// Number of equally spaced times in a stride at which the force is taken to compute its harmonics.
 const PHASES: usize = 64;
 /// Number of harmonics of the step frequency that are computed.
 const HARMONICS: usize = 4;
-/// Maximum difference, s, between the end of a stride and the start of the next one, if the strides are consecutive.
+/// Maximum difference, s, between the end of a stride and the start of another stride, for which the strides count as consecutive.
 const SAME_S: f64 = 1e-6;
 /// Relative change of the stride time, from the first to the last quarter of the strides, above which the pace is considered to change.
 const STEADY: f64 = 0.05;
@@ -170,8 +170,8 @@ impl Walk {
         }
     }
 
-    /// Part of the walk with a given number of consecutive strides. Among all such parts, its mean stride time is nearest to the mean of
-    /// the whole walk.
+    /// Part of the walk with a given number of consecutive strides. Of all such parts, the part whose mean stride time is nearest to the
+    /// mean of the whole walk is returned.
     ///
     /// The force is blended where the last stride is joined to the first one. `None` if the walk has fewer strides.
     pub fn typical(&self, strides: usize) -> Option<Walk> {

@@ -36,15 +36,15 @@ pub struct Sentences {
     pub as_typed: &'static [&'static str],
     /// Areas whose messages can be arguments of messages of other areas.
     pub shared: &'static [&'static str],
-    /// Areas whose messages are notes on a result, or reasons. Quantities in these messages have four significant digits. Quantities in
-    /// errors have six, because users enter them again.
+    /// Areas whose messages are notes on a result, or reasons why something was chosen or rejected. Quantities in these messages have four
+    /// significant digits. Quantities in errors have six significant digits, because users enter them again.
     pub notes: &'static [&'static str],
     /// Keys of notes and reasons whose quantities have six significant digits, because users enter them again.
     pub typed_back: &'static [&'static str],
 }
 
 impl Sentences {
-    /// No messages and no special formatting; for the default values of fields.
+    /// Entry without messages or special formatting. It gives the default values of the fields.
     pub const NONE: Sentences = Sentences {
         files: &[],
         as_typed: &[],

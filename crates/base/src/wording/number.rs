@@ -184,7 +184,8 @@ pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
     localised(language, if zero { &text[1..] } else { &text })
 }
 
-/// Name of a walker for display. A step frequency, which is the name of a walker of a load model, has the decimal mark of the language.
+/// Name of a walker for display. The name of a walker from a load model is a step frequency. This frequency is displayed with the decimal
+/// mark of the language.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, walker};

@@ -3,7 +3,7 @@
 //! The slope at a sample is computed from five samples with the fourth-order centred difference. Where the second differences change
 //! slowly, as at a smooth maximum, this slope is not limited, and the interpolation is of fourth order. Elsewhere its magnitude is limited
 //! to three times the smaller of the adjacent differences (bound of Fritsch and Carlson). The interpolation then does not overshoot at a
-//! sharp heel strike. At a local extreme of the samples, the limit is half of this value, and the slope may have either sign.
+//! sharp heel strike. At a local extreme of the samples, the factor is 1.5 instead of 3, and the slope may have either sign.
 
 use crate::statistics::{larger, smaller};
 
@@ -27,8 +27,8 @@ pub fn slope_at(f: &[f64], i: usize) -> f64 {
 }
 
 /// Maximum ratio of the second differences of five samples for which the slope is not limited. The second differences must also have the
-/// same sign. With second differences p, q, r, the centred difference is the preceding difference of the samples plus q/2 + (p − r)/12.
-/// Under both conditions it is between the preceding and the following difference.
+/// same sign. With second differences p, q, r, the centred difference is the preceding difference of the samples plus q/2 + (p − r)/12. If
+/// both conditions are satisfied, the centred difference is between the preceding and the following difference.
 const STEADY: f64 = 6.0;
 
 /// Limits the slope by selections instead of branches, so that the compiler vectorises the loop.

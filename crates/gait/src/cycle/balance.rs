@@ -1,7 +1,8 @@
 //! Mean total force of a walker, N, over the time in which the forces of both feet are recorded.
 //!
 //! Over a whole stride, the mean total force equals the weight. If the plates are loaded for a whole stride, their total force is averaged
-//! over the stride. Otherwise, two consecutive stances give the total force over two half strides:
+//! over the stride. Otherwise, the total force is averaged over two half strides, which are determined by a stance of one foot (the first
+//! foot) and the next stance of the other foot (the second foot):
 //!
 //! - from the previous toe-off of the second foot to the toe-off of the first foot;
 //! - from the heel strike of the second foot to the next heel strike of the first foot.
@@ -19,7 +20,7 @@ const UNEVEN: f64 = 0.05;
 
 /// Minimum total force while the force of both feet is recorded, as a fraction of the mean total force.
 const LOADED: f64 = 0.3;
-/// Fraction of a stride that may be missing at the ends of a recording.
+/// Maximum fraction of a stride by which a recording may be shorter than the stride.
 const LACKING: f64 = 0.02;
 
 /// Mean force of all plates, N, over whole strides; `None` if the total force is sometimes far below its mean.

@@ -17,8 +17,8 @@ const WHOLE: f64 = 0.97;
 /// Relative difference between the durations of stance and span below which the stance is not stretched.
 const NEARLY: f64 = 0.05;
 
-/// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest. `None` without a whole stance, or if the only
-/// stance is the whole recording.
+/// One cycle in which the mean stance fills a span, rad, and the force is zero in the rest of the turn. `None` without a whole stance, or
+/// if the only stance is the whole recording.
 ///
 /// Without a `period`, s, the duration of the stance is unchanged. `feet` only selects the stances of one side, because the span contains
 /// one stance.

@@ -7,7 +7,7 @@ use crate::recording::{Channel, CycleSource, Feet, Recording};
 use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::ends;
 
-/// Number of time intervals of a channel in a figure; each interval is drawn by its minimum and maximum force.
+/// Number of time intervals of a channel in a figure; for each interval, the minimum and maximum force are drawn.
 const PIECES: usize = 700;
 /// Maximum number of single stances in a figure; the means are computed from all stances.
 const DRAWN: usize = 60;

@@ -133,8 +133,8 @@ impl JointMean {
 
 /// Mean over the cycles of all trials that have the most frequent movement and speed and no open questions.
 ///
-/// The weight of a trial is its number of cycles. If the masses belong to several walkers, the forces are averaged in body weights and
-/// scaled to the mean mass.
+/// The statistical weight of a trial is its number of cycles. If the masses belong to several walkers, the forces are averaged in body
+/// weights and scaled to the mean mass.
 ///
 /// # Errors
 ///
@@ -268,9 +268,9 @@ fn cycles(cycle: &Cycle) -> usize {
     .max(1)
 }
 
-/// Forces and standard deviations, N (0 if unknown), of the cycles, starting at the same moment of the stride. A cycle that begins with the
-/// left heel strike is shifted to begin with the right one. A total force has no heel strikes, so it is shifted to agree best with the
-/// others.
+/// Forces, N, and standard deviations, N (0 if unknown), of the cycles. All cycles start at the same moment of the stride. A cycle that
+/// begins with the left heel strike is shifted to begin with the right one. A total force has no heel strikes. It is therefore shifted so
+/// that it is most similar to the reference cycle.
 fn on_one_phase(used: &[&Cycle]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
     let first = used.iter().find(|c| !total(c)).or(used.first());
@@ -307,7 +307,7 @@ fn foot(cycle: &Cycle) -> Option<Foot> {
     }
 }
 
-/// The shift, among the given shifts in samples, for which a periodic row is most similar to another row.
+/// The one of the given `shifts`, in samples, for which the periodic force `row` is most similar to `reference`.
 fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
     let likeness = |shift: usize| -> f64 {
         let later = row.iter().cycle().skip(shift);

@@ -8,8 +8,8 @@ use crate::stance::{Stance, Stances};
 use crate::statistics::{mean, sample_deviation, student_95};
 use crate::units::G;
 
-/// Usual relative standard deviation of the mean force from stride to stride or from stance to stance, and its weight in degrees of
-/// freedom.
+/// Usual relative standard deviations of the mean force, from stride to stride and from stance to stance. The usual variance is pooled with
+/// the measured variance as if it had `USUAL_DEGREES` degrees of freedom.
 const OF_STRIDES: f64 = 0.015;
 const OF_STANCES: f64 = 0.03;
 const USUAL_DEGREES: f64 = 4.0;
@@ -17,7 +17,7 @@ const USUAL_DEGREES: f64 = 4.0;
 const OF_FEET: f64 = 0.06;
 /// Relative standard uncertainty of a stride time that was computed from the usual duty factor.
 const OF_DUTY: f64 = 0.05;
-/// Standard uncertainty of an unloaded level: as a fraction of its noise, and its minimum, N.
+/// Standard uncertainty of an unloaded level: fraction of the standard deviation of the noise, and minimum value, N.
 const OF_LEVEL: (f64, f64) = (0.3, 0.4);
 /// Two-sided normal quantile for 95 %.
 const NORMAL_95: f64 = 1.96;
@@ -39,7 +39,7 @@ pub(super) fn mass_interval(
     Some((mass_kg * (1.0 - half).max(0.0), mass_kg * (1.0 + half)))
 }
 
-/// Relative half width of the interval that results from the variation of the steps.
+/// Contribution of the variation of the steps to the relative half width of the interval.
 fn of_steps(
     recording: &Recording,
     stances: &Stances,
@@ -79,8 +79,8 @@ fn of_mean(values: &[f64], usual: f64) -> f64 {
     student_95(all) * (square / values.len().max(1) as f64).sqrt()
 }
 
-/// Relative half width of the interval that results from the stride time. It is zero for a mean over whole strides, which does not depend
-/// on the stride time.
+/// Contribution of the stride time to the relative half width of the interval. It is zero for a mean over whole strides, which does not
+/// depend on the stride time.
 fn of_clock(average: &Average) -> f64 {
     let period = average.period;
     match average.source {
@@ -93,7 +93,7 @@ fn of_clock(average: &Average) -> f64 {
     }
 }
 
-/// Relative half width of the interval that results from the unloaded levels of the plates.
+/// Contribution of the unloaded levels of the plates to the relative half width of the interval.
 fn of_levels(recording: &Recording, mass_kg: f64) -> f64 {
     let of = |noise_n: f64| (OF_LEVEL.0 * noise_n).max(OF_LEVEL.1);
     let squares = recording.live().map(|(_, c)| of(c.noise_n).powi(2));

@@ -72,7 +72,7 @@ pub struct Cycle {
     pub repeatability_n: Option<f64>,
     /// Mass, kg: the given mass, or the mean force over the stride divided by g.
     pub mass_kg: f64,
-    /// Source of the mass.
+    /// Source of the mass: the user, the file, the table of subjects, or the mean force.
     pub mass_from: MassSource,
     /// Interval that contains the mass in 95 of 100 recordings, kg, if the mass is computed from the mean force of calibrated plates.
     pub mass_interval_kg: Option<(f64, f64)>,

@@ -28,9 +28,9 @@ pub(super) struct Ranges {
     pub peak_bw: Range<f64>,
     /// Typical duty factor of the movement.
     pub usual_duty: f64,
-    /// Typical ratio of stride and stance durations.
+    /// Typical range of the ratio of stride duration to stance duration.
     pub stride_of_stance: Range<f64>,
-    /// Typical ratio of step and stance durations.
+    /// Typical range of the ratio of step duration to stance duration.
     pub step_of_stance: Range<f64>,
 }
 

@@ -72,7 +72,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     }
 }
 
-/// Error if the movement in the recording differs from the requested one.
+/// Error if the recognised movement is running, jumping, standing or sit-to-stand; otherwise `None`.
 fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError> {
     let kind = stances.recognised?;
     match kind {
@@ -85,7 +85,7 @@ fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError>
     }
 }
 
-/// The most frequent reason why contacts were rejected.
+/// The most frequent reason for the rejection of contacts.
 fn usual_reason(stances: &Stances) -> RejectReason {
     let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
     reasons.sort_unstable();

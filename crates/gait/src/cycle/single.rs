@@ -49,8 +49,8 @@ pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Range
     }
 }
 
-/// Strides of one recorded foot, if the other foot repeats each stance half a stride later. `None` for several channels, or for a table of
-/// stances, whose rows are not consecutive.
+/// Strides of both feet from one recorded foot, on the assumption that the other foot repeats each stance half a stride later. `None` for
+/// several channels, or for a table of stances, whose rows are not consecutive.
 fn one_foot_walk(recording: &Recording, stances: &[&Stance], usual_s: f64) -> Option<Walk> {
     if recording.has_rows() || recording.live().count() != 1 {
         return None;

@@ -9,14 +9,14 @@ use crate::stance::{Footfall, RejectReason, Stance, Stances, footfalls};
 use crate::statistics::{mean, median};
 use crate::walk::Walk;
 
-/// Stride from a heel strike to the next one of the same foot, with all contacts that overlap it.
+/// Stride from a heel strike to the next heel strike of the same foot, with all contacts that overlap the stride.
 #[derive(Debug, Clone)]
 pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
-    /// Time from the previous heel strike to `start_s`, s. It limits the blend at the ends of the stride, because the total force is known
-    /// during this time.
+    /// Time from the previous heel strike to `start_s`, s. The blend at the ends of the stride is not wider than this time, because the
+    /// total force may be unknown before it.
     before_s: f64,
     /// Contacts that overlap the stride.
     contacts: Vec<Footfall>,

@@ -8,12 +8,12 @@ use crate::stance::{RejectReason, Stances, footfalls, same_foot};
 use crate::statistics::{mean, median, sample_deviation};
 use crate::units::G;
 
-/// Relative standard uncertainty of a stride time that results from one stride or from one doubled step. It was measured as the root mean
-/// square deviation from all strides of the same walks.
+/// Relative standard uncertainty of a stride time that is measured from only one stride or one doubled step. It is the RMS deviation of
+/// such values from the stride time over all strides of the same walks.
 const OF_ONE: f64 = 0.02;
 
 impl Period {
-    /// Standard uncertainty, s, of a duration that results from a single stride or step; `None` for other sources.
+    /// Standard uncertainty, s, of a duration that is measured from a single stride or step; `None` for other sources.
     pub fn uncertainty_s(&self) -> Option<f64> {
         use PeriodSource::{DoubledSteps, HeelMarkers, HeelStrikes, MarkedStrikes};
         let measured = matches!(

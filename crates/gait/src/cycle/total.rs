@@ -19,7 +19,7 @@ const FEWEST_STEPS: usize = 5;
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 /// Range of step durations of a runner, s.
 const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
-/// Step duration, s, and relative variation of the total force. The steps of a recording that exceeds both values are not those of a
+/// Step duration, s, and relative variation of the total force. If a recording exceeds both values, its periodic force is not that of a
 /// walker.
 const SLOW: (f64, f64) = (0.85, 0.25);
 
@@ -46,8 +46,8 @@ pub(super) fn total_stride(
 /// Minimum total force of a walker on the plates, as a fraction of the mean.
 const ON_THE_PLATES: f64 = 0.3;
 
-/// Averages the strides of the sum of all plates from the first to the last contact, if the plates carry the walker all the time. Feet may cross two
-/// plates, as on the belts of a treadmill. `None` otherwise.
+/// Averages the strides of the sum of all plates from the first to the last contact, if the plates carry the walker all the time. Feet may
+/// cross two plates, as on the belts of a treadmill. `None` otherwise.
 pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<Average> {
     let (from, to) = first_to_last(recording, stances, |_| true)?;
     let count = recording.live().map(|(_, c)| c.force_n.len()).min()?;
@@ -166,7 +166,7 @@ fn strides_of(force: &[f64], recording: &Recording) -> Option<Average> {
     })
 }
 
-/// Fraction of the duration of a recording without regular steps above which a note is added.
+/// Maximum fraction of the duration of a recording that may be without regular steps. Above this fraction, a note is added.
 const OTHER_SPEED: f64 = 0.15;
 
 /// Note if the regular steps do not fill the duration, s, except for one step at either end. The other steps were not detected, are

@@ -65,8 +65,7 @@ pub(super) fn warnings(
     notes
 }
 
-/// Note on the number of similar stances, if less than two thirds of the stances of a steady walk are similar. The stances that are used
-/// may then be partial contacts.
+/// Note that less than two thirds of the stances of a steady walk are similar. The stances that are used may then be partial contacts.
 fn few_alike(stances: &Stances) -> Option<Note> {
     let unlike = |r: &&Rejected| r.reason == RejectReason::Unlike;
     let used = stances.used.len();
@@ -88,7 +87,7 @@ fn varies(cycle: &Cycle) -> Option<Note> {
     })
 }
 
-/// Warning that the mass was computed from the mean force.
+/// Warnings about a mass that was computed from the mean force of insoles, or with an assumed unit of force.
 fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
     let mut notes = Vec::new();
     let mass = kilograms(cycle.mass_kg);

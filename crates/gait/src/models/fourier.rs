@@ -8,7 +8,8 @@ use crate::error::{ForceError, Result};
 use crate::quantity::seconds;
 use crate::recording::Feet;
 
-/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)).
+/// Force of both feet together as a Fourier series: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with the body weight G, N, and the step
+/// frequency f, Hz.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, of_harmonics};
@@ -23,7 +24,7 @@ use crate::recording::Feet;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FourierForce {
     name: String,
-    /// Load factor and phase, rad, of each harmonic: (aᵢ, pᵢ).
+    /// Load factor aᵢ and phase pᵢ, rad, of each harmonic.
     harmonics: Vec<(f64, f64)>,
     step_frequency_hz: f64,
     body_weight_n: f64,

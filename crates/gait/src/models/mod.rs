@@ -3,7 +3,7 @@
 //! There are two families of models:
 //!
 //! - The *continuous* models describe the force of both feet together: `F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ))`. This is a Fourier series
-//!   in the step frequency f. One cycle is one step, with the duration 1/f.
+//!   with the body weight G, the step frequency f, the load factors aᵢ and the phases pᵢ. One cycle is one step, with the duration 1/f.
 //! - The *single-foot* models describe one stance. One cycle is one stride, with the duration 2/f and zero force in the swing phase. The
 //!   force of both feet is the sum of two stances half a stride apart; its period is one step.
 
@@ -74,7 +74,8 @@ pub fn series(
     FourierForce::new(info.name, harmonics, f, body_weight_n, feet).map(Some)
 }
 
-/// One cycle of a force of both feet, given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)).
+/// One cycle of a force of both feet, given by load factors: F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)), with the body weight G, N, and the
+/// step frequency f, Hz.
 ///
 /// Each of the harmonics 1, 2, … has a pair (aᵢ, pᵢ) of load factor and phase, rad.
 ///

@@ -7,11 +7,12 @@ use serde::Serialize;
 use super::Walker;
 use crate::units::G;
 
-/// Permitted range of the mean force of both feet, as fractions of the weight.
+/// Permitted range of the mean force of both feet, as fractions of the body weight.
 const BOTH: std::ops::RangeInclusive<f64> = 0.85..=1.15;
-/// Ratio of two weights below which both weights are plausible. Two units of force differ by a larger factor.
+/// Ratio of a mean force to the median of the population, or its reciprocal, above which the unit of force is assumed to differ. The
+/// weights of walkers differ by a smaller factor.
 const UNIT: f64 = 6.0;
-/// Permitted range of the mean force of one foot, as fractions of the weight.
+/// Permitted range of the mean force of one foot, as fractions of the body weight.
 const ONE: std::ops::RangeInclusive<f64> = 0.4..=0.65;
 /// Fraction of the mean force below which a foot is off the ground.
 const LIFTED: f64 = 0.02;

@@ -1,4 +1,4 @@
-//! Several walkers for whom one cam is designed: cycles with weights, and the mean of these cycles.
+//! Several walkers for whom one cam is designed: cycles with statistical weights, and the mean of these cycles.
 
 mod fault;
 mod table;
@@ -12,7 +12,7 @@ pub use table::{WalkerRow, is_table, read_rows, read_table, write_table};
 use crate::curve::ForceCurve;
 use crate::error::{ForceError, Result};
 
-/// Mean cycle of one walker, with a weight.
+/// Cycle of one walker, with a statistical weight.
 ///
 /// ```
 /// use gaitcam_gait::{ForceCurve, Walker};
@@ -27,14 +27,14 @@ pub struct Walker {
     pub name: String,
     /// Mean cycle of the force of the walker.
     pub curve: ForceCurve,
-    /// Weight of the walker in a mean; only the ratio to the weights of other walkers matters.
+    /// Statistical weight of the walker in a mean; only the ratio to the statistical weights of other walkers matters.
     pub weight: f64,
     /// Walking speed, m/s, if known.
     pub speed_m_per_s: Option<f64>,
 }
 
 impl Walker {
-    /// A walker with the weight 1.
+    /// A walker with the statistical weight 1 in means and an unknown walking speed.
     pub fn new(name: &str, curve: ForceCurve) -> Walker {
         Walker {
             name: name.to_string(),
@@ -63,7 +63,8 @@ impl Walker {
 pub struct Population {
     /// All cycles of all walkers.
     pub walkers: Vec<Walker>,
-    /// Weight of each cycle in a mean; the sum of all weights is 1. The cycles of a walker share the weight of the walker.
+    /// Statistical weight of each cycle in a mean; the sum of all these weights is 1. The cycles of a walker share the statistical weight
+    /// of the walker.
     pub shares: Vec<f64>,
 }
 
@@ -86,20 +87,21 @@ impl Population {
         names.collect::<std::collections::HashSet<_>>().len()
     }
 
-    /// Walkers with their weights in a mean.
+    /// Each cycle with its statistical weight in a mean (see `shares`).
     pub fn each(&self) -> impl Iterator<Item = (&Walker, f64)> {
         self.walkers.iter().zip(self.shares.iter().copied())
     }
 }
 
 impl ForceCurve {
-    /// Mean cycle of several walkers. Forces are averaged as fractions of the weight, then scaled to the mean weight and the mean cadence.
+    /// Mean cycle of several walkers. The forces of each walker are divided by the mean force of this walker and averaged. The average is
+    /// then scaled to the average of the mean forces and to the mean cadence.
     ///
-    /// The resulting curve contains the walkers. For a single walker, the result is the cycle of this walker.
+    /// The field `population` of the result lists the walkers. For a single walker, the result is the cycle of this walker.
     ///
     /// # Errors
     ///
-    /// There is no walker; a weight is not positive; a mean force is not positive.
+    /// There is no walker; a statistical weight is not positive; a mean force is not positive.
     pub fn of_walkers(walkers: Vec<Walker>) -> Result<ForceCurve> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         for walker in &walkers {

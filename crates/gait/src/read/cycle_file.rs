@@ -1,6 +1,6 @@
 //! Texts that contain exactly one cycle: samples at equal or unequal distances, or the critical points of a curve.
 //!
-//! A comment line marks such a text, `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
+//! Such a text has a comment line `# cycle` or `# critical points`. Another comment gives the period, for example `period_s = 0.5`. The
 //! table below the comments has a time column and a force column, and optionally a column with the spread of the force.
 
 use std::f64::consts::TAU;
@@ -188,8 +188,8 @@ pub(super) fn sampled(
     through(name, points, period)
 }
 
-/// Duration of the samples according to the times in a file, s, if it differs by more than a sample from the given period. If a span is
-/// given, it is compared with the part of the period that the span covers.
+/// Duration of the samples, s, according to the times in a file, if it is inconsistent with the given period; otherwise `None`. With a
+/// given span, the duration is compared with the part of the period that the span covers.
 fn other_clock(times: &[f64], options: &ReadOptions) -> Option<f64> {
     let (Some(period), [first, .., last]) = (options.period_s, times) else {
         return None;

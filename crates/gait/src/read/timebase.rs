@@ -11,9 +11,9 @@ pub(super) struct TimeBase {
     pub rate_hz: f64,
     /// Time of the first sample, as in the file, s.
     pub start_s: f64,
-    /// Source of the time base.
+    /// How the sampling rate was obtained: from the user, the time column or the header, or by an assumption.
     pub source: ClockSource,
-    /// Times of the samples, in samples from the first one, if they are too uneven to be treated as uniform.
+    /// Times of the samples from the first sample, in sampling intervals, if they are too uneven to be treated as uniform.
     uneven: Option<Vec<f64>>,
     /// Spans without samples: start and end, s from the first sample.
     pub gaps_s: Vec<(f64, f64)>,
@@ -21,10 +21,10 @@ pub(super) struct TimeBase {
     pub missed: Option<(usize, f64)>,
 }
 
-/// Maximum deviation of a sample from its uniform time, in steps, that is accepted without resampling.
+/// Maximum deviation of a sample from its uniform time, in sampling intervals, that is accepted without resampling.
 const SLACK: f64 = 0.75;
 
-/// Ratio of a step to the usual step above which it is a gap.
+/// Ratio of the step between two times to the usual step, above which the step is a gap.
 const GAP: f64 = 2.5;
 
 impl TimeBase {

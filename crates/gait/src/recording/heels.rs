@@ -36,7 +36,7 @@ pub struct Heels {
 
 impl Heels {
     /// Standing foot between two times, s: the foot whose heel moves more slowly about the middle of this interval. `None` if the markers
-    /// are not visible, or if both feet stand or both move.
+    /// are not visible, or if both heels move at similar speeds.
     pub fn standing(&self, start_s: f64, end_s: f64) -> Option<Foot> {
         let at = |x: f64| ((start_s + x * (end_s - start_s)) * self.rate_hz) as usize;
         let (from, to) = (at(MIDDLE.0), at(MIDDLE.1) + 1);
@@ -77,7 +77,7 @@ fn dot(a: Position, b: Position) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Mean displacement of a marker between consecutive positions; `None` if the marker is visible in less than half of them.
+/// Mean distance between consecutive positions of a marker; `None` if the marker is visible for less than about half of the interval.
 fn step(path: &[Position]) -> Option<f64> {
     let steps = path.windows(2).map(|w| {
         let way = [0, 1, 2].map(|k| w[1][k] - w[0][k]);
@@ -110,8 +110,8 @@ fn principal_axis(all: &[Position]) -> Position {
     axis
 }
 
-/// Positions and heights of the extremes between changes of sign. Each extreme is the vertex of the parabola through three samples.
-/// Extremes at an end of the recording are excluded.
+/// Position, in samples, and value of the extreme between each two consecutive changes of sign. Each extreme is the vertex of the parabola
+/// through three samples. Extremes at an end of the recording are excluded.
 fn lobes(ahead: &[f64]) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     let mut from = 0;

@@ -87,7 +87,7 @@ impl OpenQuestion {
     ///
     /// # Errors
     ///
-    /// A word differs from these three.
+    /// The list contains a word that is not one of these three.
     pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
         let accepted = |word: &str| {

@@ -192,17 +192,17 @@ pub struct Recording {
     pub start_s: f64,
     /// Duration from the first sample to the last one, s.
     pub duration_s: f64,
-    /// Source of the time base.
+    /// How the sampling rate was obtained: from the user, the time column or the header, or by an assumption.
     pub clock: ClockSource,
     /// Unit of the force columns.
     pub unit: ForceUnit,
-    /// Source of the unit of the force columns.
+    /// Source of the unit: the user, the file, or the magnitude of the readings.
     pub unit_from: UnitSource,
     /// Kind of movement, if stated by the user.
     pub kind: Option<Kind>,
     /// Mass of the walker, kg, if given by the file or the user.
     pub mass_kg: Option<f64>,
-    /// Source of the mass.
+    /// Source of the mass: the user, the file, or the table of subjects.
     pub mass_from: Option<MassSource>,
     /// Channels of vertical force, in the order of the file.
     pub channels: Vec<Channel>,

@@ -163,19 +163,19 @@ pub enum Note {
     OneFootForBoth { stances: usize },
     /// The stride time cannot be determined from the recording; a typical duty factor was assumed.
     StrideAssumed { period: Quantity, duty: Quantity },
-    /// The stride time is outside the range of the movement.
+    /// The stride time is outside the plausible range for the movement.
     StrideImplausible {
         period: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// The duty factor is outside the range of the movement.
+    /// The duty factor is outside the plausible range for the movement.
     DutyImplausible {
         duty: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// The peak force, in body weights, is outside the range of the movement.
+    /// The peak force, in body weights, is outside the plausible range for the movement.
     PeakImplausible { ratio: f64, low: f64, high: f64 },
     /// The mean force over the cycle differs from the weight.
     MeanForceNotWeight {
@@ -203,9 +203,9 @@ pub enum Note {
     },
     /// The file contains the mean cycle of a recording about which a question is open.
     LeftOpen { question: OpenQuestion },
-    /// Most contacts of a steady walk are partial contacts, or contacts of both feet.
+    /// Less than two thirds of the stances of a steady walk are similar. The contacts may be partial contacts, or contacts of both feet.
     FewAlike { used: usize, stances: usize },
-    /// The stances, or the feet, differ more than for one walker with whole contacts.
+    /// The stances, or the impulses of the two feet, differ more than for whole contacts on the plates.
     StancesDiffer { share: Quantity, most: Quantity },
     /// The mean cycle was computed from a column that contains the total of both feet.
     TotalColumn,
@@ -239,7 +239,7 @@ pub enum WeightShare {
     Half,
 }
 
-/// Source of the time base.
+/// How the sampling rate of a recording was obtained.
 ///
 /// ```
 /// use gaitcam_gait::{ClockSource, ReadOptions, read};

@@ -3,7 +3,7 @@
 use super::{Note, OpenQuestion};
 
 impl Note {
-    /// The open question that follows from the note; `None` if there is none.
+    /// The open question that follows from the note; `None` if no question follows from it.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         Some(self.question()?.0)
     }

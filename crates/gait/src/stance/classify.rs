@@ -11,18 +11,18 @@ use crate::units::G;
 const LONGEST_RUNNING_S: f64 = 0.5;
 /// Ratio of the duration of a contact to the typical duration, above which the contact includes more than one step.
 const LONG: f64 = 1.5;
-/// The limit of `LONG` for a contact whose force has more peaks than the force of one foot.
+/// Value used instead of `LONG` for a contact whose force has more peaks than the force of one foot.
 const LONG_WITH_HUMPS: f64 = 1.15;
 /// Minimum duration of a contact that may include steps of both feet, s.
 const TWO_STEPS_S: f64 = 0.8;
-/// Fraction of a whole contact below which an incomplete contact is not a stance.
+/// Fraction of the typical duration below which a contact that is cut off by the recording is only a fragment.
 const FRAGMENT: f64 = 0.25;
-/// Maximum duration of missing samples that are interpolated, s.
+/// Maximum duration, s, of missing samples in a contact that is not rejected for them.
 const BRIDGED_S: f64 = 0.05;
 /// Ratio of the force of a contact to the force on another plate, below which the contact is cross-talk.
 const CROSS_TALK: f64 = 0.3;
-/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, two feet
-/// are on the ground for less than a third of a stance at either end.
+/// Overlap of two contacts, as a fraction of the shorter contact, above which both contacts belong to the same foot. In walking, both feet
+/// are on the ground only for less than a third of a stance at its start and at its end.
 const SHARED: f64 = 0.4;
 /// Maximum total duration of two overlapping contacts that form one stance, s.
 const WHOLE_S: f64 = 0.85;
@@ -31,7 +31,7 @@ const FELLOWS: usize = 4;
 /// Fraction of the maximum force of the recording above which a contact may be a whole step.
 const MAIN: f64 = 0.5;
 
-/// Typical values of the whole contacts of the recording.
+/// Typical durations and forces of the whole contacts of the recording.
 pub(super) struct Usual {
     /// Indices and durations, s, of the main contacts (likely whole steps), in order of time.
     main: Vec<(usize, f64)>,
@@ -63,8 +63,8 @@ impl Usual {
         }
     }
 
-    /// Whether two overlapping contacts are together short enough to be one stance. They are compared with adjacent stances, or otherwise
-    /// with a fixed limit.
+    /// Whether two overlapping contacts are together short enough to be one stance. Their total duration is compared with the typical
+    /// duration of adjacent contacts, or with a fixed limit if there are no adjacent contacts.
     fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
         let others = self.about(i).filter(|(k, _)| *k != i && *k != j);
         let usual = low_median(others.map(|m| m.1).collect());
@@ -99,8 +99,8 @@ fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
 }
 
-/// Median; for an even number of values, the lower of the two middle values. Of two contacts, the longer one is then not treated as
-/// typical.
+/// Median; for an even number of values, the lower of the two middle values. If there are only two contacts, the longer contact is
+/// therefore not treated as typical.
 fn low_median(values: Vec<f64>) -> Option<f64> {
     let rank = values.len().checked_sub(1)? / 2;
     ranked(values, rank)
@@ -181,7 +181,7 @@ fn too_long(
 /// Relation of a contact to the load on the other plates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beside {
-    /// There is no load on other plates. Or there is a load of the other foot at the start or the end of the contact.
+    /// During the contact, other plates are unloaded, or they are loaded only by the other foot at the start or the end of the contact.
     Apart,
     /// The load on another plate belongs to the same foot.
     Shared,

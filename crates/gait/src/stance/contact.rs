@@ -96,8 +96,9 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
     found
 }
 
-/// Whether a contact at the start of a recording is complete, because the recording starts at the heel strike: the first sample is just
-/// above the threshold, and the force rises fast. With the samples in reversed order, whether a contact at the end is complete (toe-off).
+/// Whether a contact at the start of a recording is complete, because the recording starts at the heel strike. This is so if the first
+/// sample is just above the threshold and the force then rises fast. For a contact at the end of a recording, which must end with the
+/// toe-off, `force` contains the samples in reversed order.
 fn lands<'a>(force: impl Iterator<Item = &'a f64>, on: f64, rate_hz: f64) -> bool {
     let samples = ((LANDING_S * rate_hz) as usize).max(2);
     let first: Vec<f64> = force.take(samples + 1).copied().collect();

@@ -7,7 +7,7 @@ use crate::statistics::median;
 
 /// Maximum relative difference of durations at a constant speed: three standard deviations of steady walking.
 const ONE_SPEED: f64 = 0.1;
-/// Fraction of stances outside this range above which the speed is considered to change.
+/// Fraction of stances outside the most frequent range of durations, above which the speed is considered to change.
 const OUTSIDE: f64 = 0.15;
 /// Minimum number of stances from which a change of speed is detected.
 const FEWEST: usize = 8;
@@ -23,12 +23,12 @@ const MEASURES: [(Measure, f64); 3] = [
 /// Minimum number of stances of a channel from which outliers are detected, so that at least three stances agree.
 const COMPARABLE: usize = 4;
 
-/// Number of intervals between heel strikes from whose median the local stride time is computed. A foot that crosses plates affects two of
-/// them.
+/// Number of intervals between heel strikes from whose median the local stride time is computed. A foot that crosses plates affects two
+/// intervals.
 const IN_A_ROW: usize = 5;
 
-/// Keeps the stances whose duration is that of most stances, and rejects the others. If the stride time is constant, the rejected contacts
-/// are partial or include both feet. Otherwise they have another speed, and a note is added.
+/// Keeps the stances in the most frequent range of durations, and rejects the other stances. If the stride time is constant, the rejected
+/// contacts are partial or include both feet. Otherwise, the rejected stances have another speed, and a note is added.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
     let count = out.used.len();
     if recording.has_rows() || count < FEWEST {
@@ -88,8 +88,8 @@ fn usual_strides(out: &Stances, channel: usize) -> Vec<f64> {
     in_a_row.filter_map(|w| median(w.to_vec())).collect()
 }
 
-/// Among all windows of a fixed relative width, the window that contains most of the sorted values: its first value, its last value, and
-/// their number.
+/// Range of a fixed relative width that contains the maximum number of the sorted values. Returns the minimum and maximum value in this
+/// range, and the number of values.
 pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     let mut best = (0.0, 0.0, 0);
     let mut end = 0;

@@ -28,7 +28,7 @@ const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
 const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
 /// Minimum duration of standing before a jump, s.
 const BEFORE_JUMP_S: f64 = 0.8;
-/// Ratio of the peak to the force level before or after the contact, above which the contact is a landing.
+/// Ratio of the peak force after a flight to the median force before the flight, above which the flight is a jump.
 const LANDING: f64 = 1.6;
 /// Maximum time from contact to the impact peak of a landing from a height, s. It is less than the time to push-off in the shortest walking
 /// contact (0.32 s, which is 0.76 of `BRISK_S`). In synthetic landings the time is 0.06 s; measured landings were not available.
@@ -38,7 +38,7 @@ const IMPACT_S: f64 = 0.25;
 const DROP: f64 = 1.9;
 /// Fraction of a contact before which the first peak of a landing occurs. In walking, the first peak occurs at a fraction of 0.18 to 0.3.
 const EARLY: f64 = 0.155;
-/// Maximum number of contacts from which no rhythm can be determined.
+/// Number of contacts up to which no rhythm can be determined.
 const FEW: usize = 2;
 /// Maximum time between the landings of the two feet in a jump, s.
 const TOGETHER_S: f64 = 0.08;

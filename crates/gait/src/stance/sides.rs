@@ -30,7 +30,7 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
     }
 }
 
-/// A heel strike with its contact, used or rejected.
+/// Contact of a foot with a plate or insole, used or rejected.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Footfall {
     pub channel: usize,
@@ -38,7 +38,7 @@ pub(crate) struct Footfall {
     pub start_s: f64,
     pub end_s: f64,
     pub rejected: Option<RejectReason>,
-    /// Whether the stance is an outlier of its channel; it is used nevertheless in the sum of both feet.
+    /// Whether the stance is an outlier of its channel. An outlier is used only in the sum of both feet.
     pub unlike: bool,
 }
 

@@ -30,7 +30,7 @@ const DROP_OUT: (f64, f64) = (0.08, 90.0);
 /// Description of the samples that were filled.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Filled {
-    /// Runs that were interpolated linearly: first sample and number of samples.
+    /// Runs that were interpolated linearly: index of the first sample, and index of the last sample plus 1.
     pub bridged: Vec<(usize, usize)>,
     /// Whether some runs were interpreted as an unloaded plate.
     pub unloaded: bool,
@@ -68,8 +68,8 @@ pub(super) fn fill(force: &mut [f64], rate_hz: f64) -> Filled {
     filled
 }
 
-/// Whether the plate is unloaded during a run: a foot leaves it before the run and lands after it. An end of the recording does not need a
-/// foot.
+/// Whether the plate is unloaded during a run: a foot leaves it before the run and lands after it. At an end of the recording, this
+/// condition is omitted.
 fn is_unloaded(force: &[f64], run: &Range<usize>, reach: f64, rate_hz: f64) -> bool {
     let apart = ((EDGE.0 * rate_hz).round() as usize).max(1);
     let is_edge = |near: usize, far: Option<usize>| {

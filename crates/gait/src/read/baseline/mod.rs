@@ -11,10 +11,10 @@ use clipped::clipped;
 use drift::{SMALLEST_N, drift};
 use missing::fill;
 
-/// Range of readings, N, below which a channel was never loaded.
+/// Difference between maximum and minimum reading, N, below which a channel is nearly constant.
 const TOUCHED_N: f64 = 30.0;
 
-/// Duration, s, below which a constant reading may be a load.
+/// Duration of a recording, s, below which a nearly constant reading may be a load.
 const STEP_S: f64 = 0.4;
 
 /// Fraction of the maximum reading above which a level is a load.
@@ -27,10 +27,11 @@ const BROAD: f64 = 1.2;
 /// between its mean and the most frequent level.
 const REST: (f64, f64, f64) = (0.2, 0.05, 1.0);
 
-/// Duration of each end of a recording that shows the unloaded level, s, and minimum difference from this level, N, that is reported.
+/// Constants for the unloaded level at the ends of a recording: duration of each end, s; minimum difference, N, from the unloaded level
+/// during the walk, for which a note is added.
 const ENDS: (f64, f64) = (0.2, 8.0);
 
-/// Maximum number of values from which baseline and sign are determined; more values are thinned evenly.
+/// Maximum number of readings from which baseline and sign are determined; longer recordings are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
 /// Maximum number of readings that are examined for clipping, and the sampling rate, Hz, to which faster readings are thinned.
@@ -159,10 +160,10 @@ fn idle(thin: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// Large value that most samples have exactly and that no sample exceeds, as in a saturated amplifier.
+/// Large value that most samples have exactly and that no sample clearly exceeds, as in a saturated amplifier.
 ///
-/// Quiet standing does not count, because the force of landing or rising before it exceeds the value. Method: majority vote of Boyer and
-/// Moore (1991).
+/// Quiet standing has no such value, because the force is larger when the person lands or rises before standing. Method: majority vote of
+/// Boyer and Moore (1991).
 fn stuck_level(thin: &[f64]) -> Option<f64> {
     let (most, _) = thin.iter().fold((0.0, 0), |(most, votes), &x| match votes {
         0 => (x, 1),

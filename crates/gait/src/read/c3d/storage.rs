@@ -15,7 +15,7 @@ pub(super) struct Analog<'a> {
     data: &'a [u8],
     is_float: bool,
     unsigned: bool,
-    /// Number of markers of a frame, before its analog samples.
+    /// Number of markers in a frame. The markers precede the analog samples of the frame.
     pub points: usize,
     frame: usize,
     pub channels: usize,
@@ -84,7 +84,7 @@ impl<'a> Analog<'a> {
         })
     }
 
-    /// Adds `factor` times the samples of a channel (index from 0) to `sum`. A sample that is not finite results in NaN.
+    /// Adds `factor` times the samples of a channel (index from 0) to `sum`. If a sample is not finite, the sum is NaN at this sample.
     pub fn add(&self, channel: usize, factor: f64, sum: &mut [f64]) {
         let scale = self.scale.get(channel).copied().unwrap_or(1.0) * self.general_scale * factor;
         let offset = self.offset.get(channel).map_or(0.0, |o| {

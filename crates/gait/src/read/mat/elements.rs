@@ -71,7 +71,7 @@ pub(in crate::read) fn is_level_5(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MATLAB 5.0") && bytes.len() > HEADER
 }
 
-/// All arrays of a file. If the file is damaged, only the arrays before the damage.
+/// All arrays of a file. If the file is damaged, only the arrays before the damage are returned.
 pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     let big = bytes.get(126..128) == Some(b"MI");
     let mut found = Vec::new();
@@ -99,7 +99,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Vec<Array> {
     found
 }
 
-/// Decompressed content of a zlib stream, up to the maximum size. If the stream is damaged, only the content before the damage.
+/// Decompressed content of a zlib stream, up to the maximum size. If the stream is damaged, only the content before the damage is returned.
 fn inflate(data: &[u8]) -> Vec<u8> {
     let options =
         flags::TINFL_FLAG_PARSE_ZLIB_HEADER | flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;

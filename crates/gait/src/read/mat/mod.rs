@@ -1,8 +1,7 @@
 //! MAT files of MATLAB: numeric arrays and structs that contain a force, and a time or a sampling rate.
 //!
 //! A vector is one column. A matrix has one column (or row) for each series. The names of these series are a list of labels in the same
-//! struct, the components of a vector, or numbers. Among the time bases that have a force, the longest is used; the table consists of its
-//! columns.
+//! struct, the components of a vector, or numbers. The table consists of all series that are as long as the longest force series.
 
 mod elements;
 
@@ -123,7 +122,8 @@ fn without_text<'a>(path: &'a Path, options: &'a ReadOptions) -> TextFile<'a> {
     }
 }
 
-/// Length of the longest series whose name denotes a force or that the user selected. If there is none, length of the longest series.
+/// Length of the longest series whose name denotes a force or that the user selected. If there is no such series, the length of the longest
+/// of all series.
 fn length(series: &[Series], options: &ReadOptions) -> Option<usize> {
     let is_force = |s: &&Series| match &options.force[..] {
         [] => matches!(role(&s.name), Role::Force { .. }),

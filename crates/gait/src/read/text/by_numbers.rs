@@ -9,10 +9,10 @@ const SAMPLE: usize = 4096;
 /// Number of columns above which unnamed columns are pressure sensors, not plates (twelve plates with six values each).
 const MOST_VALUES: usize = 72;
 
-/// Left and right foot as the feet of the two force columns, if the columns are those of insoles: the time, two sets of equally many
-/// sensors, and the sum of each set.
+/// Feet of the two force columns (left, right), if the columns are those of insoles: the time, two sets with the same number of sensors,
+/// and the sum of each set. Otherwise `None`.
 ///
-/// The insole recordings of PhysioNet have this form, with the left foot first.
+/// The insole recordings of PhysioNet have this layout, with the left foot first.
 pub(super) fn insole_sides(
     forces: &[usize],
     width: usize,

@@ -125,7 +125,8 @@ impl<'a> LongTable<'a> {
         ReadError::LongTable { cycles }.at_line(self.file.path, self.table.header_line())
     }
 
-    /// Phase and force column: the columns named by the user. Otherwise the first phase, and the only vertical force of its side.
+    /// Indices of the phase column and the force column. The user may name these columns. Otherwise, they are the first phase column and
+    /// the only vertical force column, or the only one with the same side as the phase.
     fn columns(&self) -> Result<[usize; 2]> {
         let (names, options) = (&self.table.names, self.file.options);
         let asked = |name: &String| column(self.file.path, &self.table, name);

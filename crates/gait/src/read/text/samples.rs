@@ -1,4 +1,4 @@
-//! Samples of a recording: the selected columns of a table, their time base, and the recording that results.
+//! Samples of a recording: the selected columns of a table, their time base, and their conversion to a recording.
 
 use super::choose::Columns;
 use super::delimited::TextFile;
@@ -207,8 +207,8 @@ fn overridden(times: &[f64], unit: Option<f64>, rate: f64) -> Option<Note> {
     })
 }
 
-/// Possible units of a time column that gives no unit: name, seconds per unit, and the range of steps, in this unit, for which it is
-/// assumed.
+/// Possible units of a time column that gives no unit: name, seconds per unit, and the range of time steps, in this unit, for which the
+/// unit is assumed.
 const SMALL_UNITS: [(&str, f64, std::ops::RangeInclusive<f64>); 3] = [
     ("ms", 1e-3, 0.4..=60.0),
     ("us", 1e-6, 200.0..=60e3),

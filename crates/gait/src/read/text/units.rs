@@ -7,7 +7,7 @@ use crate::read::columns::{bracketed, is_of_channel, words};
 use crate::recording::ForceUnit;
 
 impl Table {
-    /// Unit of force that a column has, if it is given.
+    /// Unit of force of a column; `None` if the file gives no unit of force for the column.
     pub fn force_unit(&self, i: usize) -> Option<ForceUnit> {
         let name = self.names.get(i)?;
         let label = |word: &str| word.parse().ok();
