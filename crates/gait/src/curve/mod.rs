@@ -172,6 +172,7 @@ impl ForceCurve {
         ForceCurve {
             force_n: times(&self.force_n),
             spread_n: self.spread_n.as_ref().map(times),
+            noise_n: self.noise_n.map(|noise| noise * factor.abs()),
             walk: self.walk.clone().map(|w| w.scaled(factor)),
             ..self.clone()
         }
@@ -211,6 +212,18 @@ impl ForceCurve {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_scaled_force_has_its_spread_and_noise_scaled_too() {
+        let mut curve =
+            ForceCurve::from_samples("test", 0.5, vec![700.0, 800.0, 700.0, 600.0]).unwrap();
+        curve.spread_n = Some(vec![10.0; 4]);
+        curve.noise_n = Some(4.0);
+        let scaled = curve.scaled(1.5);
+        assert_eq!(scaled.force_n, [1050.0, 1200.0, 1050.0, 900.0]);
+        assert_eq!(scaled.spread_n, Some(vec![15.0; 4]));
+        assert_eq!(scaled.noise_n, Some(6.0));
+    }
 
     #[test]
     fn smooth_curves_are_interpolated_to_third_order_or_better() {
