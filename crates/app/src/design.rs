@@ -42,8 +42,8 @@ pub fn is_of_machine(key: &str) -> bool {
 
 /// Places a manufactured cam in the machine of another scene, with the drive and the target force of that scene.
 ///
-/// The target force of a load model is evaluated at the step frequency of the new speed. If the model is not defined there, the second value is the
-/// reason.
+/// The target force of a load model is evaluated at the step frequency of the new speed. If the model is not defined at this frequency, the returned
+/// design has no target force, and the second returned value is the reason.
 ///
 /// # Errors
 ///

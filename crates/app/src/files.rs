@@ -24,7 +24,7 @@ enum Of {
     Discs,
     /// All cams except barrel cams.
     Profiles,
-    /// All cams except barrel cams. Lists offer the file only for rotating cams, because a translating cam is not a plate.
+    /// All cams except barrel cams. For a translating cam, the file is not in the list of available files, because this cam is not a plate.
     Plates,
     /// Conjugate pairs of cams.
     Pairs,

@@ -301,7 +301,8 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit, or an empty text. Both sides of the pressure angle have the same key, unless the scene limits one side separately.
+/// Key that sets a limit, or an empty text. The limits of the pressure angle during rise and during fall have the same key, unless the scene limits
+/// one of them separately.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

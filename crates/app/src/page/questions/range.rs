@@ -47,7 +47,7 @@ pub struct Span {
 ///
 /// # Errors
 ///
-/// The scene or its changes are invalid, even without the varied key.
+/// The text of the scene is not TOML, or a change cannot be applied to it.
 pub fn range(files: &Files, span: &Span) -> Result<Value> {
     let table = changed(files, &span.scene, &span.changes)?;
     let end = files.host.seconds() + BLOCK;
