@@ -86,7 +86,7 @@ pub struct Layout {
     pub table: Area,
     /// Area for the title block.
     pub title: Area,
-    /// Number of blocks side by side into which the table is divided, and number of columns of the title block.
+    /// Number of blocks side by side into which the table of radii is divided. The title block has the same number of columns.
     pub blocks: usize,
     /// Scale of both views.
     pub scale: Scale,

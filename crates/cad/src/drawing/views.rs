@@ -23,7 +23,7 @@ const OVER: f64 = 4.0;
 const UNDER: f64 = 8.0;
 /// Angles at which the arrow of rotation begins and ends, measured from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
-/// Number of points on the edge of the bore, without its corners.
+/// Number of points on the edge of the bore, without the corners of the keyway.
 const EDGE: usize = 180;
 
 /// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of the column.

@@ -1,9 +1,9 @@
 //! Electronic cams: a law as a program text or table for a motion controller, and the resulting error.
 //!
 //! Controllers interpolate between points with polynomials. Quintics that match lift, velocity and acceleration at both ends reproduce a law of
-//! degree 5 exactly. A cubic spline through positions does not. Its acceleration error has two parts, where h is the distance between the points.
-//! The interpolation error is proportional to h². The rounding error of the positions is divided by h². Beyond some number of points, more points
-//! therefore increase the error.
+//! degree 5 exactly. A cubic spline through positions does not reproduce it exactly. Its acceleration error has two parts, where h is the distance
+//! between the points. The interpolation error is proportional to h². The rounding error of the positions is divided by h². Above a certain number of
+//! points, additional points therefore increase the error.
 //!
 //! Every file is read back and evaluated in the number type of its controller. The resulting motion is compared with the law.
 
@@ -337,7 +337,8 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
 /// Minimum number of quadrature intervals per cycle, so that the target is smooth enough within each interval.
 const PARTS: f64 = 720.0;
 
-/// Breaks of both functions in increasing order, with additional points so that no interval is longer than `most`.
+/// Quadrature points for two functions with the breaks `a` and `b`: all breaks in increasing order, and additional points so that no interval is
+/// longer than `most`. All values are positions of the cam, rad (translating cam: m).
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);

@@ -85,7 +85,7 @@ impl Table {
         }
     }
 
-    /// Every point once: the left ends of all intervals, and the right end of the last one.
+    /// All points without repetition: the left ends of all intervals, and the right end of the last interval.
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let last = self.segments.last().map(|s| s[1]);
         self.segments.iter().map(|s| s[0]).chain(last)

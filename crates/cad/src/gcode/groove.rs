@@ -1,5 +1,5 @@
-//! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, like the axis of the
-//! roller.
+//! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, as the axis of the roller
+//! does.
 //!
 //! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller without ridges or gouges at any depth.
 //! A thinner cutter cannot do this: in an oblique part of the groove, its contact with the wall changes with the depth.

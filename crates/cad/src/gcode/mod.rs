@@ -23,7 +23,7 @@ const SPINDLE: f64 = 2000.0;
 const PLUNGE: f64 = 0.25;
 /// Height above the plate for rapid motion, m.
 const CLEAR: f64 = 0.005;
-/// Fraction of the depth of a pass. A smaller remaining thickness does not get a separate pass.
+/// Remaining thickness, as a fraction of the depth of a pass, up to which no additional pass is made.
 const REST: f64 = 1e-6;
 /// Maximum number of passes through a plate. A larger number means that the given depth is wrong.
 const MOST_PASSES: f64 = 1000.0;
@@ -369,7 +369,7 @@ fn rounded(units: Units, x: f64) -> f64 {
     (x * step).round() / step
 }
 
-/// Name with every character replaced by `_` that some controller does not accept in a comment, cut to 40 characters.
+/// Name for a comment, cut to 40 characters. Characters that some controllers do not accept in comments are replaced by `_`.
 fn comment(name: &str) -> String {
     let plain = |c: char| match c.to_ascii_uppercase() {
         c @ ('A'..='Z' | '0'..='9' | ' ' | '.' | '-' | '_') => c,

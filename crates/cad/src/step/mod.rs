@@ -3,8 +3,8 @@
 //! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle. The number of points is increased until
 //! the spline is within [`FAITHFUL`] of the exact profile. The solid is the extruded profile with the hole for the shaft.
 //!
-//! A conjugate pair results in two solids in their positions on the shaft. The axial gap between the two cams is the thickness of one plate. A
-//! translating cam has its foot below the profile. Barrels have no solid.
+//! For a conjugate pair, the file contains two solids in their positions on the shaft. The axial gap between the two cams is the thickness of one
+//! plate. A translating cam has its foot below the profile. Barrels have no solid.
 
 mod file;
 mod freeform;
