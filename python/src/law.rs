@@ -21,7 +21,7 @@ pub struct Law {
     origin: Origin,
 }
 
-/// Origin of a law. The origin is pickled, and the law is computed from it again.
+/// Origin of a law. Only the origin is pickled; the law is computed again when it is unpickled.
 enum Origin {
     /// Law of the catalogue, given by its name.
     Catalogue,

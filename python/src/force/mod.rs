@@ -62,7 +62,7 @@ impl Force {
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// Mean cycle of a recording. Without a name, the force has that of its file.
+    /// Mean cycle of a recording. If `name` is `None`, the name of the file without its extension is used.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();

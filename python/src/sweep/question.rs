@@ -217,7 +217,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds manufacturing tolerances, each with its half width.
+    /// Adds manufacturing tolerances: names of the manufactured quantities, with the half widths of their tolerance bands.
     pub fn tolerances(&mut self, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         for (part, width) in parts.into_iter().flatten() {
             let part: String = part.extract()?;
@@ -294,7 +294,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// Base scene with the name that it has in the rows.
+/// Base scene with its name, by which the rows of the sweep refer to it.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),
