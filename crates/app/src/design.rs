@@ -83,7 +83,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
 ///
 /// # Errors
 ///
-/// The force or the scene has no mean force, mass or speed.
+/// The mean force, the mass or the speed is defined neither by the force nor by the scene.
 pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<Design> {
     let problem = Problem::resolve(scene, Some(force))?.at_phase(design.problem.phase);
     let target = problem.target_in_time().cloned();

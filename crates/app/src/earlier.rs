@@ -135,7 +135,7 @@ fn is_of(folder: &Path, scene: &str) -> bool {
         .any(|name| content(&folder.join(name)) == scene.as_bytes())
 }
 
-/// Content of a regular file. Pipes, devices and unreadable files give no bytes.
+/// Content of a regular file. The result is empty for pipes, devices and unreadable files.
 fn content(path: &Path) -> Vec<u8> {
     match is_plain(path) {
         true => fs::read(path).unwrap_or_default(),

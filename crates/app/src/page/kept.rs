@@ -1,4 +1,4 @@
-//! Data that is cached between requests, and services of the host that processes them.
+//! Data that is cached between requests, and services of the host (server or browser) in which the requests are processed.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -33,7 +33,7 @@ pub struct Start {
     pub folder: Option<String>,
 }
 
-/// Services that the host offers to a request: files, clock, time limit and start state.
+/// Services that the host, which is a server or a browser, provides for a request: files, clock, time limit and start state.
 pub trait Host {
     /// Content and hash of a file that is neither stored by the page nor built in.
     ///

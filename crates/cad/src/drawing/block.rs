@@ -34,7 +34,7 @@ struct Scattered {
     error: f64,
 }
 
-/// Profile tolerance and the resulting force error; `None` without a target force.
+/// Profile tolerance and its effect on the force error; `None` without a target force.
 ///
 /// The tolerance of the scene is used if there is one. Otherwise it is the largest tolerance in [`OFFERED`] for which 95 % of the cams satisfy e² −
 /// e₀² ≤ (½ `allowed`)². Here e is the RMS force error of a cam with random profile errors, and e₀ is the RMS force error of the exact cam. Both

@@ -100,9 +100,9 @@ const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// Smallest suitable sheet for the views. `room` gives their width and height, mm, for a scale.
+    /// Smallest suitable sheet for the views. `room` computes the width and height of the views on the sheet, mm, from a scale.
     ///
-    /// The sheet is A4. It is A3 if the views would be reduced on A4, and if A3 permits a larger scale.
+    /// The sheet is A3 if the views would be reduced on A4 and A3 permits a larger scale. Otherwise it is A4.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {

@@ -71,7 +71,7 @@ pub struct Options {
     pub points: usize,
     /// Version of the DXF format.
     pub version: Version,
-    /// Hole for the shaft; `None` for a cam without a hole.
+    /// Bore for the shaft; `None` for a cam without a bore.
     pub bore: Option<Bore>,
     /// Selection of the layers.
     pub content: Content,

@@ -26,7 +26,7 @@ const ONE: f64 = 1e-6;
 ///
 /// # Errors
 ///
-/// The radius of the cutter differs from that of the roller, or the groove is undercut.
+/// The radius of the cutter differs from the radius of the roller, or the groove is undercut.
 pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
     let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();

@@ -1,5 +1,5 @@
 //! Programs for machine tools (ISO 6983). Milling programs cut the outside of a cam, or the groove of a barrel on a rotary axis. Wire-cutting
-//! programs cut the hole and the outside of a cam.
+//! programs cut the bore and the outside of a cam.
 
 mod groove;
 mod outside;
@@ -111,7 +111,7 @@ struct Path {
 /// - A pass is below a thousandth of the thickness.
 /// - Arcs cannot approximate the profile (undercut, jumps of the velocity).
 /// - The cutter does not fit into a concave part.
-/// - The radius of the cutter for a groove differs from that of the roller.
+/// - The radius of the cutter for a groove differs from the radius of the roller.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -182,7 +182,7 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
 /// Program for wire cutting. The centre of the wire moves at the distance `radius` m from the edge; `radius` is half the wire diameter plus the
 /// spark gap.
 ///
-/// The program cuts the hole for the shaft with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
+/// The program cuts the bore with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
 ///
 /// # Errors
 ///

@@ -349,7 +349,7 @@ pub fn reasons(design: &Design, language: Language) -> String {
     facts.join(" ")
 }
 
-/// Message of the program in the form that the page shows: with labels and short numbers.
+/// Message of the program in the form that the page shows: with labels instead of keys, and with at most four significant digits in numbers.
 pub fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
@@ -368,7 +368,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// Figures of a design by column name; null for missing figures.
+/// Key figures of a design (single numbers, such as the force error) by column name; null for missing values.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);

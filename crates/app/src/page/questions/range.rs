@@ -42,8 +42,8 @@ pub struct Span {
 
 /// Verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`.
 ///
-/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the
-/// search ended early and the design did not pass its checks.
+/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the search
+/// ended early and the design did not pass its checks. It is "fault" if no design can be computed with this value.
 ///
 /// # Errors
 ///
