@@ -31,7 +31,7 @@ enum Origin {
 }
 
 impl Law {
-    /// Law of a design. It is pickled together with the design.
+    /// Law of a design, which is pickled together with the design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),

@@ -20,12 +20,13 @@ use crate::scene::Scene;
 /// Definition of a sweep: base scenes, force and varied keys.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// Force that replaces those of all scenes; `None` if the definition was restored from a pickle, which contains the files instead.
+    /// Force that replaces the forces of all scenes. `None` if the definition was restored from a pickle, which contains the files instead of the
+    /// force.
     force: Option<Force>,
     asked: SweepQuestion,
 }
 
-/// Access to the files of a base scene: first those of the given force, then those on the disk.
+/// Access to the files of a base scene. A file is looked up first in the given force, then on the disk.
 struct Given {
     force: Option<Force>,
     disk: Disk,
