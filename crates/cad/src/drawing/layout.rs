@@ -78,7 +78,7 @@ pub struct Layout {
     pub name: &'static str,
     /// Width and height of the paper, mm.
     pub paper: [f64; 2],
-    /// Area within the frame.
+    /// Area inside the frame of the drawing.
     pub frame: Area,
     /// Area for the plan view and the side view.
     pub views: Area,
@@ -88,7 +88,7 @@ pub struct Layout {
     pub title: Area,
     /// Number of blocks side by side into which the table of radii is divided. The title block has the same number of columns.
     pub blocks: usize,
-    /// Scale of both views.
+    /// Scale of the plan view and the side view.
     pub scale: Scale,
 }
 

@@ -73,7 +73,7 @@ pub struct Options {
     pub version: Version,
     /// Bore for the shaft; `None` for a cam without a bore.
     pub bore: Option<Bore>,
-    /// Selection of the layers.
+    /// Layers that the drawing contains.
     pub content: Content,
     /// Unit of lengths in the file.
     pub units: Units,

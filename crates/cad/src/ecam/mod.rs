@@ -152,7 +152,7 @@ const MOST_CHOSEN: usize = 4096;
 const FEWEST: usize = 4;
 /// RMS force error added by the controller, as a fraction of the mean force, at which the automatic number of points is sufficient.
 const EXACT: f64 = 1e-4;
-/// Permitted RMS force error added by the controller, as a fraction of the mean force, if the design has no limit of the RMS force error.
+/// Permitted RMS force error added by the controller, as a fraction of the mean force. It applies to designs without a limit of the RMS force error.
 const ACCEPTED: f64 = 0.005;
 /// Number of Gauss nodes that integrate the square of a difference of two quintics exactly.
 const GAUSS: usize = 6;
@@ -160,7 +160,7 @@ const GAUSS: usize = 6;
 /// File for a controller, and the error of the motion that the controller executes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronicCam {
-    /// Dialect of the file.
+    /// Dialect in which the file is written.
     pub dialect: Dialect,
     /// Text of the file, a program or a table.
     pub text: String,

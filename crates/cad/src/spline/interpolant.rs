@@ -104,7 +104,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     out
 }
 
-/// Index of the first of the four basis functions that can be nonzero at `x`, and the values of these four functions at `x` (Cox–de Boor).
+/// Basis functions that can be nonzero at `x`: the index of the first of these four functions, and their values at `x` (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
     // Knot k of the full sequence.
     let knot = |k: usize| match k {
