@@ -49,7 +49,7 @@ pub enum Mark {
 }
 
 impl Finding {
-    /// Severity of the finding.
+    /// Severity of the finding. For a design, it follows from the verdict.
     pub fn mark(&self) -> Mark {
         match self {
             Finding::Fault(_) | Finding::NoCycle(_) | Finding::Open(_) => Mark::Bad,

@@ -7,7 +7,7 @@ pub enum Group {
     Tables,
     /// Drawings of the cam's outline at true scale.
     Drawings,
-    /// Figures of the design.
+    /// Figures of the design, as SVG and PNG.
     Pictures,
     /// The HTML report of a design or a run.
     Report,

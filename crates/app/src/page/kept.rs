@@ -51,7 +51,7 @@ pub trait Host {
 
 /// Design with its inputs and their hashes.
 pub struct Made {
-    /// Table of the scene.
+    /// Table of the scene, as in its TOML text.
     pub table: Table,
     /// Table of the scene, in which the file name of every motion is replaced by the rows of the file.
     pub whole: Table,

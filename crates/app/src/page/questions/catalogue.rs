@@ -53,7 +53,7 @@ fn with_recording(name: &str, toml: &str) -> String {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Picture {
-    /// Name of the scene.
+    /// Name of the built-in scene.
     pub name: String,
 }
 

@@ -66,7 +66,7 @@ fn plain(given: &str) -> String {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contacts {
-    /// Name of the recording.
+    /// File name of the recording.
     pub file: String,
     /// Hash of the bytes of the file.
     pub hash: Hash,
