@@ -246,8 +246,8 @@ impl Force {
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are those of the first stance; the impulse is that
-    /// of both feet.
+    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance; the impulse is the
+    /// sum of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();
