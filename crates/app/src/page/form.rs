@@ -16,9 +16,9 @@ use gaitcam::units::{Dimension, parse};
 pub struct Field {
     /// Text of the value in the scene file; empty if the scene omits the key.
     pub text: String,
-    /// Value that applies if the field is empty: the value of the design, or the default.
+    /// Value that the empty field shows: the value of the design, or the default.
     pub placeholder: String,
-    /// Value of the design for a key that the scene omits.
+    /// Value that the design uses for the key, if the scene omits the key or sets it to `auto`; otherwise `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.

@@ -175,8 +175,8 @@ pub struct ElectronicCam {
 pub struct Replayed {
     /// RMS difference, N, between the forces of the executed motion and of the law; `None` without a drive.
     pub added: Option<f64>,
-    /// RMS force difference as a fraction of the mean target force. Without a target, it is a fraction of the maximum force. Without a drive, it is
-    /// the RMS acceleration difference as a fraction of the maximum acceleration.
+    /// RMS force difference between the executed motion and the law, as a fraction of the mean target force. Without a target, it is a fraction of
+    /// the maximum force. Without a drive, it is the RMS acceleration difference as a fraction of the maximum acceleration.
     pub share: f64,
     /// RMS difference, N, between the force of the executed motion and the target; `None` without a target.
     pub error: Option<f64>,
@@ -337,8 +337,8 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
 /// Minimum number of quadrature intervals per cycle, so that the target is smooth enough within each interval.
 const PARTS: f64 = 720.0;
 
-/// Quadrature points for two functions with the breaks `a` and `b`: all breaks in increasing order, and additional points so that no interval is
-/// longer than `most`. All values are positions of the cam, rad (translating cam: m).
+/// Ends of the quadrature intervals for two functions with the breaks `a` and `b`. They are the breaks of both functions in increasing order, and
+/// additional points so that no interval is longer than `most`. All values are positions of the cam, rad (translating cam: m).
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);

@@ -21,7 +21,7 @@ const LENGTH: Unit = Unit {
     factor: MM,
     name: "mm",
 };
-/// Maximum radius of curvature that the diagram shows, in prime radii. Where the radius is larger, the profile looks straight.
+/// Maximum radius of curvature that the diagram shows, as a multiple of the prime radius. Where the radius is larger, the profile looks straight.
 const STRAIGHT: f64 = 3.0;
 
 /// Fraction of a curve's maximum below which a value counts as a rounding error and is shown as zero.

@@ -13,7 +13,8 @@ use gaitcam::scene::keys::{self, Kind};
 
 /// Time, s, after which no further design is started. The page requests the values in several blocks, and can stop between them.
 const BLOCK: f64 = 0.12;
-/// Maximum number of checks of the stop condition in the search of one design. It is the same on every machine, unlike a time limit.
+/// Maximum number of checks of the stop condition in the search of one design. Unlike a time limit, this number gives the same verdicts on every
+/// machine.
 const LOOKS: usize = 3000;
 /// Maximum number of values in one request.
 const MOST: usize = 200;
