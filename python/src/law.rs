@@ -113,7 +113,7 @@ impl Law {
         self.law.stroke()
     }
 
-    /// First cam angle of the law, and the range of angles that it covers, rad.
+    /// First cam angle of the law, and the length of its range of angles, rad.
     #[getter]
     fn extent(&self) -> (f64, f64) {
         self.law.extent()
