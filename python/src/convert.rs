@@ -50,7 +50,7 @@ pub fn entry(key: String, given: &Bound<'_, PyAny>) -> PyResult<(String, Value)>
     Ok((quantity.name().to_string(), Value::String(text)))
 }
 
-/// Key and unit of a name that ends in an SI unit; `None` for other names and for keys of scenes.
+/// Key and unit of a name that ends in an SI unit; `None` for other names, and for names that are keys of scenes.
 pub fn si_key(name: &str) -> Option<Key> {
     let key = Key::of_column(name);
     (key.is_number() && scene::keys::find(name).is_none()).then_some(key)

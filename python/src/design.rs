@@ -187,7 +187,7 @@ impl Design {
         ))
     }
 
-    /// Scene of the design, in which a given force replaces that of the original scene.
+    /// Scene of the design, in which a given force replaces the force of the original scene.
     #[getter]
     fn scene(&self) -> Scene {
         Scene::of_input(self.input.clone())

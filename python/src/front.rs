@@ -19,7 +19,7 @@ pub struct Front {
     left_out: usize,
 }
 
-/// Fields of a front, which are pickled.
+/// Fields of a front, for pickling.
 type State = (Vec<String>, Vec<i64>, Option<i64>, Vec<Vec<f64>>, usize);
 
 /// One column name, or a list of column names.

@@ -21,7 +21,7 @@ pub struct Law {
     origin: Origin,
 }
 
-/// Origin of a law. The origin is pickled, and the law is computed from it again.
+/// Origin of a law. Only the origin is pickled; the law is computed again when it is unpickled.
 enum Origin {
     /// Law of the catalogue, given by its name.
     Catalogue,
@@ -31,7 +31,7 @@ enum Origin {
 }
 
 impl Law {
-    /// Law of a design. It is pickled together with the design.
+    /// Law of a design, which is pickled together with the design.
     pub fn of_design(name: &str, law: law::Law, design: Py<PyAny>) -> Law {
         Law {
             name: name.to_string(),
@@ -113,7 +113,7 @@ impl Law {
         self.law.stroke()
     }
 
-    /// First cam angle of the law, and the range of angles that it covers, rad.
+    /// First cam angle of the law, and the length of its range of angles, rad.
     #[getter]
     fn extent(&self) -> (f64, f64) {
         self.law.extent()

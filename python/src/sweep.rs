@@ -29,7 +29,7 @@ use question::Question;
 /// scene : Scene or list of Scene, optional
 ///     Base scenes; the built-in footbridge by default.
 /// force : Force, optional
-///     Target force that replaces those of all scenes.
+///     Target force that replaces the forces of all scenes.
 /// vary : dict, optional
 ///     Dotted keys with their values, of which all combinations are computed. ``["1.5 Hz", "2.4 Hz", 10]`` is a range with the
 ///     number of its values. Any other list contains the values themselves. ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` have

@@ -25,7 +25,7 @@ use crate::scene::Scene;
 /// scene : Scene, optional
 ///     Scene to design; the built-in footbridge by default.
 /// force : Force, optional
-///     Target force that replaces that of the scene.
+///     Target force that replaces the force of the scene.
 /// forces : sequence of Force, optional
 ///     Cycles of several walkers. One cam is designed for all of them, with the objective ``law.robust`` and the adjustment
 ///     ``gait.adjust``. Forces of the same name are cycles of one walker. ``summary["population"]`` contains the errors.
@@ -55,9 +55,9 @@ pub fn synth(
     answer(py, scene, force, time_limit)
 }
 
-/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. The force is `None` if that of the scene is used.
+/// Scene and force from the arguments of a call. The default scene is the built-in footbridge. The force is `None` if the force of the scene is used.
 ///
-/// If there are several forces, those of walkers that the scene excludes by name are omitted.
+/// If there are several forces, the forces of walkers that the scene excludes by name are omitted.
 pub(crate) fn asked(
     py: Python<'_>,
     scene: Option<&Bound<'_, PyAny>>,
@@ -99,7 +99,7 @@ fn check_open(gait: &Gait, walkers: impl Iterator<Item = Walker>) -> Result<()> 
     gait.walkers(open, &[]).map(drop)
 }
 
-/// Designs a scene. A given force replaces that of the scene.
+/// Designs a scene. A given force replaces the force of the scene.
 pub(crate) fn answer(
     py: Python<'_>,
     asked: Scene,

@@ -1,7 +1,7 @@
 //! Global allocator of the page: the allocator of the standard library, but never inlined.
 //!
-//! The allocator stores the size of a block in the word before the block. If the allocator is inlined, the optimiser treats this word as part of
-//! the zeroed block and replaces it by zero. The block then has size 0 when it is freed, and the page crashes.
+//! The allocator stores the size of a block in the word before the block. If the allocator is inlined, the optimiser treats this word as part of the
+//! zeroed block and sets it to zero. The block then has size 0 when it is freed, and the page crashes.
 #![allow(unsafe_code)] // A global allocator is unsafe by its trait; every call goes to the standard library's.
 
 use std::alloc::{GlobalAlloc, Layout, System};

@@ -1,7 +1,8 @@
 //! Folder of a sweep that is computed in blocks, with one file per block of rows. A file of a block is either complete or absent.
 //!
-//! `_plan.json` identifies the sweep. The name of a block contains its range of rows, `rows-000000131072-000000262144.parquet`. If a single process
-//! computes the sweep, the name of a block of the unfinished table also contains a checksum, `rows-000000000008-000000000072.1c291ca3.csv`.
+//! `_plan.json` identifies the sweep. The file name of a block contains its range of rows, such as `rows-000000131072-000000262144.parquet`. A sweep
+//! that a single process computes into one table also uses blocks until the table is complete. The names of these files also contain a checksum, such
+//! as `rows-000000000008-000000000072.1c291ca3.csv`.
 //!
 //! A block is written under a temporary name and then renamed. Therefore any number of processes on any number of machines can share the folder.
 //! After an interruption, only the missing blocks are computed.
@@ -156,8 +157,8 @@ impl SharedBlocks {
         Ok(self.all().filter(|rows| !present.contains(rows)).collect())
     }
 
-    /// Missing and incomplete blocks of share `part` of `parts` equal shares. Consecutive blocks belong to different shares. Shares are numbered from 1; share 0
-    /// is the same as share `parts`.
+    /// Row ranges of the missing and incomplete blocks of one share. The blocks are divided into `parts` equal shares, and `part` is the number of
+    /// the share. Consecutive blocks belong to different shares. Shares are numbered from 1; number 0 also means the share `parts`.
     ///
     /// # Errors
     ///
@@ -218,7 +219,7 @@ pub fn complete_files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     Ok(out)
 }
 
-/// The last four bytes of a file.
+/// The last four bytes of a file, which are the end mark of a complete Parquet file.
 fn tail(path: &Path) -> std::io::Result<[u8; 4]> {
     let (mut file, mut bytes) = (fs::File::open(path)?, [0; 4]);
     file.seek(SeekFrom::End(-4))?;

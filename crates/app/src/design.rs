@@ -42,8 +42,8 @@ pub fn is_of_machine(key: &str) -> bool {
 
 /// Places a manufactured cam in the machine of another scene, with the drive and the target force of that scene.
 ///
-/// The target force of a load model is evaluated at the step frequency of the new speed. If the model is not defined there, the second value is the
-/// reason.
+/// The target force of a load model is evaluated at the step frequency of the new speed. If the model is not defined at this frequency, the returned
+/// design has no target force, and the second returned value is the reason.
 ///
 /// # Errors
 ///
@@ -83,7 +83,7 @@ pub fn put_on(design: Design, scene: &Scene) -> Result<(Design, Option<Error>)> 
 ///
 /// # Errors
 ///
-/// The force or the scene has no mean force, mass or speed.
+/// The mean force, the mass or the speed is defined neither by the force nor by the scene.
 pub fn put_under(design: Design, scene: &Scene, force: &ForceCurve) -> Result<Design> {
     let problem = Problem::resolve(scene, Some(force))?.at_phase(design.problem.phase);
     let target = problem.target_in_time().cloned();

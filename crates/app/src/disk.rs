@@ -20,7 +20,7 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// Access to files for a scene in `file`: its folder is searched first.
+    /// Access to the files of the scene in `file`. The folder of this file is searched first.
     pub fn beside(file: &Path) -> Disk {
         let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
         Disk {

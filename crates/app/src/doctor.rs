@@ -1,7 +1,7 @@
 //! Diagnosis of a scene or a recording: a list of all errors, with suggested changes.
 //!
-//! The functions of `synth` and `gait` are applied step by step. Invalid keys are removed from the scene, so that errors in the following keys are
-//! also reported.
+//! The diagnosis performs the steps of the commands `synth` and `gait` one by one. Invalid keys are removed from the scene, so that errors in other
+//! keys are also reported.
 
 use std::path::Path;
 
@@ -49,7 +49,7 @@ pub enum Mark {
 }
 
 impl Finding {
-    /// Severity of the finding.
+    /// Severity of the finding. For a design, it follows from the verdict.
     pub fn mark(&self) -> Mark {
         match self {
             Finding::Fault(_) | Finding::NoCycle(_) | Finding::Open(_) => Mark::Bad,

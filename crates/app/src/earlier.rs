@@ -43,13 +43,13 @@ pub const OF_IDENTIFICATION: [&str; 4] = [
 /// Name of the file with the target force, if the force was given as arrays instead of a file.
 pub const FORCE: &str = "force.csv";
 
-/// Name of the summary. It is absent while the other files of the folder do not belong together.
+/// Name of the summary. This file is absent while the folder contains files of different results.
 pub(crate) const SUMMARY: &str = "summary.json";
 
 /// Maximum number of cams in a cover.
 pub const MOST_CAMS: usize = 50;
 
-/// Tables and figures of a cover. The first file is absent while the other files of the folder do not belong together.
+/// Tables and figures of a cover. The first file is absent while the folder contains files of different results.
 pub const OF_COVER: [&str; 6] = [
     "cover.csv",
     "assignment.csv",
@@ -85,7 +85,7 @@ pub(crate) fn own() -> impl Iterator<Item = &'static str> {
     design.chain(rest).chain(added).chain(of_cover())
 }
 
-/// Whether the file is written last, so that it is absent while the other files of its folder do not belong together.
+/// Whether the file is written last, so that it is absent while its folder contains files of different results.
 pub(crate) fn is_last(name: &str) -> bool {
     name == SUMMARY || name == OF_COVER[0]
 }
@@ -121,7 +121,7 @@ fn holds_design(folder: &Path) -> bool {
     holds(folder, SUMMARY, ["outcome", "solver"])
 }
 
-/// Whether a file of the folder contains a JSON object with both keys.
+/// Whether a file of the folder contains a JSON object with both of the given keys.
 fn holds(folder: &Path, name: &str, keys: [&str; 2]) -> bool {
     let bytes = content(&folder.join(name));
     let object = serde_json::from_slice::<serde_json::Value>(&bytes);
@@ -135,7 +135,7 @@ fn is_of(folder: &Path, scene: &str) -> bool {
         .any(|name| content(&folder.join(name)) == scene.as_bytes())
 }
 
-/// Content of a regular file. Pipes, devices and unreadable files give no bytes.
+/// Content of a regular file. The result is empty for pipes, devices and unreadable files.
 fn content(path: &Path) -> Vec<u8> {
     match is_plain(path) {
         true => fs::read(path).unwrap_or_default(),

@@ -20,13 +20,13 @@ enum Of {
     All,
     /// Designs with a cam.
     Cams,
-    /// Rotating disc cams, but not translating and barrel cams.
+    /// Designs with a rotating disc cam, but not with a translating or barrel cam.
     Discs,
     /// All cams except barrel cams.
     Profiles,
-    /// All cams except barrel cams. Lists offer the file only for rotating cams, because a translating cam is not a plate.
+    /// All cams except barrel cams. For a translating cam, the file is not in the list of available files, because this cam is not a plate.
     Plates,
-    /// Conjugate pairs of cams.
+    /// Designs with a conjugate pair of cams.
     Pairs,
     /// Designs with a cylindrical (barrel) cam.
     Barrels,

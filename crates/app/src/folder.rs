@@ -43,7 +43,7 @@ impl Folder {
         self.write(&format!("{name}.png"), &picture.png())
     }
 
-    /// Path of the folder.
+    /// Path of the folder to which files are written.
     pub fn path(&self) -> &Path {
         &self.path
     }

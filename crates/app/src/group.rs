@@ -1,13 +1,13 @@
 //! Groups into which lists of files are divided.
 
-/// Purpose of a file. Lists of files are grouped by it.
+/// Purpose of a file, by which lists of files are grouped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     /// Tables of numbers, as CSV, JSON and workbooks.
     Tables,
     /// Drawings of the cam's outline at true scale.
     Drawings,
-    /// Figures of the design.
+    /// Figures of the design, as SVG and PNG.
     Pictures,
     /// The HTML report of a design or a run.
     Report,

@@ -54,8 +54,8 @@ impl Input {
         Input::new(table(path)?, Disk::beside(path), Some(path.to_path_buf()))
     }
 
-    /// Table of the scene that does not depend on its folder. Paths of recordings are absolute, and file names of motions are replaced by the rows
-    /// of the files.
+    /// Table of the scene that does not depend on the folder of the scene file. Paths of recordings are absolute, and file names of motions are
+    /// replaced by the rows of the files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
         let absolute = |name: &PathBuf| {

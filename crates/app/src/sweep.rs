@@ -71,7 +71,7 @@ pub struct SweepQuestion {
     pub recordings: Vec<String>,
     /// Keys of which all combinations of values are computed.
     pub vary: Vec<Varied>,
-    /// Number of sampled points; `None` computes all combinations of values.
+    /// Number of sampled points; `None` if all combinations of values are computed.
     pub sample: Option<u64>,
     /// Sampling method: Latin hypercube or Sobol sequence.
     pub method: Method,

@@ -78,7 +78,7 @@ pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
     along(&Edge::of(cam), tolerance)
 }
 
-/// Approximates any edge to be cut by arcs within `tolerance` m.
+/// Approximates an edge, which may be open, by circular arcs within `tolerance` m. `None` in the cases of [`fit`].
 pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
     if !sensible || edge.is_undercut() {
@@ -144,8 +144,8 @@ fn follow(
 }
 
 impl Biarc {
-    /// Biarc between the points P₀ and P₁ with the unit tangents T₀ and T₁. The inner corners of its control polygon are P₀ + d T₀ and P₁ − d T₁,
-    /// and their distance is 2d.
+    /// Biarc between the points P₀ and P₁ with the unit tangents T₀ and T₁. The inner corners of its control polygon are P₀ + d T₀ and P₁ − d T₁, and
+    /// the distance between these corners is 2d.
     fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];

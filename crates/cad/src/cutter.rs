@@ -118,7 +118,7 @@ pub(crate) fn positive(radius: f64) -> Result<f64> {
     .into())
 }
 
-/// Position on the path at which the cutter penetrates the profile most. Returns the index of the point that is cut, the index of the damaged
+/// Position on the path at which the cutter penetrates deepest into the profile. Returns the index of the point that is cut, the index of the damaged
 /// point, and the depth in m. `None` if the cutter does not damage the profile.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;

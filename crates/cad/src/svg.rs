@@ -110,7 +110,7 @@ fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     );
 }
 
-/// Edge of the hole for the shaft as path data in mm with y downwards.
+/// Edge of the bore as path data in mm with y downwards.
 pub(crate) fn hole(bore: &Bore) -> String {
     let edge = bore.outline();
     let place = |[x, y, _]: [f64; 3]| format!("{:.6} {:.6}", MM * x, -MM * y);

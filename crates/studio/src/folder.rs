@@ -56,7 +56,7 @@ impl Folder {
         Ok(Folder { root, read })
     }
 
-    /// Path of the folder.
+    /// Path of the opened folder.
     pub fn root(&self) -> &Path {
         &self.root
     }

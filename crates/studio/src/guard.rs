@@ -19,7 +19,7 @@ pub struct Guard {
 }
 
 /// Token and preferred port for a folder. They are the same at every start, so that an open page can reconnect after a restart. They are computed
-/// from the path of the folder and a secret of the user, so that others cannot guess them.
+/// from the path of the folder and a secret of the user, so that other users cannot guess them.
 pub struct Place {
     /// Secret token, which every request must contain.
     pub token: String,

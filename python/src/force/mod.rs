@@ -62,7 +62,7 @@ impl Force {
         Ok(force.map(|f| f.get().clone()))
     }
 
-    /// Mean cycle of a recording. Without a name, the force has that of its file.
+    /// Mean cycle of a recording. If `name` is `None`, the name of the file without its extension is used.
     fn of_recording(py: Python<'_>, origin: Origin, name: Option<&str>) -> PyResult<Force> {
         let file = origin.file();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -246,8 +246,8 @@ impl Force {
         steps::table(&recording.map_or(Vec::new(), |r| r.stance_rows()))
     }
 
-    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are those of the first stance; the impulse is that
-    /// of both feet.
+    /// Complete strides of both feet, as a table with the columns of :attr:`stances`. The peaks are measured in the first stance; the impulse is the
+    /// sum of both feet.
     #[getter]
     fn strides(&self) -> Table {
         let recording = self.curve.recording.as_ref();

@@ -8,13 +8,13 @@ use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, BETWEEN_PLATES, Files, Gait};
 use toml::{Table, Value};
 
-/// Name of the file in the result folder that contains a force from arrays.
+/// File name, in the result folder, of a force that was given as arrays.
 pub use gaitcam_app::design::FORCE as FILE;
 
 /// Data from which a force is computed.
 #[derive(Clone)]
 pub enum Origin {
-    /// Arrays with one cycle.
+    /// Arrays with the times and forces of one cycle.
     Arrays,
     /// Recording, with the options for reading it.
     Recording {

@@ -87,7 +87,7 @@ pub fn identify<'py>(
 /// ----------
 /// design : Design
 /// logs, time, angle, force, speed, torque, counts_per_turn
-///     The arguments of :func:`identify`. The log with the speed closest to that of the design is used for the correction. The
+///     The arguments of :func:`identify`. The log with the speed closest to the speed of the design is used for the correction. The
 ///     other logs are used only for the identification.
 ///
 /// Returns

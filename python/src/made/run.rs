@@ -1,4 +1,4 @@
-//! Simulation of the cam with the numbers of its exported files.
+//! Simulation of the cam, with the lift recovered from the points of its exported profile.
 
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{self, Model, Outcome};
@@ -16,7 +16,7 @@ use crate::html;
 use crate::scene::Scene;
 use crate::table::Table;
 
-/// Result of a simulation of the cam with the numbers of its exported files.
+/// Result of a simulation of the cam, with the lift recovered from the points of its exported profile.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Run {
     outcome: Outcome,
@@ -28,7 +28,7 @@ pub struct Run {
     force: Option<Py<PyAny>>,
 }
 
-/// Simulates the cam of a design with the numbers of its exported files, instead of the exact law.
+/// Simulates the cam of a design. The lift is recovered from the points of the exported profile instead of the exact law.
 ///
 /// Parameters
 /// ----------

@@ -20,12 +20,13 @@ use crate::scene::Scene;
 /// Definition of a sweep: base scenes, force and varied keys.
 pub struct Question {
     scenes: Vec<Scene>,
-    /// Force that replaces those of all scenes; `None` if the definition was restored from a pickle, which contains the files instead.
+    /// Force that replaces the forces of all scenes. `None` if the definition was restored from a pickle, which contains the files instead of the
+    /// force.
     force: Option<Force>,
     asked: SweepQuestion,
 }
 
-/// Access to the files of a base scene: first those of the given force, then those on the disk.
+/// Access to the files of a base scene. A file is looked up first in the given force, then on the disk.
 struct Given {
     force: Option<Force>,
     disk: Disk,
@@ -217,7 +218,7 @@ impl Question {
         Ok(())
     }
 
-    /// Adds manufacturing tolerances, each with its half width.
+    /// Adds manufacturing tolerances: names of the manufactured quantities, with the half widths of their tolerance bands.
     pub fn tolerances(&mut self, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         for (part, width) in parts.into_iter().flatten() {
             let part: String = part.extract()?;
@@ -294,7 +295,7 @@ fn method_of(name: &str) -> Option<Method> {
         .find(|m| m.name() == name)
 }
 
-/// Base scene with the name that it has in the rows.
+/// Base scene with its name, by which the rows of the sweep refer to it.
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),

@@ -54,7 +54,7 @@ impl Host for Page {
 }
 
 static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
-/// Memory of requests that the page writes and of responses that it reads, by address.
+/// Buffers that this module shares with the page, by address. They contain requests from the page or responses to the page.
 static SHARED: Mutex<BTreeMap<usize, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 fn share(mut bytes: Vec<u8>) -> *mut u8 {

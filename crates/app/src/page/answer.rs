@@ -36,7 +36,7 @@ pub enum Body {
 pub struct Answer {
     /// Whether the request itself was valid. It may be valid although the scene in it is invalid.
     pub understood: bool,
-    /// Content of the response.
+    /// Content of the response: JSON data, or a file of a design.
     pub body: Body,
 }
 

@@ -14,8 +14,8 @@ use gaitcam::error::Result;
 use gaitcam::wording::Language;
 
 impl Engine {
-    /// Processes a request. JSON responses contain the hash of the request as `of`. If files of the request are not stored, the response contains
-    /// the list `missing` with their hashes instead of a result.
+    /// Processes a request. JSON responses contain the hash of the request in the field `of`. If files of the request are not stored, the response
+    /// contains the list `missing` with their hashes instead of a result.
     pub fn answer(&self, host: &dyn Host, route: &str, question: &[u8]) -> Answer {
         let mut answer = match serde_json::from_slice::<Map<String, Value>>(question) {
             Ok(object) => self.routed(host, route, object),

@@ -16,9 +16,9 @@ use gaitcam::units::{Dimension, parse};
 pub struct Field {
     /// Text of the value in the scene file; empty if the scene omits the key.
     pub text: String,
-    /// Value that applies if the field is empty: the value of the design, or the default.
+    /// Value that the empty field shows: the value of the design, or the default.
     pub placeholder: String,
-    /// Value of the design for a key that the scene omits.
+    /// Value that the design uses for the key, if the scene omits the key or sets it to `auto`; otherwise `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<String>,
     /// Whether the key has an effect in this scene.
@@ -217,8 +217,8 @@ fn usual(path: &str) -> Option<(f64, f64)> {
     }
 }
 
-/// Ends of a slider for the value `at`, in the unit of the field. The ends are simple numbers, and the value is not close to them. For a positive
-/// value, the lower end can be near zero.
+/// Ends of a slider for the value `at`, in the unit of the field. The ends are simple numbers at a distance from the value. For a positive value, the
+/// lower end can be near zero.
 fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
     let ends = match range {
         Range::Acute => (
@@ -269,7 +269,7 @@ fn tidy(x: f64) -> f64 {
     short(x).parse().unwrap_or(x)
 }
 
-/// Unit of the text, or the customary unit if the text has none, with the space before it.
+/// Unit in the text of a quantity, or the customary unit for a text without a unit. The result begins with a space, unless it is empty.
 fn unit_of(text: &str, dimension: Dimension) -> String {
     let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
     let typed = text.trim().trim_start_matches(number).trim();

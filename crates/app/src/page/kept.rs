@@ -1,4 +1,4 @@
-//! Data that is cached between requests, and services of the host that processes them.
+//! Data that is cached between requests, and services of the host (server or browser) in which the requests are processed.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -33,7 +33,7 @@ pub struct Start {
     pub folder: Option<String>,
 }
 
-/// Services that the host offers to a request: files, clock, time limit and start state.
+/// Services that the host, which is a server or a browser, provides for a request: files, clock, time limit and start state.
 pub trait Host {
     /// Content and hash of a file that is neither stored by the page nor built in.
     ///
@@ -51,7 +51,7 @@ pub trait Host {
 
 /// Design with its inputs and their hashes.
 pub struct Made {
-    /// Table of the scene.
+    /// Table of the scene, as in its TOML text.
     pub table: Table,
     /// Table of the scene, in which the file name of every motion is replaced by the rows of the file.
     pub whole: Table,

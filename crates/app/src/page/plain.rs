@@ -91,7 +91,7 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Writes the next word or character. Returns false at the end of the message.
+    /// Copies the next word or character of the message to the output, and replaces a key by its label. Returns false at the end of the message.
     fn step(&mut self) -> bool {
         let Some(first) = self.rest.chars().next() else {
             return false;
@@ -111,7 +111,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Writes the label of a section in brackets. Returns false if the next text is not a section.
+    /// Replaces a section name in brackets by the label of the section. Returns false if the next text is not a section name.
     fn table(&mut self) -> bool {
         let Some(end) = self.rest.find(']') else {
             return false;
@@ -162,7 +162,8 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Reads the value after an equals sign, without quotation marks.
+    /// Reads the value after an equals sign and returns it without quotation marks, or its label if the value is a choice. `None` if the next text is
+    /// not a value.
     fn value(&mut self, path: &str) -> Option<String> {
         let written = self.rest.strip_prefix(" = ")?;
         let (value, rest) = match written.strip_prefix('"') {
@@ -176,7 +177,7 @@ impl<'a> Writer<'a> {
         Some(choice.flatten().unwrap_or(value))
     }
 
-    /// Writes the labels of options of `gait`, such as `options unit and mass`. Returns false if no option follows.
+    /// Replaces names of options of `gait` by their labels, as in `options unit and mass`. Returns false if no option name follows.
     fn options(&mut self, after: &'a str) -> bool {
         let mut rest = after;
         let mut between = " ";

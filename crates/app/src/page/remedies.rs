@@ -176,7 +176,8 @@ fn of_scene(fault: &SceneError, key: &str) -> Vec<Remedy> {
     .collect()
 }
 
-/// Corrections for the open questions about the recording of a design: first acceptance of the assumption, then the keys that answer the question.
+/// Suggested changes of keys that answer the open questions about the recording of a design. The first changes accept the assumptions, and the other
+/// changes set the keys that answer the questions.
 pub fn of_open_questions(design: &Design) -> Vec<Remedy> {
     let mut out: Vec<Remedy> = Vec::new();
     let accepted: Vec<&str> = (design.problem.open_questions.iter())

@@ -28,7 +28,7 @@ pub enum Piece {
     Program(usize),
     /// Program for wire cutting.
     Wire,
-    /// Electronic cam; the index is that of its dialect in `Dialect::ALL`.
+    /// Electronic cam, with the index of its dialect in `Dialect::ALL`.
     Ecam(usize),
 }
 

@@ -21,7 +21,7 @@ const FIELD: f64 = 8.0;
 const USUAL_ROUGHNESS: f64 = 0.8e-6;
 /// Profile tolerances from which one is chosen, m, in decreasing order.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
-/// Number of randomly manufactured cams that are computed for each tolerance.
+/// Number of cams with random profile errors that are computed for each tolerance.
 const MADE: u64 = 1000;
 const SEED: u64 = 1;
 
@@ -30,15 +30,15 @@ const SEED: u64 = 1;
 struct Scattered {
     /// Half width of the tolerance band, m.
     tolerance: f64,
-    /// RMS force error that 95 % of the manufactured cams do not exceed, in percent of the mean force.
+    /// RMS force error that 95 % of the cams with random profile errors do not exceed, in per cent of the mean force.
     error: f64,
 }
 
-/// Profile tolerance and the resulting force error; `None` without a target force.
+/// Profile tolerance and its effect on the force error; `None` without a target force.
 ///
 /// The tolerance of the scene is used if there is one. Otherwise it is the largest tolerance in [`OFFERED`] for which 95 % of the cams satisfy e² −
-/// e₀² ≤ (½ `allowed`)². Here e is the RMS force error of a manufactured cam, and e₀ is that of the exact cam, both as fractions of the mean force.
-/// If no tolerance satisfies this condition, the smallest one is used.
+/// e₀² ≤ (½ `allowed`)². Here e is the RMS force error of a cam with random profile errors, and e₀ is the RMS force error of the exact cam. Both
+/// errors are fractions of the mean force. If no tolerance satisfies this condition, the smallest one is used.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {

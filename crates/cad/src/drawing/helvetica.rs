@@ -2,7 +2,7 @@
 //!
 //! Widths are in thousandths of an em, from the metrics of the standard fonts. Helvetica has the Windows encoding.
 
-/// Font of a character.
+/// Font that contains a character: Helvetica or Symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Face {
     /// Helvetica, used for letters and digits.
@@ -14,7 +14,7 @@ pub enum Face {
 /// Character with its font, code and width.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Glyph {
-    /// Font of the glyph.
+    /// Font that contains the glyph.
     pub face: Face,
     /// Code of the character in this font.
     pub byte: u8,

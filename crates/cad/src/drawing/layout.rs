@@ -78,7 +78,7 @@ pub struct Layout {
     pub name: &'static str,
     /// Width and height of the paper, mm.
     pub paper: [f64; 2],
-    /// Area within the frame.
+    /// Area inside the frame of the drawing.
     pub frame: Area,
     /// Area for the plan view and the side view.
     pub views: Area,
@@ -86,9 +86,9 @@ pub struct Layout {
     pub table: Area,
     /// Area for the title block.
     pub title: Area,
-    /// Number of blocks side by side into which the table is divided, and number of columns of the title block.
+    /// Number of blocks side by side into which the table of radii is divided. The title block has the same number of columns.
     pub blocks: usize,
-    /// Scale of both views.
+    /// Scale of the plan view and the side view.
     pub scale: Scale,
 }
 
@@ -100,9 +100,9 @@ const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// Smallest suitable sheet for the views. `room` gives their width and height, mm, for a scale.
+    /// Smallest suitable sheet for the views. `room` computes the width and height of the views on the sheet, mm, from a scale.
     ///
-    /// The sheet is A4. It is A3 if the views would be reduced on A4, and if A3 permits a larger scale.
+    /// The sheet is A3 if the views would be reduced on A4 and A3 permits a larger scale. Otherwise it is A4.
     pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let [on_a4, on_a3] = [false, true].map(|is_a3| Self::of_paper(is_a3).scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {

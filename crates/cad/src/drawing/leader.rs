@@ -88,7 +88,7 @@ impl Pen {
     }
 }
 
-/// Text of the label for the shaft hole, two lines.
+/// Text of the label for the bore, two lines.
 pub fn bore(bore: &Bore, words: &Labels) -> [String; 2] {
     let size = format!("Ø {} H7", words.length(bore.diameter, 3));
     [words.text("drawing-bore"), size]

@@ -36,7 +36,7 @@ pub struct Title {
     pub date: Option<u64>,
     /// Permitted RMS force error, as a fraction of the mean force.
     pub accuracy: f64,
-    /// Unit of the dimensions.
+    /// Unit of the lengths in the drawing.
     pub units: Units,
 }
 

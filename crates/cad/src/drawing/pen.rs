@@ -11,7 +11,8 @@ pub const HELVETICA: Name<'static> = Name(b"Helvetica");
 /// Name of the font Symbol in the PDF resources of the sheet.
 pub const SYMBOL: Name<'static> = Name(b"Symbol");
 
-/// Length of the tangent arms of a Bézier curve for a quarter of the unit circle. The error is 3e-4 of the radius.
+/// Distance between an end point and its control point, if a cubic Bézier curve represents a quarter of the unit circle. The radial error is 3e-4 of
+/// the radius.
 const QUARTER: f64 = 0.552_284_749_8;
 
 /// Line types of ISO 128, each with a width in mm and a dash pattern.

@@ -8,7 +8,7 @@ use gaitcam::synth::Design;
 use super::radii::farthest;
 use gaitcam::synth::Edge;
 
-/// Cam to be manufactured, with its shaft hole and its thickness.
+/// Cam to be manufactured, with its bore and its thickness.
 pub struct Piece<'a> {
     pub cam: &'a Cam,
     pub edge: Edge<'a>,
@@ -56,7 +56,7 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// Points on the edge of the shaft hole, m: `count` points at equal angles, and the corners of the keyway.
+/// Points on the edge of the bore, m: `count` points at equal angles, and the corners of the keyway.
 pub fn bore_edge(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
     let mut angles: Vec<f64> = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
     angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));

@@ -23,10 +23,10 @@ const OVER: f64 = 4.0;
 const UNDER: f64 = 8.0;
 /// Angles at which the arrow of rotation begins and ends, measured from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
-/// Number of points on the edge of the bore, without its corners.
+/// Number of points on the edge of the bore, without the corners of the keyway.
 const EDGE: usize = 180;
 
-/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of the column.
+/// Positions of the labels: side (1 right, −1 left), and height above the centre as a fraction of the half height of a column of labels.
 const SLOTS: [[f64; 2]; 8] = [
     [1.0, 0.3],
     [-1.0, 0.3],
@@ -38,7 +38,7 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
-/// Height above the centre, as a fraction of the half height of the column, from which a position is above the keyway.
+/// Minimum height above the centre for the label of the keyway, as a fraction of the half height of a column of labels.
 const HIGH: f64 = 0.5;
 
 /// Label with the object to which its leader points.
@@ -141,8 +141,8 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of the
-    /// column, are not considered.
+    /// Index of the free label position that is nearest to the point `p`. Positions below the height `from`, a fraction of the half height of a
+    /// column of labels, are not considered.
     fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
         let far = |k: usize| {
             let [x, y] = self.slot(free[k]);

@@ -194,7 +194,7 @@ struct Groups {
     scale: f64,
 }
 
-/// Writes the block of each space.
+/// Writes the empty blocks of the model space and the paper space, whose names are in `spaces`.
 fn blocks(out: &mut Groups, spaces: [&str; 2], records: &[u32]) {
     out.section("BLOCKS");
     for (name, &record) in spaces.into_iter().zip(records) {

@@ -71,9 +71,9 @@ pub struct Options {
     pub points: usize,
     /// Version of the DXF format.
     pub version: Version,
-    /// Hole for the shaft; `None` for a cam without a hole.
+    /// Bore for the shaft; `None` for a cam without a bore.
     pub bore: Option<Bore>,
-    /// Selection of the layers.
+    /// Layers that the drawing contains.
     pub content: Content,
     /// Unit of lengths in the file.
     pub units: Units,

@@ -1,7 +1,7 @@
 //! Writing and reading of numbers in structured text (IEC 61131-3).
 
-/// Shortest literal that is read back as the same number. It contains a decimal point, which real literals require. Numbers of single precision
-/// have fewer digits.
+/// Shortest literal that is read back as the same number. It contains a decimal point, which real literals require. A number that single precision
+/// represents exactly is written with the digits of single precision.
 pub fn literal(x: f64) -> String {
     let single = x as f32;
     let text = match f64::from(single) == x {

@@ -1,11 +1,11 @@
-//! Electronic cams: a law as a program text or table for a motion controller, and the resulting error.
+//! Electronic cams: a law as a program text or table for a motion controller, and the error of the executed motion.
 //!
 //! Controllers interpolate between points with polynomials. Quintics that match lift, velocity and acceleration at both ends reproduce a law of
-//! degree 5 exactly. A cubic spline through positions does not. Its acceleration error has two parts, where h is the distance between the points.
-//! The interpolation error is proportional to h². The rounding error of the positions is divided by h². Beyond some number of points, more points
-//! therefore increase the error.
+//! degree 5 exactly. A cubic spline through positions does not reproduce it exactly. Its acceleration error has two parts, where h is the distance
+//! between the points. The interpolation error is proportional to h². The rounding error of the positions is divided by h². Above a certain number of
+//! points, additional points therefore increase the error.
 //!
-//! Every file is read back and evaluated in the number type of its controller. The resulting motion is compared with the law.
+//! Every file is read back and evaluated in the number type of its controller. The executed motion is compared with the law.
 
 mod codesys;
 mod csv;
@@ -27,7 +27,7 @@ use gaitcam::units::Quantity;
 use replay::Curve;
 pub use table::{Node, Table};
 
-/// Kind of motion controller.
+/// Kind of motion controller, with the format of its files.
 ///
 /// ```
 /// use gaitcam_cad::ecam::{Dialect, Interpolation};
@@ -67,7 +67,7 @@ pub enum Number {
     Double,
 }
 
-/// Properties of a dialect.
+/// Interpolation, number type and maximum number of points of a dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Carries {
     /// Interpolation of the controller between the points.
@@ -150,9 +150,9 @@ const MOST: usize = 100_000;
 const MOST_CHOSEN: usize = 4096;
 /// Minimum number of intervals that a user can request.
 const FEWEST: usize = 4;
-/// Added RMS force error, as a fraction of the mean force, at which the automatic number of points is sufficient.
+/// RMS force error added by the controller, as a fraction of the mean force, at which the automatic number of points is sufficient.
 const EXACT: f64 = 1e-4;
-/// Permitted added RMS force error, as a fraction of the mean force, if the design has no limit of the RMS force error.
+/// Permitted RMS force error added by the controller, as a fraction of the mean force. It applies to designs without a limit of the RMS force error.
 const ACCEPTED: f64 = 0.005;
 /// Number of Gauss nodes that integrate the square of a difference of two quintics exactly.
 const GAUSS: usize = 6;
@@ -160,7 +160,7 @@ const GAUSS: usize = 6;
 /// File for a controller, and the error of the motion that the controller executes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronicCam {
-    /// Dialect of the file.
+    /// Dialect in which the file is written.
     pub dialect: Dialect,
     /// Text of the file, a program or a table.
     pub text: String,
@@ -175,8 +175,8 @@ pub struct ElectronicCam {
 pub struct Replayed {
     /// RMS difference, N, between the forces of the executed motion and of the law; `None` without a drive.
     pub added: Option<f64>,
-    /// RMS force difference as a fraction of the mean target force. Without a target, it is a fraction of the maximum force. Without a drive, it is
-    /// the RMS acceleration difference as a fraction of the maximum acceleration.
+    /// RMS force difference between the executed motion and the law, as a fraction of the mean target force. Without a target, it is a fraction of
+    /// the maximum force. Without a drive, it is the RMS acceleration difference as a fraction of the maximum acceleration.
     pub share: f64,
     /// RMS difference, N, between the force of the executed motion and the target; `None` without a target.
     pub error: Option<f64>,
@@ -337,7 +337,8 @@ fn held_against(design: &Design, motion: &Law) -> Replayed {
 /// Minimum number of quadrature intervals per cycle, so that the target is smooth enough within each interval.
 const PARTS: f64 = 720.0;
 
-/// Breaks of both functions in increasing order, with additional points so that no interval is longer than `most`.
+/// Ends of the quadrature intervals for two functions with the breaks `a` and `b`. They are the breaks of both functions in increasing order, and
+/// additional points so that no interval is longer than `most`. All values are positions of the cam, rad (translating cam: m).
 fn merged(a: &[f64], b: &[f64], most: f64) -> Vec<f64> {
     let mut all = [a, b].concat();
     all.sort_by(f64::total_cmp);

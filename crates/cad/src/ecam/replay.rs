@@ -104,8 +104,8 @@ fn clamped(points: &[[f64; 2]], ends: [f64; 2]) -> Vec<f64> {
     tridiagonal(&rows, right)
 }
 
-/// Slopes at the points of the periodic cubic spline. Its equations differ from those of an open spline by a rank-one matrix, and are solved with
-/// the Sherman–Morrison formula.
+/// Slopes at the points of the periodic cubic spline. Its matrix differs from the tridiagonal matrix of an open spline by a rank-one matrix. The
+/// equations are therefore solved with the Sherman–Morrison formula.
 fn periodic(points: &[[f64; 2]]) -> Vec<f64> {
     let n = points.len() - 1;
     let row_of = |i: usize| match i {

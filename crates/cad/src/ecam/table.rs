@@ -6,12 +6,12 @@ use gaitcam::synth::Design;
 
 use super::Number;
 
-/// Number of units in the last place of a column's maximum. A smaller value in the column counts as a rounding error.
+/// Rounding error of a column, in units in the last place of the column's maximum. A smaller value is replaced by 0.
 const ROUNDED: f64 = 64.0;
-/// Difference between the two sides of a joint, relative to the column's maximum, that counts as a rounding error.
+/// Difference between the two sides of a joint, relative to the column's maximum, below which it counts as a rounding error.
 const SAME: f64 = 1e-9;
 
-/// Point of the cam. Derivatives are those of the follower's position with respect to the cam's position, in the units of the file.
+/// Point of the cam, with the derivatives of the follower's position with respect to the cam's position, in the units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
     /// Position of the cam (master), degrees or mm.
@@ -85,7 +85,7 @@ impl Table {
         }
     }
 
-    /// Every point once: the left ends of all intervals, and the right end of the last one.
+    /// All points without repetition: the left ends of all intervals, and the right end of the last interval.
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let last = self.segments.last().map(|s| s[1]);
         self.segments.iter().map(|s| s[0]).chain(last)

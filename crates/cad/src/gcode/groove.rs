@@ -1,8 +1,8 @@
-//! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, like the axis of the
-//! roller.
+//! Program that mills the groove of a barrel on a rotary axis. The axis of the cutter intersects the axis of the barrel, as the axis of the roller
+//! does.
 //!
-//! A cutter with the radius of the roller, on the path of the roller, cuts the exact envelope of the roller without ridges or gouges at any depth.
-//! A thinner cutter cannot do this: in an oblique part of the groove, its contact with the wall changes with the depth.
+//! The cutter has the radius of the roller and moves on the path of the roller. It therefore cuts the exact envelope of the roller at any depth,
+//! without ridges or gouges. A thinner cutter cannot do this: in an oblique part of the groove, its contact with the wall changes with the depth.
 
 use std::fmt::Write;
 
@@ -26,7 +26,7 @@ const ONE: f64 = 1e-6;
 ///
 /// # Errors
 ///
-/// The radius of the cutter differs from that of the roller, or the groove is undercut.
+/// The radius of the cutter differs from the radius of the roller, or the groove is undercut.
 pub fn program(groove: &BarrelGroove, name: &str, cut: &Milling) -> Result<String> {
     let (tool, units) = (cut.tool, cut.units);
     let roller = groove.roller_radius();

@@ -1,5 +1,5 @@
 //! Programs for machine tools (ISO 6983). Milling programs cut the outside of a cam, or the groove of a barrel on a rotary axis. Wire-cutting
-//! programs cut the hole and the outside of a cam.
+//! programs cut the bore and the outside of a cam.
 
 mod groove;
 mod outside;
@@ -23,7 +23,7 @@ const SPINDLE: f64 = 2000.0;
 const PLUNGE: f64 = 0.25;
 /// Height above the plate for rapid motion, m.
 const CLEAR: f64 = 0.005;
-/// Fraction of the depth of a pass. A smaller remaining thickness does not get a separate pass.
+/// Remaining thickness, as a fraction of the depth of a pass, up to which no additional pass is made.
 const REST: f64 = 1e-6;
 /// Maximum number of passes through a plate. A larger number means that the given depth is wrong.
 const MOST_PASSES: f64 = 1000.0;
@@ -111,7 +111,7 @@ struct Path {
 /// - A pass is below a thousandth of the thickness.
 /// - Arcs cannot approximate the profile (undercut, jumps of the velocity).
 /// - The cutter does not fit into a concave part.
-/// - The radius of the cutter for a groove differs from that of the roller.
+/// - The radius of the cutter for a groove differs from the radius of the roller.
 pub fn milling(design: &Design, cut: &Milling) -> Result<Vec<String>> {
     let tool = cutter::positive(cut.tool)?;
     let least = design.problem.cam.thickness / MOST_PASSES;
@@ -182,7 +182,7 @@ fn bore(out: &mut Program, design: &Design, cut: &Milling) {
 /// Program for wire cutting. The centre of the wire moves at the distance `radius` m from the edge; `radius` is half the wire diameter plus the
 /// spark gap.
 ///
-/// The program cuts the hole for the shaft with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
+/// The program cuts the bore with its keyway, then the outside. For a conjugate pair, it cuts the first cam.
 ///
 /// # Errors
 ///
@@ -369,7 +369,7 @@ fn rounded(units: Units, x: f64) -> f64 {
     (x * step).round() / step
 }
 
-/// Name with every character replaced by `_` that some controller does not accept in a comment, cut to 40 characters.
+/// Name for a comment, cut to 40 characters. Characters that some controllers do not accept in comments are replaced by `_`.
 fn comment(name: &str) -> String {
     let plain = |c: char| match c.to_ascii_uppercase() {
         c @ ('A'..='Z' | '0'..='9' | ' ' | '.' | '-' | '_') => c,

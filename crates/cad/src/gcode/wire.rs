@@ -1,10 +1,10 @@
-//! Path along the edge of the shaft hole, for a wire or a milling cutter that starts at the centre of the hole.
+//! Path along the edge of the bore, for a wire or a milling cutter that starts at the centre of the bore.
 
 use gaitcam::cam::Bore;
 
 use super::{Move, Path};
 
-/// Path inside the hole at the distance `radius` m from its edge, counter-clockwise from the lowest point. `None` if the tool does not fit.
+/// Path inside the bore at the distance `radius` m from its edge, counter-clockwise from the lowest point. `None` if the tool does not fit.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;
     if round <= 0.0 {

@@ -1,4 +1,4 @@
-//! Solids as STL and 3MF: the cam as a plate with its holes, or the walls of a barrel's groove.
+//! Solids as STL and 3MF: the cam as a plate with its bore, or the walls of a barrel's groove.
 
 mod plate;
 mod stl;

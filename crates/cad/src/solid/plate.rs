@@ -14,7 +14,7 @@ const MM: f64 = 1000.0;
 pub struct Plate {
     /// Thickness of the plate, m. The lower face is at z = 0.
     pub thickness: f64,
-    /// Hole for the shaft; `None` for a plate without a hole.
+    /// Bore for the shaft; `None` for a plate without a bore.
     pub bore: Option<Bore>,
     /// Number of vertices of the profile.
     pub points: usize,
@@ -119,7 +119,7 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-/// Copy of the polygon with additional vertices: its intersections with the rays from the centre through the corners of the hole.
+/// Copy of the polygon with additional vertices: its intersections with the rays from the centre through the corners of the bore.
 fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
     let corners = bore.corners();
     let n = outline.len();

@@ -1,4 +1,5 @@
-//! Interpolation of points by clamped cubic B-splines. The first two spans are one cubic, and so are the last two ("not a knot").
+//! Interpolation of points by clamped cubic B-splines. The end conditions are of the type "not a knot": the first two spans have the same cubic
+//! polynomial, and so have the last two spans.
 
 use std::ops::Range;
 
@@ -43,7 +44,8 @@ impl Interpolant {
         Interpolant { spans, rows }
     }
 
-    /// Control points of the spline through `points`, which are its values at 0, 1, … spans.
+    /// Control points of the spline that interpolates `points`. The spline has the value `points[i]` at the parameter i, where each span has the
+    /// length 1.
     pub fn control<const D: usize>(&self, points: &[[f64; D]]) -> Vec<[f64; D]> {
         let n = self.spans + 1;
         let mut out = points.to_vec();
@@ -102,7 +104,7 @@ pub fn clamped(inner: Range<usize>, spans: usize) -> Vec<(usize, f64)> {
     out
 }
 
-/// Index of the first of the four basis functions that can be nonzero at `x`, and the values of the four (Cox–de Boor).
+/// Basis functions that can be nonzero at `x`: the index of the first of these four functions, and their values at `x` (Cox–de Boor).
 fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
     // Knot k of the full sequence.
     let knot = |k: usize| match k {

@@ -24,8 +24,9 @@ pub struct Clamped {
 
 /// Consecutive splines within `tolerance` m of an edge.
 ///
-/// A closed edge results in one periodic C² spline, counter-clockwise, divided into `parts` clamped splines. An open edge results in one spline per
-/// span of the law, in the direction of increasing θ. `None` if the edge is undercut, or if the maximum number of spans is not sufficient.
+/// A closed edge is approximated by one periodic C² spline, counter-clockwise, which is divided into `parts` clamped splines. An open edge is
+/// approximated by one spline per span of the law, in the direction of increasing θ. `None` if the edge is undercut, or if the maximum number of
+/// spans is not sufficient.
 pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> {
     if edge.is_undercut() {
         return None;

@@ -1,10 +1,10 @@
 //! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214), with lengths in mm.
 //!
-//! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle. The number of points is increased until
-//! the spline is within [`FAITHFUL`] of the exact profile. The solid is the extruded profile with the hole for the shaft.
+//! The profile of a disc is a periodic C² cubic B-spline through points at equal steps of the cam angle. The number of points is increased until the
+//! spline is within [`FAITHFUL`] of the exact profile. The solid is the extruded profile with the bore.
 //!
-//! A conjugate pair results in two solids in their positions on the shaft. The axial gap between the two cams is the thickness of one plate. A
-//! translating cam has its foot below the profile. Barrels have no solid.
+//! For a conjugate pair, the file contains two solids in their positions on the shaft. The axial gap between the two cams is the thickness of one
+//! plate. A translating cam has its foot below the profile. Barrels have no solid.
 
 mod file;
 mod freeform;
@@ -22,7 +22,7 @@ const MM: f64 = 1000.0;
 /// Maximum distance between a spline and the exact profile, m, at the points where the distance is measured. Between these points it is below 0.1
 /// µm.
 pub const FAITHFUL: f64 = 5e-8;
-/// Minimum space for the mark of θ = 0, mm: half the radial distance between hole and base circle.
+/// Minimum space for the mark of θ = 0, mm: half the radial distance between bore and base circle.
 const LEAST_ROOM: f64 = 0.25;
 /// Number of edges into which the profile is divided.
 const EDGES: usize = 4;
@@ -92,7 +92,7 @@ struct Dot {
 }
 
 impl Dot {
-    /// Mark in the middle between the hole for the shaft and the base circle; `None` if the space is too small.
+    /// Mark in the middle between the bore and the base circle; `None` if the space is too small.
     fn of(design: &Design) -> Option<Dot> {
         let base = MM * design.cam.follower.base_radius();
         let reach = design.problem.cam.hole().map_or(0.0, |b| MM * b.reach());
@@ -140,7 +140,7 @@ impl Body {
     }
 }
 
-/// Edge of the hole, as straight lines and arcs, mm.
+/// Edge of the bore, as straight lines and arcs, mm.
 fn hole_pieces(bore: &Bore) -> Vec<Piece> {
     let edge = bore.outline();
     let at = |i: usize| {

@@ -5,7 +5,7 @@ use super::{Response, Status};
 /// Maximum number of headers in a request.
 const HEADERS: usize = 64;
 
-/// Method of a request.
+/// HTTP method of a request: GET, HEAD or POST.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// GET: requests a resource.
@@ -16,7 +16,7 @@ pub enum Method {
     Post,
 }
 
-/// Head of a request.
+/// Head of an HTTP request: method, address and headers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Head {
     /// Method of the request.

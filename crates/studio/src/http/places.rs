@@ -1,5 +1,5 @@
-//! Limits on the number of connections. If too many connections wait for a request, the oldest of them is closed. Connections with a request in
-//! process are not closed.
+//! Limits on the number of connections. If too many connections wait for a request, the connection that has waited longest is closed. Connections
+//! with a request in process are not closed.
 
 use std::collections::VecDeque;
 use std::net::{Shutdown, TcpStream};
@@ -8,9 +8,9 @@ use std::sync::{Arc, Mutex};
 
 use crate::lock;
 
-/// Maximum number of connections without a complete and accepted request. If it is exceeded, the oldest of them is closed.
+/// Maximum number of connections without a complete and accepted request. If this number is exceeded, the oldest of these connections is closed.
 const WAITING: usize = 64;
-/// Maximum number of requests that are processed at the same time. It is sufficient for several pages with six connections each.
+/// Maximum number of requests that are processed at the same time. This number is sufficient for several pages with six connections each.
 const ANSWERED: usize = 96;
 
 /// Connections that wait for a request, and the number of requests in process.

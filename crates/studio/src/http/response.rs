@@ -51,14 +51,14 @@ const POLICY: &str = "default-src 'none'; script-src 'self' 'unsafe-eval'; conne
 /// Content security policy of a report, which contains its own script and has no access to the network.
 const REPORT: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; sandbox allow-scripts";
 
-/// Response to a request.
+/// HTTP response to a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Response {
     /// Status code of the response.
     pub status: Status,
     /// Media type of the response.
     pub kind: &'static str,
-    /// Body of the response.
+    /// Body of the response, as bytes.
     pub body: Vec<u8>,
     /// File name under which the browser saves the body; `None` if the browser shows it.
     pub file: Option<String>,

@@ -32,7 +32,7 @@ pub enum Colour {
     PressureAngle,
     /// Curvature, 1/m, positive where convex.
     Curvature,
-    /// Permitted minimum radius of curvature as a percentage of the local radius of curvature.
+    /// Utilisation of the curvature limit, %: permitted minimum radius of curvature divided by the local radius of curvature.
     CurvatureUse,
     /// Contact force between cam and follower, N.
     Force,

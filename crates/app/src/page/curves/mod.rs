@@ -21,7 +21,7 @@ const LENGTH: Unit = Unit {
     factor: MM,
     name: "mm",
 };
-/// Maximum radius of curvature that the diagram shows, in prime radii. Where the radius is larger, the profile looks straight.
+/// Maximum radius of curvature that the diagram shows, as a multiple of the prime radius. Where the radius is larger, the profile looks straight.
 const STRAIGHT: f64 = 3.0;
 
 /// Fraction of a curve's maximum below which a value counts as a rounding error and is shown as zero.
@@ -301,7 +301,8 @@ fn levels(design: &Design, diagram: Diagram, factor: f64, lowest: f64) -> Vec<Le
     out
 }
 
-/// Key that sets a limit, or an empty text. Both sides of the pressure angle have the same key, unless the scene limits one side separately.
+/// Key that sets a limit, or an empty text. The limits of the pressure angle during rise and during fall have the same key, unless the scene limits
+/// one of them separately.
 fn key(design: &Design, kind: LimitKind) -> &'static str {
     let both = LimitKind::PressureAngle;
     let alone = design.problem.value(kind.into()).is_some();

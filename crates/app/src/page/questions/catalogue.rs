@@ -53,7 +53,7 @@ fn with_recording(name: &str, toml: &str) -> String {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Picture {
-    /// Name of the scene.
+    /// Name of the built-in scene.
     pub name: String,
 }
 
@@ -71,7 +71,7 @@ pub fn picture(files: &Files, asked: &Picture) -> Result<Value> {
     Ok(json!({"svg": at_rest(&design)}))
 }
 
-/// First frame of the animation as a static SVG, with plain colours.
+/// First frame of the animation as a static SVG, in which RGB values replace the colour variables of the page.
 fn at_rest(design: &Design) -> String {
     let motion = serde_json::to_value(parts::motion(design)).unwrap_or_default();
     let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);

@@ -64,7 +64,7 @@ pub struct Answer {
     notes: Vec<String>,
     infeasible: bool,
     conflict: Vec<String>,
-    /// Corrections for the open questions about the recording.
+    /// Suggested changes of keys that answer the open questions about the recording.
     asks: Vec<remedies::Remedy>,
     relaxations: Vec<Change>,
     easing: Vec<Eased>,
@@ -72,7 +72,7 @@ pub struct Answer {
     checks: Vec<Checked>,
     numbers: Value,
     continuity: Continuity,
-    /// CAM-DAS class of the law.
+    /// Verdict on the continuity of the law by the rule of the program CAM-DAS, which requires one more continuous derivative.
     cam_das: &'static str,
     drawing: String,
     motion: Motion,
@@ -84,7 +84,7 @@ pub struct Answer {
     names: BTreeMap<String, String>,
     idle: bool,
     needs_relaxing: bool,
-    /// Whether the design is a quick one with a fixed size. The page then requests the full design.
+    /// Whether the design is a quick one, with a feasible law instead of the optimum. The page then requests the full design.
     quick: bool,
     server_ms: f64,
 }
@@ -237,9 +237,10 @@ impl Input {
     }
 }
 
-/// Quick design while the user drags a slider: a feasible law instead of the optimum. If none is found soon, it is the law without limits.
+/// Quick design while the user drags a slider: a feasible law instead of the optimum. If no feasible law is found in a short search, the design has
+/// the law without limits.
 ///
-/// `None` if this law does not exist either. The full design then contains the reason.
+/// `None` if the law without limits does not exist. In this case, only the full design contains the reason.
 fn soon(files: &Files, table: &Table, size: [f64; 2]) -> Result<Option<Made>> {
     let start = files.host.seconds();
     let (scene, whole) = files.scene(table)?;
@@ -348,7 +349,7 @@ pub fn reasons(design: &Design, language: Language) -> String {
     facts.join(" ")
 }
 
-/// Message of the program in the form that the page shows: with labels and short numbers.
+/// Message of the program in the form that the page shows: with labels instead of keys, and with at most four significant digits in numbers.
 pub fn shown(sentence: &str, language: Language) -> String {
     plain::short(&plain::plain(sentence, "", language))
 }
@@ -367,7 +368,7 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-/// Figures of a design by column name; null for missing figures.
+/// Key figures of a design (single numbers, such as the force error) by column name; null for missing values.
 fn numbers(kept: &Made) -> Value {
     let row = gaitcam::sweep::Row::of(&kept.design);
     let pairs = FIGURES.iter().zip(row.numbers);

@@ -1,4 +1,4 @@
-//! Files of a design that the page requests: those of `synth`, and those for manufacturing.
+//! Files of a design that the page requests: the files that `synth` writes, and the files for manufacturing.
 
 use serde::Deserialize;
 

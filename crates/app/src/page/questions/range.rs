@@ -13,7 +13,8 @@ use gaitcam::scene::keys::{self, Kind};
 
 /// Time, s, after which no further design is started. The page requests the values in several blocks, and can stop between them.
 const BLOCK: f64 = 0.12;
-/// Maximum number of checks of the stop condition in the search of one design. It is the same on every machine, unlike a time limit.
+/// Maximum number of checks of the stop condition in the search of one design. Unlike a time limit, this number gives the same verdicts on every
+/// machine.
 const LOOKS: usize = 3000;
 /// Maximum number of values in one request.
 const MOST: usize = 200;
@@ -42,12 +43,12 @@ pub struct Span {
 
 /// Verdicts of the designs at the values, in their order: `[[20.0, "unacceptable"], …]`.
 ///
-/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the
-/// search ended early and the design did not pass its checks.
+/// The list contains at least one entry. It is shorter than requested if the time limit of a block is reached. The verdict is "unknown" if the search
+/// ended early and the design did not pass its checks. It is "fault" if no design can be computed with this value.
 ///
 /// # Errors
 ///
-/// The scene or its changes are invalid, even without the varied key.
+/// The text of the scene is not TOML, or a change cannot be applied to it.
 pub fn range(files: &Files, span: &Span) -> Result<Value> {
     let table = changed(files, &span.scene, &span.changes)?;
     let end = files.host.seconds() + BLOCK;

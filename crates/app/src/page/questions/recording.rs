@@ -66,7 +66,7 @@ fn plain(given: &str) -> String {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contacts {
-    /// Name of the recording.
+    /// File name of the recording.
     pub file: String,
     /// Hash of the bytes of the file.
     pub hash: Hash,
@@ -81,8 +81,8 @@ pub struct Contacts {
     pub options: BTreeMap<String, String>,
 }
 
-/// Contents of a recording without the excluded contacts. If contacts are excluded, the mean cycle of the others is stored as a file that the scene
-/// can use.
+/// Contents of a recording without the excluded contacts. If contacts are excluded, the mean cycle of the remaining contacts is stored as a file that
+/// the scene can use.
 ///
 /// # Errors
 ///

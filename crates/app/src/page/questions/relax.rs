@@ -25,7 +25,7 @@ pub struct Change {
     value: Option<String>,
 }
 
-/// Suggested changes from the analysis of the conflict. They have not been checked yet by a full design.
+/// Suggested changes from the analysis of the conflict between limits. They have not been checked yet by a full design.
 pub fn first_remedies(design: &Design, scene: &Scene) -> Vec<Change> {
     let own = match &design.infeasible {
         Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,

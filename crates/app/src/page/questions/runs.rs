@@ -26,8 +26,8 @@ use gaitcam_output::{facts, identification, identified, plots, simulation};
 /// Maximum number of designs in a grid.
 const MOST: u64 = 900;
 
-/// Simulates the cam of a scene with the numbers of its exported files. The response contains the data of `gaitcam simulate --json`, a table and a
-/// figure. If there is no cam, it contains only the reason, `why`.
+/// Simulates the cam of a scene. The lift is recovered from the points of the exported profile instead of the exact law. The response contains the
+/// data of `gaitcam simulate --json`, a table and a figure. If there is no cam, it contains only the reason, `why`.
 ///
 /// # Errors
 ///
@@ -108,7 +108,7 @@ pub fn identify(files: &Files, asked: &Logged) -> Result<Value> {
     }))
 }
 
-/// Scene of the next cam, with the measured force error and the predicted error, N.
+/// Scene of the next cam, with the measured force error before the correction and the predicted force error after it, N.
 fn next(files: &Files, made: &Made, logs: &[Log]) -> Result<Value> {
     let force = files.target(&made.scene)?.map(|(force, _)| force);
     let search = Search::until(files.host.halt());
@@ -133,11 +133,12 @@ pub struct Grid {
     pub scene: String,
     /// Keys with their values in the syntax of `gaitcam sweep --vary`: `limits.stroke=50 mm:70 mm:9`.
     pub vary: Vec<String>,
-    /// Column name of the requested figure.
+    /// Column name of the requested key figure.
     pub column: String,
 }
 
-/// Verdict and one figure for each design of a grid, row by row. The last key varies fastest. Values are null if the time limit ended the design.
+/// Verdict and requested key figure of each design of a grid, row by row. The last key varies fastest. The values of a design are null if the time
+/// limit ended its computation.
 ///
 /// # Errors
 ///

@@ -14,8 +14,8 @@ use gaitcam::scene::keys::{KEYS, Key};
 use gaitcam::synth::{Design, Figure, Figures, Search, synthesise, trade, traded};
 use gaitcam::wording::people;
 
-/// Whether a figure can be traded against the force error on the page. It must have a limit in the scene, because each point of the front becomes a
-/// scene with a value of this limit.
+/// Whether the page can show a trade-off front between a key figure and the force error. The key figure must have a limit in the scene, because each
+/// point of the front becomes a scene with a value of this limit.
 pub fn is_traded(figure: &&Figure) -> bool {
     figure.trade.is_some() && figure.limit.is_some()
 }
@@ -37,8 +37,8 @@ pub struct Vary {
     pub share: f64,
 }
 
-/// Values of a quantity if a number of the scene is reduced and if it is increased by a given fraction. Each number of the scene has one entry; the
-/// number with the largest effect is the first.
+/// Sensitivity of a quantity: its values if one number of the scene is reduced or increased by a given fraction. The result contains at most 12
+/// numbers that affect the quantity, sorted by decreasing effect.
 ///
 /// # Errors
 ///
@@ -100,7 +100,7 @@ pub fn sensitivity(files: &Files, vary: &Vary) -> Result<Value> {
     }))
 }
 
-/// Design of a changed scene; `None` if there is no such design. The force is computed again if `key` belongs to it.
+/// Design of a changed scene; `None` if there is no such design. The force is computed again if `key` is in the section `gait`.
 fn varied(files: &Files, scene: &Scene, target: Option<&ForceCurve>, key: &Key) -> Option<Design> {
     let own = match key.section() {
         "gait" => files.target(scene).ok()?.map(|t| t.0),

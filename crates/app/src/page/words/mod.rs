@@ -29,7 +29,7 @@ pub fn current() -> Language {
     LANGUAGE.get()
 }
 
-/// Texts of the page by their keys. The names of figures have the keys `figure-COLUMN`. The page replaces `{name}` in a text by a value.
+/// Texts of the page by their keys. The names of key figures have the keys `figure-COLUMN`. The page replaces `{name}` in a text by a value.
 pub fn page(language: Language) -> Map<String, Value> {
     let words = WORDS.of(language);
     let arguments = include_str!("en.ftl").split("{ $").skip(1);
