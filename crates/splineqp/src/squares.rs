@@ -1,12 +1,12 @@
-//! Weights of several squares for which a point of a convex hull minimises the maximum square.
+//! Point of a convex hull that minimises the maximum of several squares, and the weights of the squares that prove this minimum.
 //!
 //! ```text
 //! minimise   max qᵢ(v)   or   min over η of η + Σ capᵢ max(qᵢ(v) − η, 0)
 //! such that  v in the convex hull of points,   qᵢ(v) = γᵢ² |v|² − 2γᵢ bᵢ·v + cᵢ
 //! ```
 //!
-//! All squares contain |v|². With ρ ≥ |v|² as a variable, each square is a linear row, and the program needs a single second-order cone. Its
-//! multipliers are the weights.
+//! All squares contain the term |v|². With ρ ≥ |v|² as a variable, each square is a linear row, and the program needs a single second-order
+//! cone. The multipliers of the rows are the weights.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};
@@ -144,7 +144,8 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// Solution of the program with the rows of some squares. Its level is the maximum of these squares without caps, and infinite with caps.
+/// Solution of the program with the rows of some squares. The field `level` is the maximum of these squares if there are no caps; otherwise
+/// it is infinite.
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],

@@ -128,8 +128,8 @@ impl Search<'_> {
         }
     }
 
-    /// Searches the maximum in the cell before grid point `i`, if sign·f rises at the start of the cell and falls at its end. The method is
-    /// Newton's method for f′ from a linear estimate, with bisection as a safeguard.
+    /// Searches for the maximum in the cell before grid point `i`, if sign·f rises at the start of the cell and falls at its end. The
+    /// method is Newton's method for f′ from a linear estimate, with bisection as a safeguard.
     fn crest(&mut self, i: usize) {
         let points = self.slopes.len();
         let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);

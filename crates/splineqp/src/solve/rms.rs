@@ -15,7 +15,7 @@
 //! rounding errors. In this case, the search ends with the certificate of the minimum peak without the limit on q.
 //!
 //! **Result.** The law is interpolated between two iterates so that q has the permitted value. The limits are convex, so the interpolated
-//! law satisfies them. Weight and multipliers are interpolated with the same fraction t. The remaining gradient is t(1 − t) Δμ Δ∇q, which
+//! law satisfies them. Weight and multipliers are interpolated with the same fraction τ. The remaining gradient is τ(1 − τ) Δμ Δ∇q, which
 //! is of second order.
 //!
 //! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a nearly constant law by
@@ -167,9 +167,9 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// Result if the search finds only one side of the limit. The first of these laws that satisfies the limit is returned: the optimum
-    /// without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the result is a law without a
-    /// certificate: the law of the exchange method, or the law with the minimum root mean square.
+    /// Result if the search finds no two optima on opposite sides of the limit. The first of these laws that satisfies the limit is
+    /// returned: the optimum without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the
+    /// result is a law without a certificate: the law of the exchange method, or the law with the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -261,7 +261,7 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
-    /// Whether, after this failure, the program may have a solution for a nearby value.
+    /// Whether the program may have a solution for a nearby weight or peak after this failure.
     fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
         match failure {
             Failure::Infeasible => self.way == Way::Peak,
@@ -270,7 +270,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Two optima on either side of the limit; `None` if the search finds only one side.
+    /// Two optima, one on each side of the limit; `None` if the search finds none.
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;
