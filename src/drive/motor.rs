@@ -47,7 +47,7 @@ pub struct Motor {
 }
 
 impl TorqueLine {
-    /// Speed at which the torque of a curve is zero, rad/s; `None` for a line, which has an adjustable supply.
+    /// Speed at which the torque of a tabulated curve is zero, rad/s. `None` for `Slope` and `Stall`, which do not contain a no-load speed.
     pub fn no_load_speed(&self) -> Option<f64> {
         match self {
             TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,

@@ -12,7 +12,7 @@ const TOO_NEAR: f64 = 0.25;
 /// would have large rounding errors.
 const NO_PIECE: f64 = 0.02;
 
-/// Height and slope of the lift at one angle.
+/// Lift (m; rad for an arm) and its derivative with respect to the cam coordinate `theta` (rad; m for a translating cam).
 #[derive(Debug, Clone, Copy)]
 pub struct Station {
     pub theta: f64,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::law::{Law, Svaj};
 use crate::poly::bernstein;
 
-/// Motion of a follower on an emitted profile.
+/// Motion of a follower on an output profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

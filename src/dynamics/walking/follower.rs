@@ -58,11 +58,12 @@ pub struct ProgrammeRun {
 }
 
 impl ProgrammeRun {
-    /// Simulates an emitted cam that follows a programme. `start` is the cam angle at its first row, rad. With a motor, the programme is
-    /// the commanded no-load speed; without one, it is the speed of the shaft. The model is rigid.
+    /// Simulates a cam that follows a speed programme. The lift is recovered from the output profile. `start` is the cam angle at the first
+    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed; without one, it is the speed of the shaft.
+    /// The model is rigid.
     ///
     /// # Errors
-    /// A cam that is not closed, an emitted profile without smooth lift, a motor whose shaft stops.
+    /// The cam is not closed, no smooth lift can be recovered from the output profile, or the shaft of the motor stops.
     pub fn new(run: &Run, programme: &SpeedProgramme, start: f64) -> Result<ProgrammeRun> {
         let follower = Follower::new(run)?;
         match follower.motor {
@@ -88,7 +89,7 @@ impl ProgrammeRun {
     }
 }
 
-/// Rigid follower of an emitted cam, with its drive and motor.
+/// Rigid follower on an output profile, with its drive and motor.
 pub(super) struct Follower<'a> {
     law: Law,
     drive: Drive,
