@@ -59,7 +59,7 @@ impl Basis {
     }
 
     /// The combination Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids are replaced by Taylor polynomials with remainders below rounding
-    /// errors; for them, weights above w₃ are ignored.
+    /// errors. For sinusoids, weights above w₃ are ignored.
     pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
             Basis::Spline { space, .. } => {

@@ -12,7 +12,7 @@ pub struct Quadratic {
     pub hessian: ArrowMatrix,
     /// Vector g of the linear part.
     pub gradient: Vec<f64>,
-    /// Constant term of the function. With it, the value is the complete mean square or energy.
+    /// Constant term of the function. With this term, the value of the function is the complete mean square or energy.
     pub constant: f64,
 }
 

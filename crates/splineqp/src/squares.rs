@@ -43,7 +43,7 @@ impl Square {
     }
 }
 
-/// Number of squares whose rows are used at the start, and whose rows are added in each iteration.
+/// Number of squares whose rows are in the first program. At most this number is added in each iteration.
 const ENTERING: usize = 24;
 /// Maximum excess of a square without a row over the maximum of the squares with rows, relative to this maximum.
 const EXCEEDS: f64 = 1e-10;
@@ -64,8 +64,8 @@ pub struct LeastWorst {
     level: f64,
 }
 
-/// Point of the convex hull of `points` that minimises the maximum square or, with caps, the mean of the largest squares. The squares
-/// should be of order 1. `None` if the solver fails.
+/// Point of the convex hull of `points` that minimises the maximum square. With `caps`, which are upper bounds of the weights, it minimises
+/// the weighted mean of the largest squares. The squares should be of order 1. `None` if the solver fails.
 ///
 /// ```
 /// use splineqp::{Square, least_worst};

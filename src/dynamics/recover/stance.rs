@@ -48,7 +48,7 @@ fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
 }
 
 /// Lift and slope of a follower with a roller or arc of radius Rf on a translating cam or a barrel. The vector from the centre of the
-/// circle to the contact is (p, −1)·Rf/√(1 + p²), with the slope p of the pitch curve in the unrolled plane.
+/// circle to the contact is (q, −1)·Rf/√(1 + q²), with the slope q of the pitch curve in the unrolled plane.
 fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);

@@ -110,7 +110,7 @@ struct Mark {
 }
 
 impl Piece {
-    /// Quintic Hermite interpolation between two marks.
+    /// Quintic Hermite interpolation of the elapsed fraction between two angles.
     fn between(from: &Mark, to: &Mark) -> Piece {
         let h = to.angle - from.angle;
         let (square, rise) = (h * h, to.phase - from.phase);

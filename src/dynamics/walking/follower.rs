@@ -72,8 +72,8 @@ impl ProgrammeRun {
         }
     }
 
-    /// Differences between the responses of a structural mode to a recorded force, N, at the rows and to the force of the cam. The rows
-    /// contain the given number of strides. The last row repeats the first.
+    /// Differences between the responses of a structural mode to the force of the cam and to a recorded force, for every damping ratio. The
+    /// recorded force, N, is given at the rows. The rows contain the given number of strides. The last row repeats the first.
     pub fn misfits(&self, walk_n: &[f64], strides: usize) -> [Misfit; 3] {
         let last = self.time_s.len() - 1;
         let duration = self.time_s[last] - self.time_s[0];
@@ -123,7 +123,7 @@ impl<'a> Follower<'a> {
         self.law.svaj(angle.rem_euclid(TAU))
     }
 
-    /// Simulates the run for which the speed of the shaft is the programme.
+    /// Simulates a run in which the speed of the shaft is exactly that of the programme.
     pub(super) fn prescribed(&self, programme: &SpeedProgramme, start: f64) -> ProgrammeRun {
         let inertia = self.motor.map_or(0.0, |m| m.inertia);
         let friction = self.motor.map_or(0.0, |m| m.friction);

@@ -1,8 +1,8 @@
 //! Limit on a root mean square √(2 q), satisfied up to rounding errors by a search for a weight or a peak.
 //!
 //! **Start.** The interior-point method solves the program with the limit as a cone. The law is accurate to about 1e-6, which is sufficient
-//! for the steps of a sequence. The multiplier of the limit is the start of the search for a weight. The search for a peak starts from the
-//! law with the minimum root mean square. It ends immediately if the law with the minimum peak satisfies the limit.
+//! for the steps of a sequence of programs. The multiplier of the limit is the start of the search for a weight. The search for a peak
+//! starts from the law with the minimum root mean square. It ends immediately if the law with the minimum peak satisfies the limit.
 //!
 //! **Weight.** Let x(μ) be the optimum of J + μ q subject to the other limits. Its value q(x(μ)) decreases with the weight μ. If √(2 q)
 //! equals `most`, x(μ) is also the optimum of J subject to √(2 q) ≤ `most`. The multiplier of the tangent is then μ·most, because the
@@ -18,8 +18,8 @@
 //! law satisfies them. Weight and multipliers are interpolated with the same fraction τ. The remaining gradient is τ(1 − τ) Δμ Δ∇q, which
 //! is of second order.
 //!
-//! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a nearly constant law by
-//! 1e-4.
+//! Logarithms and exponentials are computed by the same library on every machine, because their last bit can change the coefficients of a
+//! nearly constant law by 1e-4.
 
 use crate::Names;
 use crate::program::{
