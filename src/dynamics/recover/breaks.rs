@@ -21,7 +21,7 @@ pub struct Station {
 }
 
 /// Recovers the lift from `rows` (equal steps) and from both sides of every breakpoint in `breaks`, in the order of the angles. If `known`,
-/// the slopes of rows and breakpoints are used. Otherwise they are computed from the heights.
+/// the slopes of rows and breakpoints are used. Otherwise the slopes are computed from the heights.
 pub fn between_breaks(
     rows: &[Station],
     breaks: &[[Station; 2]],

@@ -43,7 +43,7 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
 /// Recovers the lift of a cam from the points of its output profile and the breakpoints of its law.
 ///
 /// The mean distance of the breakpoints must be at least [`ROWS_BETWEEN_BREAKS`] rows. If it is less, as for the knots of a fine spline,
-/// the breakpoints at which only the jerk jumps are omitted. If the remaining ones are still too close, all breakpoints are omitted.
+/// the breakpoints at which only the jerk jumps are omitted. If the remaining breakpoints are still too close, all breakpoints are omitted.
 ///
 /// # Errors
 ///
@@ -60,8 +60,8 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
 
 /// Recovers the lift of `follower` on `points` (equal steps of θ over one cycle).
 ///
-/// `breaks` are the contact points on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between them the lift is
-/// smooth. A spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
+/// `breaks` are the contact points on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between these points the
+/// lift is smooth. A spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
 ///
 /// # Errors
 ///

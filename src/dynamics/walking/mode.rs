@@ -1,8 +1,8 @@
 //! Mode of unit mass under a periodically repeated force. The natural frequency of the mode is varied about the step frequency.
 //!
-//! A force of period T has spectral lines at the frequencies k/T. With mean square Pₖ of line k at ω = 2πk/T, a mode of frequency ωₘ and
-//! damping ratio ζ has the mean square acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part of the force is
-//! omitted, and no window function is applied.
+//! A force of period T has spectral lines at the frequencies k/T. Let Pₖ be the mean square of line k at ω = 2πk/T. A mode of angular
+//! frequency ωₘ and damping ratio ζ has the mean square acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part
+//! of the force is omitted, and no window function is applied.
 
 use std::f64::consts::{PI, TAU};
 

@@ -106,8 +106,8 @@ impl Followed {
     /// fraction `middle` of the cycle.
     ///
     /// # Errors
-    /// A cam that violates a bound even at constant speed, a motor that cannot follow, or a cam or machine that the rigid model does not
-    /// support.
+    /// The cam violates a bound even at constant speed, the motor cannot follow the programme, or the rigid model does not support the cam
+    /// or the machine.
     pub fn new(
         run: &Run,
         walk: &Walk,

@@ -115,7 +115,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Breaks in ascending order. Their number is the number of pieces plus one.
+    /// Breaks in ascending order. The number of breaks is the number of pieces plus one.
     #[inline]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks

@@ -8,7 +8,7 @@ use super::{Extreme, fourier};
 const POINTS_PER_WAVE: usize = 16;
 /// Minimum number of grid points.
 const FEWEST_POINTS: usize = 64;
-/// Maximum number of steps within a cell. Newton's method needs three or four steps. Bisection needs all of them.
+/// Maximum number of steps within a cell. Newton's method needs three or four steps. Bisection needs the maximum number.
 const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum with an error below rounding errors.
 const FLAT: f64 = 1e-5;
@@ -43,9 +43,8 @@ fn grid_for(harmonics: usize) -> usize {
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Minimum and maximum of the sum, exact up to rounding errors. They are computed by Newton's method in every cell of the grid that may
-/// contain them. Between grid points, the sum exceeds the higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² +
-/// bₙ²).
+/// Minimum and maximum of the sum, exact up to rounding errors. Newton's method is used in every cell of the grid that may contain an
+/// extreme. Between grid points, the sum exceeds the higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
