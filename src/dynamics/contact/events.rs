@@ -333,7 +333,7 @@ enum Leave {
     Handover(usize),
 }
 
-/// First angle in (now, until) at which the lift of `other` exceeds that of `own`.
+/// First angle in (now, until) at which the lift of the profile `other` exceeds the lift of the profile `own`.
 fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -> Option<f64> {
     let bound = (other.steepest - own.hollowest).max(f64::MIN_POSITIVE);
     let mut at = now;

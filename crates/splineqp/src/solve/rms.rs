@@ -10,9 +10,10 @@
 //! objectives can therefore be used. The certificate needs only one additional row.
 //!
 //! **Peak.** If J is only a peak t, each step minimises q subject to t ≤ p. The search determines the p for which the minimum of q is the
-//! permitted value. The optimum is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
-//! 31, 2008, §2). The other limits alone may determine the minimum peak. The feasible set just above this minimum is then as small as the
-//! rounding errors. In this case, the search ends with the certificate of the minimum peak without the limit on q.
+//! permitted value. This minimum is also the optimum of the original program, with μ = 1/Σλ over the rows of the peak (van den Berg and
+//! Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). The other limits alone may determine the minimum peak. The feasible set just above this
+//! minimum is then as small as the rounding errors. In this case, the search ends with the certificate of the minimum peak without the
+//! limit on q.
 //!
 //! **Result.** The law is interpolated between two iterates so that q has the permitted value. The limits are convex, so the interpolated
 //! law satisfies them. Weight and multipliers are interpolated with the same fraction τ. The remaining gradient is τ(1 − τ) Δμ Δ∇q, which
@@ -52,7 +53,7 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
     way: Way,
-    /// Active rows of the last optimum, as seeds of the next one.
+    /// Active rows of the last optimum, which are initial rows of the next program.
     seeds: Vec<Row<N>>,
     /// Law with the minimum peak subject to the other limits; `None` if it is not computed.
     least: Option<Solution<N>>,
