@@ -66,9 +66,9 @@ pub struct Drive {
     pub kind: DriveKind,
     /// Force at rest on the base circle, N: M·g for the moving axis, otherwise the preload.
     pub rest_force: f64,
-    /// Increase of the force per lift, N/m.
+    /// Stiffness: force per lift, N/m.
     pub spring_rate: f64,
-    /// Force per velocity of the lift, N·s/m.
+    /// Damping: force per velocity of the follower, N·s/m.
     pub damping: f64,
     /// Mass that the lift moves, kg.
     pub mass: f64,

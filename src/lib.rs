@@ -48,9 +48,9 @@
 //!
 //! # The modules
 //!
-//! [`force`] reads the given force. [`drive`] describes the relation between motion and force, and [`law`] the law of motion. [`synth`]
-//! computes the law that produces the given force. [`cam`] describes the cam that produces the law, and checks it. [`dynamics`] simulates
-//! the cam. The crate `gaitcam-output` writes the files. Each module imports only modules of lower layers.
+//! [`force`] reads the given force. [`law`] describes the law of motion, and [`drive`] describes the relation between motion and force.
+//! [`synth`] computes the law that produces the given force. [`cam`] describes the cam that produces the law, and checks it. [`dynamics`]
+//! simulates the cam. The crate `gaitcam-output` writes the files. Each module imports only modules of lower layers.
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![deny(missing_docs)]

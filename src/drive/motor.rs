@@ -47,7 +47,7 @@ pub struct Motor {
 }
 
 impl TorqueLine {
-    /// Speed at which the torque of a curve is zero, rad/s; `None` for a line, which has an adjustable supply.
+    /// Speed at which the torque of a tabulated curve is zero, rad/s. `None` for `Slope` and `Stall`, which do not contain a no-load speed.
     pub fn no_load_speed(&self) -> Option<f64> {
         match self {
             TorqueLine::Slope(_) | TorqueLine::Stall(_) => None,
@@ -81,7 +81,7 @@ impl Motor {
         }
     }
 
-    /// No-load speed, rad/s, at which the motor has a given mean torque, N·m, at a given speed, rad/s.
+    /// No-load speed, rad/s, for which the motor has the torque `torque`, N·m, at the camshaft speed `speed`, rad/s.
     pub fn no_load_for(&self, speed: f64, torque: f64) -> f64 {
         match &self.line {
             TorqueLine::Slope(k) => speed + torque / k,

@@ -273,8 +273,9 @@ impl Floor {
             .collect())
     }
 
-    /// Ratio Gₙ = 1/(1 − M Hₙ) of the force of a shaker of mass M, kg, on the moving floor to its force on a rigid floor, for the harmonics
-    /// of order 1 and higher. The ratio is zero at the resonance of an undamped mode.
+    /// Ratio Gₙ = 1/(1 − M Hₙ) of the force of a shaker on the moving floor to the force of the same shaker on a rigid floor. M is the mass
+    /// of the shaker, kg. The ratio is given for the harmonics of order 1 and higher. The ratio is zero at the resonance of an undamped
+    /// mode.
     pub fn felt(&self, mass: f64, speed: f64, count: usize) -> Vec<[f64; 2]> {
         let of = |n: usize| self.accelerance(n, n as f64 * speed);
         (1..=count)

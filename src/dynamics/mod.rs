@@ -1,6 +1,7 @@
 //! Simulation of the cam, with the simplest sufficient model.
 //!
-//! [`simulate()`] takes the emitted profile, recovers the smooth lift from its points (`recover`) and simulates it with one of these models:
+//! [`simulate()`] recovers the smooth lift from the points of the output profile (`recover`) and simulates the cam with one of these
+//! models:
 //!
 //! - `rigid`: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`hertz`]);
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::Linear`]);

@@ -242,7 +242,7 @@ pub struct Outcome {
     pub model: Model,
     /// Whether the follower oscillates. Lifts and gaps are then angles, and forces are moments about the pivot, N·m.
     pub swings: bool,
-    /// Distance from the pivot at which a force produces this moment, m; 1 without an arm.
+    /// Distance from the pivot, m, by which a moment is divided to obtain a force; 1 without an arm.
     pub lever: f64,
     /// Reason for which this model was used.
     pub why: ModelReason,
@@ -275,9 +275,9 @@ pub struct Outcome {
     pub hertz: Option<Pressure>,
     /// Differences from the next finer model, if the model was selected automatically.
     pub next: Option<Difference>,
-    /// Maximum distance between emitted points and the simulated curve, m.
+    /// Maximum distance between the points of the output profile and the simulated curve, m.
     pub profile_mismatch: f64,
-    /// Maximum difference between the lift of the emitted points and the lift of the law, m.
+    /// Maximum difference between the lift at the points of the output profile and the lift of the law, m.
     pub law_mismatch: f64,
     /// Notes on the run for the user.
     pub notes: Vec<RunNote>,

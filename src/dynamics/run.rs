@@ -1,4 +1,4 @@
-//! Input of a simulation: emitted cam, drive and machine data.
+//! Input of a simulation: cam, output profile, drive and machine data.
 
 use super::contact::Limits;
 use super::flexible::Train;
@@ -103,12 +103,12 @@ pub struct Face {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// Cam from which the profile was emitted. Its follower and the breakpoints of its law are used, and the deviation of the emitted points from it
-    /// is reported.
+    /// Cam from which the output profile was computed. The follower of this cam and the breakpoints of its law are used. The deviation of
+    /// the profile points from this cam is reported.
     pub cam: Cam,
     /// Drive of the machine; a negative speed turns the cam clockwise.
     pub drive: Drive,
-    /// Emitted profile at equal steps of θ over the cycle of the law, usually one turn.
+    /// Output profile at equal steps of θ over the cycle of the law, usually one turn.
     pub profile: Vec<ProfilePoint>,
     /// Target force at equal steps of one cycle from θ = 0, N.
     pub target: Option<Vec<f64>>,
@@ -117,7 +117,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Input for a cam that is emitted at `points` equal steps, with a rigid machine and without a target.
+    /// Input for a cam with an output profile of `points` equal steps, for a rigid machine without a target force.
     pub fn new(cam: Cam, drive: Drive, points: usize) -> Run {
         Run {
             profile: cam.profile(points),

@@ -5,7 +5,7 @@
 
 use super::frame::dot;
 
-/// Number of entries of a column in the band for quintic splines, which are the default. A constant number makes the loops faster.
+/// Number of band entries per column for quintic splines, the default. The loops are faster if this number is a constant.
 const QUINTIC: usize = 6;
 
 /// Symmetric positive definite matrix with half-bandwidth `band` for the first `n − border` unknowns. The last `border` rows (and columns)
@@ -102,8 +102,8 @@ impl ArrowMatrix {
         }
     }
 
-    /// Adds the product of two functions whose indices differ by `apart` before they are reduced modulo n. If the indices are equal after
-    /// the reduction, both symmetric entries are added to the diagonal.
+    /// Adds `value` to the entries (i, j) and (j, i), for two functions whose indices differ by `apart` before they are reduced modulo n.
+    /// If i = j although `apart` is positive, twice `value` is added to the diagonal.
     pub fn add_pair(&mut self, i: usize, j: usize, apart: usize, value: f64) {
         let twice = if i == j && apart > 0 { 2.0 } else { 1.0 };
         self.add(i, j, twice * value);
@@ -223,7 +223,7 @@ fn positive_root(pivot: f64) -> Option<f64> {
     (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
 
-/// Subtracts `part` times another vector, up to the shorter length.
+/// Subtracts `part` times the vector `other` from the vector `from`, up to the shorter length.
 #[inline(always)]
 fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     for (x, &l) in from.iter_mut().zip(other) {

@@ -9,7 +9,7 @@ pub const WIDEST: usize = 12;
 /// Linear functional of the law: Σ value·coefficient over the entries (index of the coefficient, value).
 pub type Entries = Vec<(usize, f64)>;
 
-/// Weights for the law and its derivatives that are zero except for the derivative `order`.
+/// Weights of the law and its derivatives: `weight` for the derivative `order`, and 0 for all others.
 pub fn only(order: usize, weight: f64) -> [f64; 5] {
     let mut weights = [0.0; 5];
     weights[order] = weight;
@@ -59,7 +59,7 @@ impl Basis {
     }
 
     /// The combination Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids are replaced by Taylor polynomials with remainders below rounding
-    /// errors; for them, weights above w₃ are ignored.
+    /// errors. For sinusoids, weights above w₃ are ignored.
     pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
             Basis::Spline { space, .. } => {
@@ -124,7 +124,7 @@ impl Basis {
         }
     }
 
-    /// Coefficients of the law with its lift changed by a constant.
+    /// Coefficients of the law after the constant `by` is added to its lift.
     pub fn raised(&self, mut x: Vec<f64>, by: f64) -> Vec<f64> {
         match self {
             Basis::Spline { .. } => x.iter_mut().for_each(|c| *c += by),
@@ -241,8 +241,9 @@ fn row_on_span(
     on_unknowns(space, span, sums)
 }
 
-/// Replaces the first `left` rows by their differences from the next row. The result is the Bernstein coefficients of the derivative of all
-/// B-splines on a span, without the factor of the degree. The differences are computed before multiplication to avoid cancellation.
+/// Subtracts each of the first `left` rows from the next row and stores the difference in its place. The differences are the Bernstein
+/// coefficients of the derivative of all B-splines on a span, without the factor of the degree. The differences are computed before
+/// multiplication to avoid cancellation.
 #[inline(always)]
 fn differentiate(rows: &mut [f64], n: usize, left: usize) {
     for k in 0..left {

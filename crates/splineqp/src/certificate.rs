@@ -80,13 +80,13 @@ impl Certificate {
         self.global_gap = Some(self.relative_gap);
     }
 
-    /// Sets the global gap of a local optimum from `gap`, its distance to a lower bound over all laws; `None` if no such bound is known.
+    /// Sets the global gap of a local optimum. `gap` is the objective minus a lower bound over all laws; `None` if no such bound is known.
     pub fn bounded_by(&mut self, gap: Option<f64>) {
         self.global_gap = gap.map(|gap| self.relative_gap.max(gap / self.size));
     }
 }
 
-/// Certificate of a solution. The value of the peak is computed from the law. The value of the peak in the solution is not used.
+/// Certificate of a solution. The peak is computed from the law, because the peak stored in the solution may be inexact.
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut extra = solution.extra;

@@ -16,7 +16,8 @@ pub struct Unlimited {
     pub pull: Vec<f64>,
     /// Coefficients of the optimum subject to the equalities only.
     pub x: Vec<f64>,
-    /// Coefficient with an additional quadratic term, and the weight of this term. `None` if the objective or the equalities fix the level.
+    /// Index of the coefficient that has an additional quadratic term to fix the level, and the weight of this term. `None` if the
+    /// objective or the equalities fix the level.
     pub pin: Option<(usize, f64)>,
 }
 

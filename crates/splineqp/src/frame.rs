@@ -1,12 +1,12 @@
-//! Factorisation Z = QR of the normals Z of active planes, with an orthonormal basis Q and a triangle R. A plane is added or removed in
-//! O(n·planes) operations.
+//! Factorisation Z = QR of the normals Z of active planes, with an orthonormal basis Q and an upper triangular matrix R. A plane is added
+//! or removed in O(n·planes) operations.
 
 /// Planes of an active set, represented by the factors Q and R of their normals.
 #[derive(Default)]
 pub struct Frame {
     /// Vectors of the basis Q, one after the other.
     q: Vec<f64>,
-    /// Columns of the upper triangle R.
+    /// Columns of the upper triangular matrix R.
     r: Vec<Vec<f64>>,
 }
 

@@ -13,7 +13,7 @@
 //! each θ. The points at which s exceeds a limit most are computed exactly, from the roots of derivatives in Bernstein form. They are added
 //! as rows until no limit is exceeded at any θ. The multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
 //!
-//! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are texts.
+//! The caller chooses the types of the names of limits and equalities ([`Names`]). With `()`, the names are strings.
 //!
 //! | file | content |
 //! |---|---|
@@ -28,7 +28,7 @@
 //! | `dual` | dual active-set method of Goldfarb and Idnani |
 //! | `active_set` | active-set method with separation, on the banded factor |
 //! | `proximal` | active-set method for minimising a peak |
-//! | `frame` | active planes as an orthonormal basis and a triangle |
+//! | `frame` | QR factors of the normals of the active planes |
 //! | `solve` | selection of the method |
 //! | `row_solver` | interface to a solver of programs with finitely many rows |
 //! | `exchange` | iterations of separation and solution |
@@ -36,7 +36,7 @@
 //! | `rms` | limit on a root mean square, by the weight for which it is active |
 //! | `refine` | refinement of solution and certificate to rounding, by Newton's method |
 //! | `settings` | tuning constants with reasons |
-//! | `squares` | weights of several squares that minimise the maximum square |
+//! | `squares` | minimum of the maximum of several squares over a convex hull |
 //! | `certificate` | duality gap and stationarity |
 
 #![forbid(unsafe_code)]

@@ -12,7 +12,7 @@ pub struct Quadratic {
     pub hessian: ArrowMatrix,
     /// Vector g of the linear part.
     pub gradient: Vec<f64>,
-    /// Constant term of the function. With it, the value is the complete mean square or energy.
+    /// Constant term of the function. With this term, the value of the function is the complete mean square or energy.
     pub constant: f64,
 }
 
@@ -167,7 +167,7 @@ impl Quadratic {
 }
 
 /// Half a mean square as a sum of squares: ½ Σ factor (row·x − value)² + rest. For many spans, the terms of ½xᵀHx + gᵀx + c are 10¹⁰ times
-/// their sum, so this form loses digits. The sum of squares does not.
+/// larger than their sum, so about ten digits are lost by cancellation. The sum of squares has no cancellation.
 #[derive(Debug, Clone)]
 pub struct MeanSquare {
     /// The same function in the form ½xᵀHx + gᵀx + c.
@@ -210,8 +210,8 @@ impl MeanSquare {
         }
     }
 
-    /// The distance with the exact mean square `square` of the target. It is used if the values at the nodes are those of least-squares
-    /// polynomials of the target.
+    /// The distance with the exact mean square `square` of the target. It is used if the target values at the nodes come from least-squares
+    /// polynomials, whose mean square is smaller.
     #[must_use]
     pub fn with_mean_square(mut self, square: f64) -> Self {
         self.rest = 0.5 * square - self.whole.constant;

@@ -1,7 +1,7 @@
 //! Tuning constants of the solvers, with the reasons for their values. They are not keys of a scene.
 
-/// Relative tolerance of the limits of a finished law. Both the maximum and the minimum of a lift may deviate by it, so a stroke is
-/// accurate to 1e-9.
+/// Relative tolerance of the limits of a finished law. The maximum and the minimum of a lift may each deviate by this tolerance, so a
+/// stroke is accurate to 1e-9.
 pub const TOLERANCE: f64 = 4e-10;
 
 /// Defines groups of settings with default values, one line per setting.
@@ -77,8 +77,8 @@ settings! {
         progress: f64 = 0.9,
         /// Number of iterations without progress after which the method ends.
         patience: usize = 4,
-        /// Squared length of the part of a row outside the span of the active rows, relative to the row, below which the row counts as
-        /// dependent.
+        /// Squared length of the part of a row outside the span of the active rows, relative to the squared length of the row, below which
+        /// the row counts as dependent.
         dependent: f64 = 1e-13,
         /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-5,
@@ -96,14 +96,14 @@ settings! {
         nearness: f64 = 1e-2,
         /// Minimum of the weight ε.
         least_nearness: f64 = 1e-9,
-        /// Factor by which the weight ε decreases from one centre to the next.
+        /// Factor by which the weight ε is multiplied from one centre to the next.
         fall: f64 = 0.2,
-        /// Factor by which the weight ε increases after a step that fails because of rounding errors.
+        /// Factor by which the weight ε is multiplied after a step that fails because of rounding errors.
         heavier: f64 = 100.0,
         /// Ratio of the actual to the predicted decrease of the peak above which a law becomes the next centre.
         kept: f64 = 0.3,
-        /// Gap to the peak of the rows, as a fraction of the permitted gap, below which only further rows are necessary. The weight ε is
-        /// then not reduced.
+        /// Maximum gap between the lower bound and the predicted peak with the present rows, as a fraction of the permitted gap, for which
+        /// the weight ε is no longer reduced. Only further rows are then necessary.
         proved: f64 = 0.3,
         /// Maximum relative violation of the other limits for which laws are compared by their peaks alone.
         compared: f64 = 1e-4,
@@ -119,11 +119,11 @@ settings! {
     RmsSettings {
         /// Tolerance of the limits in the initial program with a cone.
         rough: f64 = 1e-6,
-        /// First step of ln p; each further step is twice as large.
+        /// First step of ln p; each further step is twice the previous step.
         peak_step: f64 = 0.2,
         /// First step of ln μ, relative to the logarithm of the ratio of the root mean square to its limit.
         step: f64 = 4.0,
-        /// Minimum first step of ln μ; each further step is four times larger.
+        /// Minimum first step of ln μ; each further step is four times the previous step.
         least_step: f64 = 1e-6,
         /// Maximum number of steps of ln μ or ln p.
         steps: usize = 24,
@@ -184,7 +184,7 @@ settings! {
         largest: usize = 500,
         /// Proximal weight of the step, in units of the solver.
         held: f64 = 1e-9,
-        /// Factor of the proximal weight after a failed factorisation.
+        /// Factor by which the proximal weight is multiplied after a failed factorisation.
         raised: f64 = 100.0,
         /// Maximum number of increases of the proximal weight.
         raises: i32 = 4,
@@ -194,7 +194,8 @@ settings! {
         steps_per_unknown: usize = 10,
         /// Excess below which a plane of the quadratic program is satisfied.
         step_resolved: f64 = 1e-14,
-        /// Same fraction as `ActiveSetSettings::dependent`, for the planes of the quadratic program.
+        /// Squared length of the part of a plane's normal outside the span of the active planes, relative to the squared length of the
+        /// normal, below which the plane counts as dependent.
         dependent: f64 = 1e-25,
         /// Violation of a dependent plane below which the violation is a rounding error.
         rounding: f64 = 1e-9,
@@ -206,12 +207,12 @@ settings! {
         rounds: usize = 60,
         /// Ratio of the violation to the minimum violation so far above which an iteration has stalled.
         stalled: f64 = 0.5,
-        /// Factor between the violation and the new margin of every limit after a stall.
+        /// Ratio of the new margin of every limit after a stall to the larger of the violation and the previous margin.
         margin_growth: f64 = 2.0,
         /// Maximum margin, as a fraction of the scale of the limit.
         largest_margin: f64 = 1e-6,
-        /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. It
-        /// covers the residual of the solver, since these programs are not refined.
+        /// Initial margin of programs with second-order cones or root-mean-square limits, as a fraction of the scale of each limit. This
+        /// margin exceeds the residual of the solver, since these programs are not refined.
         cone_margin: f64 = 1e-7,
         /// Distance between a new row and an old row of the same limit, relative to the piece, below which the new row replaces the old one.
         coincident: f64 = 1e-4,
@@ -229,7 +230,8 @@ settings! {
         least_objective: f64 = 1e-6,
         /// Magnitude of xᵀr, relative to the objective, up to which it is part of the gap. A larger xᵀr is replaced by ½rᵀH⁻¹r.
         small: f64 = 1e-9,
-        /// Same fraction as `ActiveSetSettings::dependent`, for equalities.
+        /// Squared length of the part of an equality's row outside the span of the other equalities, relative to the squared length of the
+        /// row, below which the equality counts as dependent.
         dependent: f64 = 1e-20,
     }
 }

@@ -1,12 +1,12 @@
-//! Weights of several squares for which a point of a convex hull minimises the maximum square.
+//! Point of a convex hull that minimises the maximum of several squares, and the weights of the squares that prove this minimum.
 //!
 //! ```text
 //! minimise   max qᵢ(v)   or   min over η of η + Σ capᵢ max(qᵢ(v) − η, 0)
 //! such that  v in the convex hull of points,   qᵢ(v) = γᵢ² |v|² − 2γᵢ bᵢ·v + cᵢ
 //! ```
 //!
-//! All squares contain |v|². With ρ ≥ |v|² as a variable, each square is a linear row, and the program needs a single second-order cone. Its
-//! multipliers are the weights.
+//! All squares contain the term |v|². With ρ ≥ |v|² as a variable, each square is a linear row, and the program needs a single second-order
+//! cone. The multipliers of the rows are the weights.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, SolverStatus, SupportedConeT};
@@ -43,7 +43,7 @@ impl Square {
     }
 }
 
-/// Number of squares whose rows are used at the start, and whose rows are added in each iteration.
+/// Number of squares whose rows are in the first program. At most this number is added in each iteration.
 const ENTERING: usize = 24;
 /// Maximum excess of a square without a row over the maximum of the squares with rows, relative to this maximum.
 const EXCEEDS: f64 = 1e-10;
@@ -64,8 +64,8 @@ pub struct LeastWorst {
     level: f64,
 }
 
-/// Point of the convex hull of `points` that minimises the maximum square or, with caps, the mean of the largest squares. The squares
-/// should be of order 1. `None` if the solver fails.
+/// Point of the convex hull of `points` that minimises the maximum square. With `caps`, which are upper bounds of the weights, it minimises
+/// the weighted mean of the largest squares. The squares should be of order 1. `None` if the solver fails.
 ///
 /// ```
 /// use splineqp::{Square, least_worst};
@@ -144,7 +144,8 @@ fn refine(weights: &mut [f64], free: &[usize], squares: &[Square], bearing: &[&[
     }
 }
 
-/// Solution of the program with the rows of some squares. Its level is the maximum of these squares without caps, and infinite with caps.
+/// Solution of the program with the rows of some squares. The field `level` is the maximum of these squares if there are no caps; otherwise
+/// it is infinite.
 fn solve(
     points: &[Vec<f64>],
     squares: &[Square],

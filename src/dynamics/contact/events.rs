@@ -180,14 +180,15 @@ impl Engine<'_> {
         }
     }
 
-    /// Angle up to which the gap certainly opens after lift-off. Until then, the force stays negative and the spring cannot reverse the
-    /// motion.
+    /// Angle up to which the gap is certain to increase after lift-off. Up to this angle, the force stays negative and the spring cannot
+    /// reverse the motion.
     fn blind(&self, from: f64, to: f64) -> f64 {
         let rate = self.kappa.max(0.25 * self.gamma * self.gamma).sqrt();
         to.min(from + 0.5 / rate.max(1e-3))
     }
 
-    /// Approach speed, m/s, of a mass with the slope `rate` (dy/dθ) and the profile with index `surface`. It is 0 if they do not approach.
+    /// Approach speed, m/s, of a mass with the slope `rate` (dy/dθ) and the profile with index `surface`. The result is 0 if mass and
+    /// profile do not approach each other.
     fn closing_speed(&self, rate: f64, surface: usize, at: f64) -> f64 {
         ((self.surfaces[surface].at(at).v - rate) * self.drive.speed).max(0.0)
     }
@@ -332,7 +333,7 @@ enum Leave {
     Handover(usize),
 }
 
-/// First angle in (now, until) at which the lift of `other` exceeds that of `own`.
+/// First angle in (now, until) at which the lift of the profile `other` exceeds the lift of the profile `own`.
 fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -> Option<f64> {
     let bound = (other.steepest - own.hollowest).max(f64::MIN_POSITIVE);
     let mut at = now;

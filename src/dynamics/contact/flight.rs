@@ -1,7 +1,7 @@
 //! Free flight of the moved mass: m ÿ + c ẏ + k y + F₀ = 0 in closed form over the cam angle.
 //!
 //! Division by mω² gives y″ + γ y′ + κ y + f = 0. S is the response to a unit initial velocity, and I = ∫S. The solution y = y₀ + y₀′(S +
-//! γI) + y₀″ I has no cancellation for small springs or dampers. Without them, it is a parabola.
+//! γI) + y₀″ I has no cancellation for a small stiffness or damping. Without spring and damper, the flight is a parabola.
 
 /// Value of (γ + √κ)·(angle since the start) below which S and I are computed by series.
 const SERIES_PHASE: f64 = 0.5;

@@ -39,7 +39,7 @@ pub enum Phase {
     },
     /// The follower is in free flight.
     Flight(Flight),
-    /// Loss of contact in a machine without inertia. The contact force would be negative here.
+    /// Loss of contact in a machine without inertia. The contact force would be negative during this phase.
     Parted {
         /// Index of the profile that the mass left.
         surface: usize,

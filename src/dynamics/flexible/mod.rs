@@ -54,7 +54,7 @@ struct Model {
     linear: Linear,
     /// The rigid force polynomial, N.
     force: PiecewisePoly,
-    /// Weights w of the contact force Σ wᵢ zᵢ, N. The states z are x and x′/scale.
+    /// Weights w of the contact force Σ wᵢ zᵢ, N. The states z are the deflection x and x′/scale, with scale = √((k + k₁)/(mω²)).
     contact: Vector2<f64>,
     scale: f64,
 }

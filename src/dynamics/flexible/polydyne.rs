@@ -250,8 +250,8 @@ fn finely(law: &Law) -> Law {
     cut_at(law, &compared.collect::<Vec<_>>())
 }
 
-/// The law with those of the further breaks that differ from its own breaks by more than rounding errors. The derivatives on narrower spans
-/// would be inaccurate.
+/// The law with additional breaks at `further`, except at angles that coincide with a break of the law up to rounding errors. The
+/// derivatives on the resulting very short spans would be inaccurate.
 fn cut_at(law: &Law, further: &[f64]) -> Law {
     let (_, length) = law.extent();
     let new = |x: &f64| law.breaks().iter().all(|b| (b - x).abs() > 1e-9 * length);

@@ -12,7 +12,7 @@ const TOO_NEAR: f64 = 0.25;
 /// would have large rounding errors.
 const NO_PIECE: f64 = 0.02;
 
-/// Height and slope of the lift at one angle.
+/// Lift (m; rad for an arm) and its derivative with respect to the cam coordinate `theta` (rad; m for a translating cam).
 #[derive(Debug, Clone, Copy)]
 pub struct Station {
     pub theta: f64,
@@ -21,7 +21,7 @@ pub struct Station {
 }
 
 /// Recovers the lift from `rows` (equal steps) and from both sides of every breakpoint in `breaks`, in the order of the angles. If `known`,
-/// the slopes of rows and breakpoints are used. Otherwise they are computed from the heights.
+/// the slopes of rows and breakpoints are used. Otherwise the slopes are computed from the heights.
 pub fn between_breaks(
     rows: &[Station],
     breaks: &[[Station; 2]],

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::law::{Law, Svaj};
 use crate::poly::bernstein;
 
-/// Motion of a follower on an emitted profile.
+/// Motion of a follower on an output profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -26,7 +26,8 @@ pub struct Emitted {
     pub law: Law,
     /// Lift and derivatives at the points.
     pub nodes: Vec<Svaj>,
-    /// Maximum difference between the height of a point and the curve, m. Causes: noise, rounding, or rows that are not contact points.
+    /// Maximum difference between the lift of a point and the recovered lift, m. It is caused by noise, rounding, or rows that are not
+    /// contact points.
     pub mismatch: f64,
 }
 

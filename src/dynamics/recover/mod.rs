@@ -1,5 +1,5 @@
-//! Recovery of the smooth lift of the follower from the points of an emitted profile. Row i of a profile is the contact at θᵢ. The height
-//! of the follower follows from the coordinates of the contact in the fixed frame. The slope of the lift follows from the position of the
+//! Recovery of the smooth lift of the follower from the points of an output profile. Row i of a profile is the contact at θᵢ. The height of
+//! the follower follows from the coordinates of the contact in the fixed frame. The slope of the lift follows from the position of the
 //! contact on the follower. For a flat face, the contact point is (v, Rb + s): derivative and value of the support function of the profile.
 //! For a roller the contact normal is (centre − contact)/Rf, and the slope follows from it. A C² cubic spline through the slopes is
 //! integrated to the lift (C³). The noise of the points is therefore divided by the angle step only once in the acceleration (theory §10).
@@ -40,10 +40,10 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> 
     recover_over(follower, points, &[], Cycle::TURN)
 }
 
-/// Recovers the lift of an emitted cam from its points and the breakpoints of its law.
+/// Recovers the lift of a cam from the points of its output profile and the breakpoints of its law.
 ///
 /// The mean distance of the breakpoints must be at least [`ROWS_BETWEEN_BREAKS`] rows. If it is less, as for the knots of a fine spline,
-/// the breakpoints at which only the jerk jumps are omitted. If the remaining ones are still too close, all breakpoints are omitted.
+/// the breakpoints at which only the jerk jumps are omitted. If the remaining breakpoints are still too close, all breakpoints are omitted.
 ///
 /// # Errors
 ///
@@ -60,8 +60,8 @@ pub(crate) fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> R
 
 /// Recovers the lift of `follower` on `points` (equal steps of θ over one cycle).
 ///
-/// `breaks` are the contact points on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between them the lift is
-/// smooth. A spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
+/// `breaks` are the contact points on both sides of every jump of the acceleration or jerk ([`Cam::breakpoints`]). Between these points the
+/// lift is smooth. A spline across a jump of the acceleration overshoots by 18 % and oscillates over four rows on both sides.
 ///
 /// # Errors
 ///

@@ -34,8 +34,9 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
     (height.is_finite() && slope.is_finite()).then_some((height, slope))
 }
 
-/// Height and slope of a circle whose centre is above `p` on the line x = offset. The vector (side, up) from `p` to the centre is
-/// perpendicular to the tangent of the pitch curve: Y·side + (Y′ − e)·up = 0, where Y is the height of the centre.
+/// Lift and slope of a translating follower with a roller or arc that touches the profile at `p`. The centre of the circle is above `p` on
+/// the line x = e, with the offset e. The vector (side, up) from `p` to the centre is perpendicular to the tangent of the pitch curve:
+/// Y·side + (Y′ − e)·up = 0, where Y is the height of the centre.
 fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -46,7 +47,8 @@ fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
     (centre - rest, offset - centre * side / up)
 }
 
-/// Height and slope of a circle on the profile of a translating cam. The contact is at (slope, −1)·Rf/√(1 + slope²) from the centre.
+/// Lift and slope of a follower with a roller or arc of radius Rf on a translating cam or a barrel. The vector from the centre of the
+/// circle to the contact is (q, −1)·Rf/√(1 + q²), with the slope q of the pitch curve in the unrolled plane.
 fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     if radius == 0.0 {
         return (p[1] - rest, 0.0);
@@ -55,8 +57,9 @@ fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
     (p[1] + up - rest, scale * p[0] / up)
 }
 
-/// Angle and slope of a circle at the end of an arm. The centre is at the arm's length from the pivot and at the radius of the circle from
-/// `p`, on the side of increasing ξ. With the contact normal n, the slope is (J·C)·n/(C′·n).
+/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a roller or arc that touches the profile at `p`. The centre C is at the arm length from
+/// the pivot and at the roller radius from `p`. Of the two solutions, the one with the larger ξ is used. The slope is (J·C)·n/(C′·n), with
+/// the contact normal n, C′ = dC/dξ, and J the rotation by 90°.
 fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     let Arm { pivot, length: arm } = follower.arm()?;
     let side = pivot.signum();
@@ -79,8 +82,10 @@ fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
     Some((angle - follower.start_angle()?, slope))
 }
 
-/// Angle and slope of a face on an arm through `p`: (P − pivot)·n = f with n = (σ sin ξ, cos ξ). The contact is on the arm's side of the pivot, at −σ
-/// c cos ξ·v/(1 + v) along the face, v = σξ′.
+/// Lift ξ − ξ₀, rad, and slope dξ/dθ of an arm with a flat face that touches the profile at P = `p`. The angle ξ satisfies (P − pivot)·n =
+/// f, with the face offset f, the normal n = (σ sin ξ, cos ξ), and σ = ±1 for a pivot at ±x. Along the face, the contact is at −σ c cos
+/// ξ·v/(1 + v) from the foot of the perpendicular from the cam centre. Here c is the distance from the cam centre to the pivot, and v = σ
+/// dξ/dθ.
 fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
     let (c, side) = (pivot.abs(), pivot.signum());
     let away = [side * p[0] - c, p[1]];

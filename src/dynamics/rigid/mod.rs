@@ -96,8 +96,9 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
 }
 
 /// Whether damping causes lift-off at any speed, if the force at the lowest point is zero. Near this point s = α φⁿ, with the angle φ
-/// measured from this point. Consider the force k s + c ω s′ + m ω² s″ at angles before this point. If c² is above 4 k m (n − 1)/n, it is
-/// negative somewhere at all speeds. If c² is below, it is negative at no speed. The order n is 2, or 3 at the end of a dwell.
+/// measured from this point. Consider the force k s + c ω s′ + m ω² s″ at angles before this point. If c² is above 4 k m (n − 1)/n, the
+/// force is negative at some of these angles for any speed. If c² is below this value, the force is not negative for any speed. The order n
+/// is 2, or 3 at the end of a dwell.
 fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool {
     let touches = rest.value <= NO_PULL_AT_REST * most.value.abs();
     let order = if law.svaj(rest.at).a > NO_PULL_AT_REST * law.stroke() {
@@ -109,7 +110,8 @@ fn lifts_at_rest(law: &Law, drive: &Drive, rest: Extreme, most: Extreme) -> bool
     touches && law.stroke() > 0.0 && drive.damping.powi(2) > critical
 }
 
-/// Motion at an extreme. At a break, it is taken from the side on which the quantity is closer to the extreme value.
+/// Motion at the angle of an extreme. If this angle is a break, the motion is evaluated on the side of the break on which `quantity` is
+/// closer to the extreme value.
 fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Svaj {
     let right = law.svaj(extreme.at);
     let n = law.breaks().len() - 1;

@@ -1,10 +1,10 @@
 //! Contact forces and sliding for every follower, by virtual work.
 //!
-//! The follower has the coordinate s, the cam the coordinate θ. The unit normal n of the contact points towards the follower. G = ∂P/∂s is
-//! the velocity of the follower's contact point per unit of s. U is the velocity of the cam's contact point per unit of θ. A normal force N
-//! n and a friction force μ|N| t along the sliding direction t give the force Q = N n·G + μ|N| t·G on the follower, and the shaft torque T
-//! = (N n + μ|N| t)·U. Without friction T = Q·v. For an arm, Q is the moment about its pivot, N·m, and v is in rad/rad. For a translating
-//! cam, T is the force along its travel, N.
+//! The follower has the coordinate s, and the cam has the coordinate θ. The unit normal n of the contact points towards the follower. G =
+//! ∂P/∂s is the derivative of the position P of the follower's contact point with respect to s. U is the derivative of the position of the
+//! cam's contact point with respect to θ. The contact force is the sum of a normal force N n and a friction force μ|N| t along the sliding
+//! direction t. The force on the follower is Q = (N n + μ|N| t)·G. The shaft torque is T = (N n + μ|N| t)·U. Without friction T = Q·v. For
+//! an arm, Q is the moment about its pivot, N·m, and v is in rad/rad. For a translating cam, T is the force along its travel, N.
 
 use crate::cam::{Cam, Contact, Follower, Geometry, Kind};
 use crate::law::Svaj;

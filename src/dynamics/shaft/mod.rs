@@ -71,8 +71,8 @@ pub struct Shaft {
     pub stops_at_rad: Option<f64>,
     /// Minimum inertia, kg·m², with an accuracy of 1 %, for which the shaft does not stop at the mean speed; 0 if any inertia is sufficient.
     pub least_inertia_kg_m2: f64,
-    /// Work of the motor over a turn minus the work of friction and load, relative to the alternating work of the load or the work of the
-    /// motor, whichever is larger. The value is a measure of the numerical error.
+    /// Work of the motor over a turn minus the work of friction and load. It is relative to the larger of the alternating work of the load
+    /// and the work of the motor. The value is a measure of the numerical error.
     pub energy_balance: f64,
 }
 
@@ -110,7 +110,7 @@ struct Mark {
 }
 
 impl Piece {
-    /// Quintic Hermite interpolation between two marks.
+    /// Quintic Hermite interpolation of the elapsed fraction between two angles.
     fn between(from: &Mark, to: &Mark) -> Piece {
         let h = to.angle - from.angle;
         let (square, rise) = (h * h, to.phase - from.phase);

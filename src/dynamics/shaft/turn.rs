@@ -110,7 +110,7 @@ pub struct Step {
 }
 
 impl Step {
-    /// Nodes of the step at [`ALL_PLACES`].
+    /// Load coefficients at the positions [`ALL_PLACES`] of the step.
     fn all(&self) -> [Node; 5] {
         let [p, q, r] = self.nodes;
         [self.ends[0], p, q, r, self.ends[1]]

@@ -140,7 +140,8 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
 }
 
 /// RMS change of the force by vibration, relative to the mean, and its description for messages. The change follows from the harmonics of
-/// the rigid force. Harmonic n is multiplied by (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+/// the rigid force. Harmonic n is multiplied by (1 + 2iζr)/(1 − r² + 2iζr) with r = nω/ω₁, the cam speed ω, the natural frequency ω₁ and
+/// the damping ratio ζ.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass there is no vibration, but the train deflects: the flexible model is always used.

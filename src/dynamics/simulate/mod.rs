@@ -1,4 +1,4 @@
-//! Simulation of an emitted cam with one model.
+//! Simulation of a cam with one model. The lift is recovered from the points of the output profile.
 
 mod choose;
 mod largest;
@@ -12,7 +12,7 @@ use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Placed, Result};
 use prepared::prepare;
 
-/// Simulates the emitted cam with `model`.
+/// Simulates a cam with `model`, from the points of its output profile.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

@@ -1,4 +1,4 @@
-//! Input of the models, prepared from the emitted cam.
+//! Input of the models, prepared from the output profile of a cam.
 
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
@@ -214,7 +214,7 @@ fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     Ok(())
 }
 
-/// Lift of the second cam, recovered from its own emitted profile. A note on the variation of the distance between both followers is added
+/// Lift of the second cam, recovered from its own output profile. A note on the variation of the distance between both followers is added
 /// to `notes`.
 fn conjugate_lift(
     cam: &Cam,

@@ -58,11 +58,12 @@ pub struct ProgrammeRun {
 }
 
 impl ProgrammeRun {
-    /// Simulates an emitted cam that follows a programme. `start` is the cam angle at its first row, rad. With a motor, the programme is
-    /// the commanded no-load speed; without one, it is the speed of the shaft. The model is rigid.
+    /// Simulates a cam that follows a speed programme. The lift is recovered from the output profile. `start` is the cam angle at the first
+    /// row of the programme, rad. With a motor, the programme is the commanded no-load speed; without one, it is the speed of the shaft.
+    /// The model is rigid.
     ///
     /// # Errors
-    /// A cam that is not closed, an emitted profile without smooth lift, a motor whose shaft stops.
+    /// The cam is not closed, no smooth lift can be recovered from the output profile, or the shaft of the motor stops.
     pub fn new(run: &Run, programme: &SpeedProgramme, start: f64) -> Result<ProgrammeRun> {
         let follower = Follower::new(run)?;
         match follower.motor {
@@ -71,8 +72,8 @@ impl ProgrammeRun {
         }
     }
 
-    /// Differences between the responses of a structural mode to a recorded force, N, at the rows and to the force of the cam. The rows
-    /// contain the given number of strides. The last row repeats the first.
+    /// Differences between the responses of a structural mode to the force of the cam and to a recorded force, for every damping ratio. The
+    /// recorded force, N, is given at the rows. The rows contain the given number of strides. The last row repeats the first.
     pub fn misfits(&self, walk_n: &[f64], strides: usize) -> [Misfit; 3] {
         let last = self.time_s.len() - 1;
         let duration = self.time_s[last] - self.time_s[0];
@@ -88,7 +89,7 @@ impl ProgrammeRun {
     }
 }
 
-/// Rigid follower of an emitted cam, with its drive and motor.
+/// Rigid follower on an output profile, with its drive and motor.
 pub(super) struct Follower<'a> {
     law: Law,
     drive: Drive,
@@ -122,7 +123,7 @@ impl<'a> Follower<'a> {
         self.law.svaj(angle.rem_euclid(TAU))
     }
 
-    /// Simulates the run for which the speed of the shaft is the programme.
+    /// Simulates a run in which the speed of the shaft is exactly that of the programme.
     pub(super) fn prescribed(&self, programme: &SpeedProgramme, start: f64) -> ProgrammeRun {
         let inertia = self.motor.map_or(0.0, |m| m.inertia);
         let friction = self.motor.map_or(0.0, |m| m.friction);

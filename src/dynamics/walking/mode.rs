@@ -1,7 +1,8 @@
 //! Mode of unit mass under a periodically repeated force. The natural frequency of the mode is varied about the step frequency.
 //!
-//! A force of period T has lines at k/T. With mean square Pₖ of line k at ω = 2πk/T, a mode of frequency ωₘ and damping ratio ζ has the mean square
-//! acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part is omitted, and no other window is used.
+//! A force of period T has spectral lines at the frequencies k/T. Let Pₖ be the mean square of line k at ω = 2πk/T. A mode of angular
+//! frequency ωₘ and damping ratio ζ has the mean square acceleration Σ Pₖ ω⁴/((ωₘ² − ω²)² + 4ζ²ωₘ²ω²) in steady vibration. No initial part
+//! of the force is omitted, and no window function is applied.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,10 +14,10 @@ use crate::poly::amplitudes;
 /// Number of equally spaced natural frequencies of the mode, and their range relative to the step frequency.
 const TUNINGS: usize = 401;
 const BAND: [f64; 2] = [0.9, 1.1];
-/// Number of harmonics of the stride frequency; the response to higher ones is negligible.
+/// Number of harmonics of the stride frequency; the response to higher harmonics is negligible.
 const OF_STRIDE: usize = 48;
 
-/// Spectral lines of a force that repeats.
+/// Spectral lines of a periodically repeated force.
 ///
 /// ```
 /// use gaitcam::dynamics::RepeatedForce;
@@ -29,7 +30,7 @@ const OF_STRIDE: usize = 48;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RepeatedForce {
-    /// Square of the angular frequency, and mean square, of each line.
+    /// Square of the angular frequency of each line, (rad/s)². The next field is the mean square of the force of each line, N².
     squares: Vec<f64>,
     means: Vec<f64>,
     strides: usize,

@@ -11,8 +11,8 @@ use crate::error::{DynamicsError, Result};
 use crate::force::Walk;
 use crate::units::{Dimension, Quantity};
 
-/// Smoothing parameters relative to the cube of a step time. With the first, the speed is practically constant. With the second, it is
-/// practically unsmoothed.
+/// Maximum and minimum smoothing parameter, relative to the cube of a step time. The speed is practically constant at the maximum and
+/// practically unsmoothed at the minimum.
 const SMOOTHEST: f64 = 1e9;
 const LEAST: f64 = 1e-6;
 /// Number of halvings in the search for the smoothing parameter on a logarithmic scale.
@@ -106,8 +106,8 @@ impl Followed {
     /// fraction `middle` of the cycle.
     ///
     /// # Errors
-    /// A cam that violates a bound even at constant speed, a motor that cannot follow, or a cam or machine that the rigid model does not
-    /// support.
+    /// The cam violates a bound even at constant speed, the motor cannot follow the programme, or the rigid model does not support the cam
+    /// or the machine.
     pub fn new(
         run: &Run,
         walk: &Walk,

@@ -38,8 +38,8 @@ pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Samples of the derivative of the given order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1. `terms` contains (aₕ, bₕ) for h = 1
-/// … < n/2. The result is exact up to rounding errors relative to the maximum value.
+/// Samples of a derivative of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1. `order` is the order of the derivative. `terms` contains
+/// (aₕ, bₕ) for h = 1 … < n/2. The result is exact up to rounding errors relative to the maximum value.
 pub fn samples(terms: &[(f64, f64)], order: u32, n: usize) -> Vec<f64> {
     debug_assert!(2 * terms.len() < n);
     let fft = inverse(n);

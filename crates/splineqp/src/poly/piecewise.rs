@@ -75,7 +75,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// A position as a peak with the value 0.
+    /// Peak with the value 0 at a given position.
     pub fn place(piece: usize, u: f64, at: f64) -> Peak {
         let value = 0.0;
         Peak {
@@ -115,7 +115,7 @@ impl PiecewisePoly {
         }
     }
 
-    /// Breaks in ascending order. Their number is the number of pieces plus one.
+    /// Breaks in ascending order. The number of breaks is the number of pieces plus one.
     #[inline]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks

@@ -25,8 +25,8 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     joined(&transform, breaks, tolerance, 0.0, &first, f)
 }
 
-/// Piecewise polynomials as from [`stand_in`], for several functions that are evaluated together. Each function is a difference of large
-/// terms. `terms` contains the sizes of these terms, because their rounding errors limit the accuracy.
+/// Piecewise polynomials, computed as in [`stand_in`], for several functions that are evaluated together. Each function is a difference of
+/// large terms. `terms` contains the sizes of these terms, because their rounding errors limit the accuracy.
 pub fn stand_ins_for_differences(
     breaks: &[f64],
     tolerance: f64,

@@ -8,7 +8,7 @@ use super::{Extreme, fourier};
 const POINTS_PER_WAVE: usize = 16;
 /// Minimum number of grid points.
 const FEWEST_POINTS: usize = 64;
-/// Maximum number of steps within a cell. Newton's method needs three or four steps. Bisection needs all of them.
+/// Maximum number of steps within a cell. Newton's method needs three or four steps. Bisection needs the maximum number.
 const STEPS: usize = 40;
 /// Newton step, rad, below which a parabola gives the value of the maximum with an error below rounding errors.
 const FLAT: f64 = 1e-5;
@@ -43,9 +43,8 @@ fn grid_for(harmonics: usize) -> usize {
     least.max(FEWEST_POINTS).next_power_of_two()
 }
 
-/// Minimum and maximum of the sum, exact up to rounding errors. They are computed by Newton's method in every cell of the grid that may
-/// contain them. Between grid points, the sum exceeds the higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² +
-/// bₙ²).
+/// Minimum and maximum of the sum, exact up to rounding errors. Newton's method is used in every cell of the grid that may contain an
+/// extreme. Between grid points, the sum exceeds the higher end value of the cell by at most h²/8·max|f″|, and max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let waves = (1..).zip(terms);
     let bend: f64 = waves
@@ -128,8 +127,8 @@ impl Search<'_> {
         }
     }
 
-    /// Searches the maximum in the cell before grid point `i`, if sign·f rises at the start of the cell and falls at its end. The method is
-    /// Newton's method for f′ from a linear estimate, with bisection as a safeguard.
+    /// Searches for the maximum in the cell before grid point `i`, if sign·f rises at the start of the cell and falls at its end. The
+    /// method is Newton's method for f′ from a linear estimate, with bisection as a safeguard.
     fn crest(&mut self, i: usize) {
         let points = self.slopes.len();
         let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);

@@ -24,7 +24,7 @@ pub struct Wave {
     pub sin: f64,
 }
 
-/// Maximum phase of a sinusoid that one Taylor polynomial covers, rad: ±½ about its middle.
+/// Maximum phase range, rad, of a sinusoid that one Taylor polynomial approximates: ±½ about the middle of the range.
 const PHASE_PER_PIECE: f64 = 1.0;
 /// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
 const TAYLOR_DEGREE: usize = 14;

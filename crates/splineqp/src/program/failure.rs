@@ -43,7 +43,7 @@ pub enum Stop {
     NoProgress,
     /// The objective has no lower bound.
     Unbounded,
-    /// Rounding errors made the iteration or its result inaccurate.
+    /// The iteration or its result is inaccurate because of rounding errors.
     NumericalError,
     /// The interior-point method rejected its settings or data.
     Refused,

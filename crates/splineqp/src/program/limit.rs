@@ -79,7 +79,7 @@ impl Neg for LeftSide {
 /// A linear limit on the law, for all angles or for a range of angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit<N: Names> {
-    /// Name of the limit for users. Both signs of a two-sided limit share it.
+    /// Name of the limit for users. The two sides of a two-sided limit have the same name.
     pub name: N::Limit,
     /// Weights of the law and its derivatives, indexed by their order.
     pub weights: [f64; 5],
@@ -99,7 +99,7 @@ pub struct Limit<N: Names> {
     pub has_room: bool,
     /// Whether the limit is one end of a range of values whose position is free.
     pub is_window: bool,
-    /// Meaning of a change of the bound for the caller.
+    /// Meaning of the bound for the caller, such as the quantity from which the caller computes the bound.
     pub meaning: N::Meaning,
 }
 

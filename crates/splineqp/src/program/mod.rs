@@ -83,13 +83,13 @@ pub struct Row<N: Names> {
     pub limit: Option<usize>,
     /// Name of the limit for users.
     pub name: N::Limit,
-    /// Position at which the row is evaluated, as a peak of the law.
+    /// Position at which the row is evaluated: piece, position on the piece, and angle.
     pub peak: Peak,
     /// Weights of s, v, a, j and the fourth derivative at that position.
     pub weights: [f64; 5],
     /// Weights of the coefficients of the law in the left side.
     pub entries: Entries,
-    /// Part of the coefficients that belongs to the value of the law at the reference angle.
+    /// Part of the weights `entries` that comes from the value of the law at the reference angle.
     pub reference: Entries,
     /// Weights of the further variables.
     pub extra: Values,
@@ -201,8 +201,8 @@ impl<N: Names> Program<N> {
         self.reference.as_ref().filter(|_| limit.from_reference)
     }
 
-    /// The program without the ranges of free position. `None` if there are no such limits, if the width of a range is minimised, or if one
-    /// of these limits was active in a similar program.
+    /// The program without the ranges of free position. `None` if there are no such limits, or if the width of a range is minimised. Also
+    /// `None` if one of these limits was active in a similar program.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
@@ -253,7 +253,7 @@ impl<N: Names> Program<N> {
         !self.equalities.iter().any(fixes_level) && self.constant_is_free()
     }
 
-    /// The law, raised until its minimum is zero if nothing determines its level.
+    /// Coefficients of the law. If nothing determines the level, the law is shifted so that its minimum is zero.
     pub(crate) fn with_least_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         if !self.level_is_open() {
             return x;

@@ -66,7 +66,7 @@ impl Pieces {
         &self.rows[before * self.spans..][..(self.degree + 1 - order) * self.spans]
     }
 
-    /// Visits the local maxima of the left side of a limit above `level` in its domain.
+    /// Calls `visit` for each local maximum of the left side of a limit above `level`, within the domain of the limit.
     pub fn peaks_above<N: Names>(
         &self,
         space: &SplineSpace,
@@ -88,7 +88,7 @@ impl Pieces {
         });
     }
 
-    /// Visits the pieces in the domain of a limit on which its left side may exceed `level`.
+    /// Calls `visit` for each piece in the domain of a limit on which the left side of the limit may exceed `level`.
     pub fn each_above<N: Names>(
         &self,
         space: &SplineSpace,
@@ -154,7 +154,7 @@ impl Curve {
         &room[..n]
     }
 
-    /// Visits the local maxima on one piece above `level` in the domain of a limit.
+    /// Calls `visit` for each local maximum above `level` on one piece, within the domain of `limit`.
     fn peaks_above<N: Names>(
         &self,
         piece: usize,

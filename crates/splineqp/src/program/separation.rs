@@ -30,7 +30,7 @@ impl<N: Names> Program<N> {
         out
     }
 
-    /// Those of the given local maxima that exceed their limit by more than the tolerance.
+    /// Selects the given local maxima that exceed their limit by more than the tolerance.
     pub fn broken_among(
         &self,
         peaks: &[(usize, Peak)],
@@ -80,7 +80,7 @@ impl<N: Names> Program<N> {
         extra[PEAK] + raised
     }
 
-    /// Visits all local maxima of the left side of each limit above the level of this limit, limit by limit.
+    /// Calls a function for each local maximum of the left side of a limit above the level of this limit, limit by limit.
     pub fn each_peak_above(
         &self,
         x: &[f64],
@@ -171,8 +171,8 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// Adds rows at ends and middles of pieces where the unlimited law violates a limit. Many of them become active, and additional rows
-    /// need less time than additional iterations.
+    /// Adds rows at ends and middles of pieces where the unlimited law violates a limit. Many of these rows become active, and additional
+    /// rows need less time than additional iterations.
     pub fn add_neighbours(&self, rows: &mut Vec<Row<N>>, x: &[f64]) {
         let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {

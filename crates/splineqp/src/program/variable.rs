@@ -65,7 +65,7 @@ impl Values {
         *self == Values::NONE
     }
 
-    /// Sum over all variables of the products of both entries.
+    /// Dot product: sum over all variables of the entry of `self` times the entry of `other`.
     #[inline]
     pub fn dot(&self, other: &Values) -> f64 {
         self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum()
@@ -137,7 +137,7 @@ impl<N: Names> Program<N> {
         variable
     }
 
-    /// Adds a cone: `head` is at least the norm of `tail`. A variable may be in one cone.
+    /// Adds a cone: `head` is at least the norm of `tail`. A variable may be in at most one cone.
     pub fn cone(&mut self, name: impl Into<N::Limit>, head: Variable, tail: &[Variable]) {
         self.cones.push(Cone {
             name: name.into(),

@@ -1,8 +1,8 @@
 //! Limit on a root mean square √(2 q), satisfied up to rounding errors by a search for a weight or a peak.
 //!
 //! **Start.** The interior-point method solves the program with the limit as a cone. The law is accurate to about 1e-6, which is sufficient
-//! for the steps of a sequence. The multiplier of the limit is the start of the search for a weight. The search for a peak starts from the
-//! law with the minimum root mean square. It ends immediately if the law with the minimum peak satisfies the limit.
+//! for the steps of a sequence of programs. The multiplier of the limit is the start of the search for a weight. The search for a peak
+//! starts from the law with the minimum root mean square. It ends immediately if the law with the minimum peak satisfies the limit.
 //!
 //! **Weight.** Let x(μ) be the optimum of J + μ q subject to the other limits. Its value q(x(μ)) decreases with the weight μ. If √(2 q)
 //! equals `most`, x(μ) is also the optimum of J subject to √(2 q) ≤ `most`. The multiplier of the tangent is then μ·most, because the
@@ -10,16 +10,17 @@
 //! objectives can therefore be used. The certificate needs only one additional row.
 //!
 //! **Peak.** If J is only a peak t, each step minimises q subject to t ≤ p. The search determines the p for which the minimum of q is the
-//! permitted value. The optimum is the same, with μ = 1/Σλ over the rows of the peak (van den Berg and Friedlander, SIAM J. Sci. Comput.
-//! 31, 2008, §2). The other limits alone may determine the minimum peak. The feasible set just above this minimum is then as small as the
-//! rounding errors. In this case, the search ends with the certificate of the minimum peak without the limit on q.
+//! permitted value. This minimum is also the optimum of the original program, with μ = 1/Σλ over the rows of the peak (van den Berg and
+//! Friedlander, SIAM J. Sci. Comput. 31, 2008, §2). The other limits alone may determine the minimum peak. The feasible set just above this
+//! minimum is then as small as the rounding errors. In this case, the search ends with the certificate of the minimum peak without the
+//! limit on q.
 //!
 //! **Result.** The law is interpolated between two iterates so that q has the permitted value. The limits are convex, so the interpolated
-//! law satisfies them. Weight and multipliers are interpolated with the same fraction t. The remaining gradient is t(1 − t) Δμ Δ∇q, which
+//! law satisfies them. Weight and multipliers are interpolated with the same fraction τ. The remaining gradient is τ(1 − τ) Δμ Δ∇q, which
 //! is of second order.
 //!
-//! Logarithms and exponentials come from one library on every machine, because their last bit can change the coefficients of a nearly constant law by
-//! 1e-4.
+//! Logarithms and exponentials are computed by the same library on every machine, because their last bit can change the coefficients of a
+//! nearly constant law by 1e-4.
 
 use crate::Names;
 use crate::program::{
@@ -52,7 +53,7 @@ struct Search<'a, N: Names> {
     program: &'a Program<N>,
     limit: &'a RmsLimit<N>,
     way: Way,
-    /// Active rows of the last optimum, as seeds of the next one.
+    /// Active rows of the last optimum, which are initial rows of the next program.
     seeds: Vec<Row<N>>,
     /// Law with the minimum peak subject to the other limits; `None` if it is not computed.
     least: Option<Solution<N>>,
@@ -167,9 +168,9 @@ impl<'a, N: Names> Search<'a, N> {
         plain.solve()
     }
 
-    /// Result if the search finds only one side of the limit. The first of these laws that satisfies the limit is returned: the optimum
-    /// without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the result is a law without a
-    /// certificate: the law of the exchange method, or the law with the minimum root mean square.
+    /// Result if the search finds no two optima on opposite sides of the limit. The first of these laws that satisfies the limit is
+    /// returned: the optimum without the limit, and a law with practically the minimum peak subject to the other limits. Otherwise the
+    /// result is a law without a certificate: the law of the exchange method, or the law with the minimum root mean square.
     fn held_up(&mut self, least: Solution<N>) -> Result<Solution<N>, Failure<N>> {
         if self.keeps(&least) {
             return Ok(least);
@@ -261,7 +262,7 @@ impl<'a, N: Names> Search<'a, N> {
         (solution, weight)
     }
 
-    /// Whether, after this failure, the program may have a solution for a nearby value.
+    /// Whether the program may have a solution for a nearby weight or peak after this failure.
     fn may_differ_beside(&self, failure: &Failure<N>) -> bool {
         match failure {
             Failure::Infeasible => self.way == Way::Peak,
@@ -270,7 +271,7 @@ impl<'a, N: Names> Search<'a, N> {
         }
     }
 
-    /// Two optima on either side of the limit; `None` if the search finds only one side.
+    /// Two optima, one on each side of the limit; `None` if the search finds none.
     fn bracket(&mut self, mut here: Tried<N>) -> Result<Option<[Tried<N>; 2]>, Failure<N>> {
         let settings = self.program.settings.rms;
         let holds = here.excess <= 0.0;

@@ -89,7 +89,7 @@ pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
     out
 }
 
-/// Product of two polynomials; its degree is the sum of both degrees.
+/// Product of two polynomials; the degree of the product is the sum of their degrees.
 pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     let (m, n) = (a.len() - 1, b.len() - 1);
     let mut out = vec![0.0; m + n + 1];

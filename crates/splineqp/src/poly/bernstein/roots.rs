@@ -58,12 +58,12 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
-/// Difference of adjacent coefficients below which it may be a rounding error.
+/// Difference between adjacent coefficients below which the difference may be a rounding error.
 pub fn rounding(b: &[f64]) -> f64 {
     64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
 }
 
-/// Visits every local maximum on [0, 1] above `level` as (u, value). An end counts as a maximum if the polynomial rises towards it.
+/// Calls `visit(u, value)` for every local maximum on [0, 1] above `level`. An end counts as a maximum if the polynomial rises towards it.
 pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
     let n = b.len() - 1;
     let mut push = |u: f64, value: f64| {
@@ -134,7 +134,7 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
     }
 }
 
-/// Coefficients of both halves of the interval, written to `left` and `right`.
+/// Writes the coefficients of the polynomial on the two halves of the interval to `left` and `right`.
 fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
     right.copy_from_slice(b);
     for (k, left) in left.iter_mut().enumerate() {

@@ -165,8 +165,8 @@ fn uniform(degree: usize) -> Cow<'static, [f64]> {
     }
 }
 
-/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming. Bernstein coefficient k is the value of
-/// the polar form (blossom) with d − k arguments equal to the left end of the span and k arguments equal to its right end.
+/// Extraction matrix from the 2·degree knots around the span [local[d−1], local[d]], by blossoming. Bernstein coefficient k is a value of
+/// the polar form (blossom): d − k arguments equal the left end of the span, and k arguments equal the right end.
 fn extraction(degree: usize, local: &[f64]) -> Vec<f64> {
     let n = degree + 1;
     let mut matrix = vec![0.0; n * n];

@@ -148,15 +148,16 @@ impl SplineSpace {
         }
     }
 
-    /// Weights of the local basis functions of a span for the value of Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
+    /// Weights of the local basis functions of a span for the value of Σ wₖ dᵏs/dxᵏ of a spline s at the position u ∈ [0, 1] of the span.
+    /// The wₖ are `weights`.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.degree + 1];
         self.values(span, &[u], weights, &mut out);
         out
     }
 
-    /// Weights as from `row`, at all positions `places` of the span. The weights of one local function at all places are consecutive in
-    /// `out`.
+    /// The weights that `row` returns, for all positions `places` of the span. The weights of one local function at all places are
+    /// consecutive in `out`.
     pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
         let (n, count) = (self.degree + 1, places.len());
         let width = self.spans[span].width;

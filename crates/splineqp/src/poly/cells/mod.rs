@@ -1,6 +1,6 @@
 //! Smooth periodic functions, represented by cubics on equal cells, with their least-squares approximations and distances from polynomials.
 //!
-//! A target force has a thousand cells and a law about ten pieces, so the computing time is that of the sums over cells.
+//! A target force has a thousand cells and a law about ten pieces, so the sums over cells need most of the computing time.
 
 mod distance;
 mod nearest;

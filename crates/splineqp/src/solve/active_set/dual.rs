@@ -1,7 +1,8 @@
 //! Dual active-set method of Goldfarb and Idnani (1983): minimises ½xᵀHx − pᵀx subject to planes aᵀx ≤ b and aᵀx = b.
 //!
-//! With H = LLᵀ and y = Lᵀx, the solution is the point nearest to L⁻¹p that satisfies the planes zᵀy ≤ b, z = L⁻¹a. The active planes are stored as
-//! an orthonormal basis Q and a triangle R, Z = QR. A plane is added or removed in O(n·active) operations.
+//! With H = LLᵀ and y = Lᵀx, the solution is the point nearest to L⁻¹p that satisfies the planes zᵀy ≤ b, z = L⁻¹a. The active planes are
+//! stored as an orthonormal basis Q and an upper triangular matrix R, with Z = QR for the matrix Z of their normals z. A plane is added or
+//! removed in O(n·active) operations.
 
 use crate::band::ArrowFactor;
 use crate::basis::{Entries, apply, dense};
@@ -28,8 +29,8 @@ pub struct Dual<'a> {
     /// Number of steps so far. The next field is the maximum number of steps.
     pub steps: usize,
     most_steps: usize,
-    /// Squared length of the part of a normal outside the span of the active planes, relative to the normal, below which the plane is
-    /// dependent.
+    /// Squared length of the part of a normal outside the span of the active planes, relative to the squared length of the normal, below
+    /// which the plane is dependent.
     dependent: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Optimum for the coefficients alone, by the dual active-set method. It starts at the optimum without limits, and its rows are at the
-//! exact points of maximum violation.
+//! Optimum for the coefficients alone, by the dual active-set method. It starts at the optimum without limits. The rows are evaluated at
+//! the exact points of maximum violation.
 //!
 //! Each iteration starts from the last solution and adds rows at the points of maximum violation. The objective only increases, so no
 //! active set is repeated. When all active points are nearly exact, Newton's method improves all of them together (`refine`).

@@ -1,15 +1,16 @@
 //! Minimax objectives: proximal steps, each of which is a strictly convex program for the dual active-set method.
 //!
-//! The objective is linear in the peak t, and the law is not determined where it is below t. H is therefore zero. The program of a step
-//! about a centre (s̄, t̄) is
+//! The objective is c·t with the peak t, so H is zero. The law is not determined at angles at which its value is below the peak. The
+//! program of a step about a centre (s̄, t̄) is
 //!
 //! ```text
 //! minimise  c·t + (εc/2T) mean (w·(s − s̄))² + (c/2T) (t − t̄)²      under the rows at hand
 //! ```
 //!
-//! Its matrix has a banded factor. Its solution is the next centre, and the points of maximum violation of its law become further rows
-//! (theory §9). The multipliers of a step are scaled so that the gradient with respect to t is zero. The remaining gradient is then εM(x −
-//! x̄). As ε decreases from step to step, the lower bound from the multipliers approaches the peak, even if the law is not determined.
+//! The matrix of this program has a banded factor. The solution is the next centre, and the points of maximum violation of its law become
+//! further rows (theory §9). The multipliers of a step are scaled so that the gradient with respect to t is zero. The remaining gradient is
+//! then εM(x − x̄). As ε decreases from step to step, the lower bound from the multipliers approaches the peak, even if the law is not
+//! determined.
 
 use super::dual::{Dual, Plane};
 use crate::Names;

@@ -224,7 +224,7 @@ fn constraints<N: Names>(
     (matrix(b.len(), n + scaling.free.len(), entries), b, cones)
 }
 
-/// Checks whether a status has a solution. A program close to infeasible counts as infeasible.
+/// Checks whether the solver ended with a solution. A nearly infeasible program counts as infeasible.
 fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     Err(match status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {

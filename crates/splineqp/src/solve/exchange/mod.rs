@@ -34,8 +34,8 @@ pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> 
     }
 }
 
-/// Starts without seeds. The first rows are at the points of maximum violation of the unlimited optimum. With further variables, they are
-/// at ends and middles of pieces.
+/// Starts without seeds. The first rows are at the points of maximum violation of the unlimited optimum. With further variables, the first
+/// rows are at the ends and middles of pieces.
 fn without_seeds<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
     let rows = if program.free_variables().is_empty() {
         let x = program.with_least_at_zero(equality::solve(program)?.x);
@@ -152,7 +152,7 @@ fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<
     }
 }
 
-/// Whether a row is active: its multiplier exceeds its slack, both in the scaled units of the solver.
+/// Whether a row is active: its multiplier is larger than its slack, in the scaled units of the solver.
 fn is_active<N: Names>(program: &Program<N>, row: &Row<N>, x: &[f64], extra: &Values) -> bool {
     let unit = row_unit(&row.entries, program.length);
     let multiplier = row.multiplier * unit / program.multiplier_unit(extra[PEAK]);

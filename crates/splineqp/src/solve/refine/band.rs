@@ -3,7 +3,8 @@
 //! At an active point, the left side of the limit c(θ) = a(θ)ᵀx has a local maximum equal to the bound. If x changes by dx, the angle of
 //! the maximum changes by dθ = −a′ᵀdx/c″. The curvature of the Lagrangian therefore increases by Σ λ (a′ᵀdx)²/(−c″) (local reduction of a
 //! semi-infinite program, Hettich and Kortanek 1993). Each step solves a program with equality constraints at the active points and the
-//! matrix H + Σ λ/(−c″) a′a′ᵀ, which is still banded. Violations decrease quadratically. An exchange of rows only divides them by four.
+//! matrix H + Σ λ/(−c″) a′a′ᵀ, which is still banded. Violations decrease quadratically. An exchange of rows reduces violations only by a
+//! factor of four.
 
 use super::Contacts;
 use crate::Names;

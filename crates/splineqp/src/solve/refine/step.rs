@@ -128,7 +128,7 @@ impl<'a, N: Names> Local<'a, N> {
         matrix.factor()
     }
 
-    /// Solution of the quadratic program with the planes; `None` if they are infeasible.
+    /// Solution of the quadratic program with the planes; `None` if the planes are infeasible.
     fn quadratic_step(&self, factor: &ArrowFactor, planes: &[Plane]) -> Option<Step> {
         let settings = &self.contacts.program.settings.refinement;
         let n = self.units.len();
