@@ -67,7 +67,7 @@ pub enum CamError {
     },
     /// No base radius satisfies the limits.
     NoSize { follower: &'static str },
-    /// The floor of a groove is not below its surface.
+    /// The floor of a groove is not below the surface of the barrel.
     GrooveDepth { floor: Quantity, surface: Quantity },
     /// The rollers do not fit the groove.
     GrooveRollers {
@@ -78,7 +78,7 @@ pub enum CamError {
     GrooveFloor { radius: Quantity, floor: Quantity },
 }
 
-/// Errors in given lengths or in measured points.
+/// Errors in dimensions given by the user, or in measured profile points.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -129,7 +129,7 @@ pub enum CamInputError {
     },
 }
 
-/// Length of a follower or cam, named in a message.
+/// Dimension of a follower or cam that a message names, such as the roller radius.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

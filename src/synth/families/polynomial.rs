@@ -83,7 +83,7 @@ fn range(problem: &Problem) -> Result<[f64; 2]> {
     Ok([start.max(0.0), end.min(TAU)])
 }
 
-/// Error for a number of conditions that determines another degree than the requested one.
+/// Error for a number of conditions that does not correspond to the requested degree.
 fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
     let conditions = fixed + 1;
     if degree < fixed {

@@ -13,8 +13,8 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Fraction of the squared pressure limit. If the curvature of the roller alone causes more than this fraction, enlarging the cam is not
-/// worthwhile.
+/// Fraction of the squared pressure limit. If the curvature of the roller alone causes a larger fraction, a larger cam hardly reduces the
+/// pressure, so the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
 /// Pressure limit for a flat face, F ≤ π L p²/E*·(Rb + s + a), which is linear in law and base radius together. If `is_sized` is true, the base
@@ -28,8 +28,8 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     Some(limit)
 }
 
-/// Pressure limit for a flat face on a base circle of radius `base_radius`, m. The value 0 is used if the radius is a variable, which the caller
-/// adds.
+/// Pressure limit for a flat face on a base circle of radius `base_radius`, m. If the radius is a variable, `base_radius` is 0 and the caller
+/// adds the variable.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
     if cam.follower != FollowerKind::FlatTranslating {
@@ -65,8 +65,8 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         .value
 }
 
-/// Limit on the Hertz pressure, Pa, if a sufficiently large cam can satisfy it; otherwise `None`. The curvature of the roller alone already
-/// causes a pressure.
+/// Limit on the Hertz pressure, Pa, if a sufficiently large cam can satisfy it; otherwise `None`. Even on a very large cam, the curvature of
+/// the roller causes a pressure.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (
         problem.limits[LimitKind::HertzPressure]?,

@@ -9,7 +9,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
-/// Relative enlargement of the size at the end of a sequence of convex programs, by which the curvature limit is satisfied up to rounding
+/// Relative enlargement of the cam at the end of a sequence of convex programs. With it, the curvature limit is satisfied up to rounding
 /// errors.
 pub const ENLARGED: f64 = 4e-6;
 
@@ -39,7 +39,7 @@ impl NonconvexLimits {
         })
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
+    /// Clearances h of all limits at a point of the law. A limit is satisfied if h ≥ 0.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         out.extend(self.diameter.map(|d| d.slack(at, self.size())));
@@ -49,7 +49,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Size of the cam in the limits of the profile; all values are 0 without such limits.
+    /// Size of the cam for the limits of the profile; all values are 0 without such limits.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }

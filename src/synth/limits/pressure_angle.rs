@@ -35,8 +35,8 @@ pub struct AngleRow {
     pub moves: bool,
 }
 
-/// Constraints for the limits on rise and fall, given as tangents. Each limit results in the constraint of its side with m = 1. The limit with
-/// the smaller tangent also results in the constraint of the other side with m = 0.
+/// Constraints for the limits on rise and fall, given as tangents. Each limit gives a constraint with m = 1 for its own direction of motion.
+/// The smaller limit, or the only one, also gives a constraint with m = 0 for the other direction (see [`AngleRow`]).
 pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
     let row = |name: LimitKind, tan: f64, side: f64, moves: bool| AngleRow {
         name,
@@ -56,13 +56,14 @@ pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
 }
 
 impl AngleRow {
-    /// Limit of a convex program for a translating roller, with the length scale `scale`. Size and offset are added by the caller.
+    /// The constraint as a limit of the convex program for a translating roller, with the length scale `scale`, m. The caller adds size and
+    /// offset to the limit.
     fn limit(self, scale: f64) -> Limit {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// Limit on a prime circle of given radius with the offset `e`, m.
+    /// The limit for a given prime circle and the offset `e`, m.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -71,7 +72,7 @@ impl AngleRow {
         Meaning::PrimeRadius { tan, offset }.of(limit)
     }
 
-    /// Limit with D as a variable, and with e as a variable if no offset is given.
+    /// The limit with the height D as a variable. The offset e is a variable too if it is not given.
     fn sized(self, length: f64, offset: Option<f64>) -> Limit {
         let mut limit = Meaning::PressureAngle.of(self.limit(length));
         limit.bound = self.side * offset.unwrap_or(0.0);
@@ -128,8 +129,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle, rad, for a side without a limit: for any machine, and for slow machines only. They are those of CAM-DAS
-/// (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
+/// Default bounds of the pressure angle, rad, for a side without a limit: for any machine, and for slow machines only. The values are those
+/// of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;

@@ -27,7 +27,7 @@ pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
     pub h: f64,
-    /// Scale of h. The relative clearance is h/w.
+    /// Scale w of h, for the relative clearance h/w.
     pub w: f64,
     /// Magnitude of the largest term of h.
     pub largest: f64,
@@ -41,7 +41,7 @@ pub struct Slack {
 }
 
 impl Slack {
-    /// Clearance with h = 0 and zero derivatives, to be completed by the caller.
+    /// Clearance with h = 0 and zero derivatives. The caller sets the actual values.
     pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
             name: name.into(),
