@@ -25,7 +25,7 @@ pub struct Formulation {
     pub stiffness: Option<f64>,
     /// Limit s ≥ 0; `None` if the law may be below its base circle.
     pub above_base_circle: Option<Limit>,
-    /// Number of spans, or of half waves of the highest harmonic. Active rows within half a span count as one contact.
+    /// Number of spans, or of half waves of the highest harmonic. Active rows of a limit within half a span count as one active point.
     pub pieces: usize,
 }
 
@@ -46,13 +46,13 @@ impl Formulation {
     }
 }
 
-/// Best law of a formulation.
+/// Best law of a formulated program, with its touching angle and its bounds.
 pub struct Optimum {
     /// The formulation with the best touching angle.
     pub formulation: Formulation,
     /// Solution of the program, or last solution of the sequence of convex programs.
     pub solution: Solution,
-    /// Touching angle, rad, if it was free.
+    /// Touching angle on the base circle, rad; `None` if no limit depends on it.
     pub at: Option<f64>,
     /// Lower bound of the objective over all touching angles; `None` if the angle is fixed or nothing is proved.
     pub bound: Option<f64>,
@@ -134,9 +134,9 @@ impl Optimum {
         doubt.is_none().then_some(value - evidence.duality_gap)
     }
 
-    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8). A sequence of convex programs is
-    /// then useless. The result is `false` if the number of spans is automatic, since more spans may reach the accuracy. It is also `false` for
-    /// a floor that responds to the law, because the objective then belongs to one iteration.
+    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8). A sequence of convex programs
+    /// cannot change this. The result is `false` if the number of spans is automatic, since more spans may reach the accuracy. It is also
+    /// `false` for a floor that responds to the law, because the objective then changes from iteration to iteration.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
@@ -180,7 +180,7 @@ impl Optimum {
         })
     }
 
-    /// Replaces the convex optimum by the final law of a sequence.
+    /// Replaces the optimum of the convex program by the final law of a sequence of convex programs.
     pub fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
         let least = self.least();
         self.sequence = Some(Sequence {

@@ -211,7 +211,7 @@ impl Easing {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Infeasible {
-    /// Conflicting limits or conditions.
+    /// Limits or conditions that are infeasible together.
     pub conflict: Vec<Conflicting>,
     /// Sufficient change of each conflicting limit. It starts as the minimum change for which the other limits of the program are feasible.
     /// `relaxed` replaces it by a change with which the complete design passes.
@@ -248,7 +248,7 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// Whether the change gives up a part of the target: it permits a larger force error.
+    /// Whether the change permits a larger force error.
     pub fn is_goal(&self) -> bool {
         matches!(
             self.limit,

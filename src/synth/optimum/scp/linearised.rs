@@ -8,9 +8,9 @@ use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
-/// Number of grid intervals per span of the law, at whose ends the limits are linearised.
+/// Number of grid intervals per span of the law. The limits are linearised at the ends of these intervals.
 const ROWS_PER_PIECE: usize = 4;
-/// Clearance h, relative to the largest term of h, above which a point has no row. The line search checks such points.
+/// Clearance h, relative to the largest term of h, above which no row is added for a point. The line search checks such points.
 const FAR: f64 = 0.6;
 /// Clearance h/w below which the minima of h are points of linearisation too.
 const NEAR: f64 = 0.05;
@@ -54,7 +54,7 @@ impl Room {
     }
 }
 
-/// Smallest of several clearances.
+/// Smallest of several clearances h/w; infinite for an empty list.
 pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }
