@@ -17,7 +17,7 @@ pub enum CamError {
     RollerFillsCam { radius: Quantity, prime: Quantity },
     /// The offset is not smaller than the prime radius.
     Offset { offset: Quantity, prime: Quantity },
-    /// The law falls below the centre of the cam.
+    /// The lift falls below the centre of the cam.
     BelowCentre {
         lift: Quantity,
         height: Quantity,
@@ -106,7 +106,7 @@ pub enum CamInputError {
     SlidesByAngle,
     /// There is no conjugate cam for this kind of follower.
     NoConjugateOf { follower: &'static str },
-    /// The base height of a translating cam has no minimum, because curvature and pressure angle do not depend on it.
+    /// The base height of a translating cam has no minimum, because curvature and pressure angle do not depend on this height.
     TranslatingHeight,
     /// There are too few measured points.
     MeasuredFew { points: usize, least: usize },

@@ -256,9 +256,9 @@ pub enum JoinCure {
         /// New length of the segment.
         length: Quantity,
     },
-    /// One of the two segments has a velocity at the joint, so a further segment between them is needed.
+    /// One of the two segments has a nonzero velocity at the joint, so a further segment is needed between the two.
     PutBetween {
-        /// The segment that has a velocity at the joint.
+        /// The segment whose velocity at the joint is not zero.
         segment: SegmentName,
     },
 }

@@ -91,7 +91,7 @@ pub enum LogError {
     },
     /// No common set of parameters fits the logs. The values are the RMS residuals of the common fit and of the separate fit.
     Inconsistent { together: Quantity, alone: Quantity },
-    /// The speed of the log differs from that of the design.
+    /// The speed in the log differs from the design speed.
     OtherSpeed { speed: Quantity, design: Quantity },
     /// The cam does not make one turn per cycle.
     NoTurn,

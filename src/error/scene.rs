@@ -150,7 +150,7 @@ pub enum SceneError {
     NoMass,
     /// Both base radius and prime radius are given.
     BaseAndPrime,
-    /// A radius is given together with a breadth, which determines it.
+    /// A radius is given together with a breadth, although the breadth determines the radius.
     RadiusAndBreadth,
     /// A breadth is given without a programme.
     BreadthWithoutProgram,
@@ -180,7 +180,7 @@ pub enum SceneError {
     TurnsNeedProgram,
     /// A follower on an arm is combined with a cam on a moving axis.
     ArmOnMovingAxis,
-    /// A conjugate pair has no closing dimension, or two of them.
+    /// A conjugate pair has no dimension that locates the second cam, or two such dimensions.
     PairNotClosed,
     /// Both natural frequency and stiffness of the follower are given.
     FrequencyAndStiffness,

@@ -31,7 +31,7 @@ pub enum SynthError {
     NoLiftChangesForce,
     /// A value is required if no force is given.
     ValueMissing,
-    /// The mean force is negative, so no mass corresponds to it.
+    /// The mean force is negative, so no mass has this weight.
     MeanForceNegative { mean: Quantity },
     /// The force cannot be scaled to the weight.
     NotScalable { mean: Quantity, weight: Quantity },
@@ -55,7 +55,7 @@ pub enum SynthError {
         ripple: Quantity,
         calm: Quantity,
     },
-    /// A value is given in the scene, although it is adjusted for each walker.
+    /// A value is given in the scene, although `gait.adjust` sets this value for each walker.
     AdjustsGiven { key: String },
     /// The mass of this drive does not depend on the weight of a walker.
     MassNotAdjustable,

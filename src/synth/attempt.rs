@@ -93,7 +93,7 @@ fn on_cam(
 }
 
 impl Attempt {
-    /// Combines a law with its cam. The coefficients of the law are raised by the shift that places it on the base circle.
+    /// Combines a law with its cam. The coefficients of the law are changed such that the lift increases by the shift to the base circle.
     pub fn of(mut law: SolvedLaw, cam: CheckedCam) -> Attempt {
         law.functions.raise(&mut law.coefficients, cam.raised);
         law.law = cam.pressing().clone();

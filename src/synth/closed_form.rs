@@ -151,7 +151,8 @@ impl Motion<'_> {
 }
 
 /// Base radius and minimum radius of curvature, m. `bent` is the minimum of s + a, where a is the second derivative of the lift s with
-/// respect to the angle. `highest` is the maximum lift. If no base radius is given, it is the minimum that curvature and bore permit.
+/// respect to the angle. `highest` is the maximum lift. If no base radius is given, it is the minimum that the limits on curvature and bore
+/// permit.
 fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {

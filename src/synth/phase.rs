@@ -14,7 +14,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 
-/// Number of phases on the grid.
+/// Number of equally spaced phases on the grid, of which the best is refined.
 const VISITED: usize = 36;
 /// Tolerance of the phase in Brent's method, rad.
 const RESOLVED: f64 = 1e-6;

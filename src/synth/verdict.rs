@@ -175,7 +175,8 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
     }
 }
 
-/// Whether a pressure angle is the largest one among the checks with the same limit. Of equal angles, the first one counts.
+/// Whether a pressure angle is the largest among the checks with the same limit. Of several equal angles, only the first counts as the
+/// largest.
 fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     let angles = checks
         .iter()
@@ -185,7 +186,7 @@ fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     largest.is_none_or(|o| o.name == check.name)
 }
 
-/// Reasons for a failed check, with a suggestion if one is known.
+/// Reasons for the verdict that describe a failed check, with a suggested change if one is known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);

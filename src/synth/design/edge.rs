@@ -24,7 +24,7 @@ pub struct Edge<'a> {
     place: Place,
 }
 
-/// Position of the edge relative to the contact points of the cam.
+/// Location of the edge relative to the contact points of the cam.
 #[derive(Debug, Clone, Copy)]
 enum Place {
     /// The contact points, shifted in +y by this distance, m.

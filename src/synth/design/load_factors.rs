@@ -17,8 +17,8 @@ const MODEL_SAMPLES: usize = 1024;
 /// Load factor below which a harmonic counts as a rounding error. Its load factor and phase are then set to 0.
 const ROUNDING: f64 = 1e-9;
 
-/// One harmonic of the target and of the achieved force, F = F₀ + W Σ αₖ sin(kθ − φₖ), where W is the weight of the walker. The phase is
-/// subtracted; in `gait.harmonics` it is added.
+/// One harmonic of the target and of the achieved force, F = F₀ + W Σ αₖ sin(kθ − φₖ), where W is the weight of the walker. Here the phase is
+/// subtracted. In the key `gait.harmonics` it is added.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -35,7 +35,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct LoadFactor {
     /// Order of the harmonic with respect to one turn of the cam.
     pub harmonic: usize,
-    /// Order of the harmonic with respect to the step frequency. If a turn is a stride of two steps, it is half of `harmonic`.
+    /// Order of the harmonic with respect to the step frequency. If a turn is a stride of two steps, this order is half of `harmonic`.
     pub of_step: f64,
     /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,

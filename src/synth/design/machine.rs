@@ -65,7 +65,8 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// Figures of power and torque at a shaft speed, rad/s, from the extremes of a torque and from its mean and root mean square, N·m.
+    /// Values of power and torque at a shaft speed, rad/s, computed from the extremes of a torque and from its mean and root mean square,
+    /// N·m.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],

@@ -211,8 +211,8 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle, rad, at a time that is given as a phase of the period, rad (2π for one period). Cam angle and phase are zero at the same time.
-    /// The shaft speed is the one for which the force is computed.
+    /// Cam angle, rad, at a time that is given as a phase of the period, rad (2π for one period). Cam angle and phase are zero at the same
+    /// time. The conversion uses the shaft speed for which the force is computed.
     fn angle_at(&self, phase: f64) -> f64 {
         let shaft = self.shaft.as_ref();
         let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
@@ -226,7 +226,7 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// Target force over one period of time, N, which begins at cam angle 0.
+    /// Target force, N, over one period in time. The period begins at cam angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }

@@ -12,7 +12,8 @@ use crate::synth::qp::{
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
-/// Number of equalities above which all of them are reported. The search for a minimal set solves a program for each equality.
+/// Maximum number of equalities for which a minimal set is searched, because the search solves a program for each equality. If there are
+/// more, all are reported.
 const MOST_DEMANDS: usize = 64;
 
 /// Relative violation above which a solution does not satisfy a limit.

@@ -2,7 +2,7 @@
 //!
 //! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). If the
 //! size is given, or if the radius is the sum of lift and size, the limit is a row of the convex program. The prime radius of a follower on
-//! an arm and a free offset enter the limit nonlinearly. In these cases the limit is one of the nonconvex limits.
+//! an arm and a free offset enter the limit nonlinearly. In these cases the limit is treated as a nonconvex limit.
 
 use super::finished::GEOMETRY;
 use super::profile::{arm_at_rest, face_at_rest};
@@ -105,7 +105,7 @@ fn affine(problem: &Problem, bound: f64, offset: f64) -> Limit {
     .of(lift(problem, bound))
 }
 
-/// Limit on the sum of the lift and a size variable, for a follower with this offset, m.
+/// Limit on the sum of the lift and a size variable, m: at most `bound`. The offset of the follower, m, relates this bound to the diameter.
 fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
     let radius = problem.cam.roller_radius;
     let meaning = Meaning::Diameter { offset, radius };

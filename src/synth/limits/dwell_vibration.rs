@@ -17,8 +17,8 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// Relative violation below which the limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Fraction of the deflections that is the minimum scale of a violation. The vibration is a difference of deflections and contains their
-/// rounding errors.
+/// Fraction of the deflections that is the minimum scale for a violation. The vibration is a difference of deflections and contains the
+/// rounding errors of the deflections.
 const CANCELLED: f64 = 1e-4;
 
 /// Check of the residual vibration of the finished cam. For a polydyne cam, the deviation of the follower's end from its law is checked.

@@ -1,4 +1,5 @@
-//! Limit on the Hertz pressure between cam and follower. For a flat face it is linear in law and size; for a roller it is not convex.
+//! Limit on the Hertz pressure between cam and follower. For a flat face, the limit is linear in law and size. For a roller, the limit is not
+//! convex.
 
 use std::f64::consts::PI;
 
@@ -49,7 +50,8 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     Some(Meaning::Sized.of(limit))
 }
 
-/// Minimum base radius of a flat-faced cam with the pressure limit, m: the maximum of F E*/(π L p²) − s − a. Without a limit it is 0.
+/// Minimum base radius of a flat-faced cam with the pressure limit, m: the maximum of F E*/(π L p²) − s − a. The result is 0 without a limit
+/// on the pressure.
 pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
     let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;

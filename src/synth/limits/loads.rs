@@ -21,7 +21,7 @@ const SLACK: f64 = 1e-6;
 pub struct Loads {
     /// Drive, which relates lift and force.
     pub drive: Drive,
-    /// Force added by a varying speed or a floor; `None` for a rigid machine at constant speed.
+    /// Force, N, that a varying speed or a floor adds; `None` for a rigid machine at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
     /// Maximum |F v|, N·m.
     pub torque: Option<f64>,

@@ -1,7 +1,7 @@
 //! Limits of a problem, one file per limit or group.
 //!
-//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The size
-//! of the cam is given, or it is a variable of the program.
+//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The
+//! size of the cam is either given or a variable of the program.
 
 mod curvature;
 mod diameter;

@@ -21,8 +21,9 @@ const SIGNS: [f64; 2] = [1.0, -1.0];
 /// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). With m = 1 it is enforced over the whole turn. With m
 /// = 0 it is the constraint at a reversal of the follower (v = 0).
 ///
-/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e| ≤
-/// tan φ·(s + D) with the smaller tangent. As a result, a pressure angle φ of the opposite sign is within its limit between the reversals too.
+/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e|
+/// ≤ tan φ·(s + D) with the smaller tangent. Between the reversals, a pressure angle φ of the opposite sign is therefore within its limit
+/// too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
     /// Name of the limit.
@@ -129,8 +130,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle, rad, for a side without a limit: for any machine, and for slow machines only. The values are those
-/// of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
+/// Default bounds of the pressure angle, rad, for a side without a limit. The first applies to any machine, the second only to slow machines.
+/// The values are those of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;

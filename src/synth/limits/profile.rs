@@ -7,7 +7,7 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// Minimum radius of curvature of a sharp edge, relative to the prime radius. It keeps divisions finite.
+/// Radius of curvature that replaces zero for a sharp edge, relative to the prime radius. With it, divisions by the radius remain finite.
 pub const SHARP: f64 = 1e-6;
 
 /// Dimensions of a follower whose profile has nonconvex limits, m.

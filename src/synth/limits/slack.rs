@@ -11,7 +11,8 @@ pub struct ProfileSize {
     pub offset: f64,
     /// Radius of the prime circle of an oscillating follower.
     pub radius: f64,
-    /// Minimum permitted radius of curvature. For a roller it is that of the pitch curve, which is the sum of the radii of cam and roller.
+    /// Minimum permitted radius of curvature. For a roller it applies to the pitch curve and is the sum of the permitted radius of the
+    /// profile and the roller radius.
     pub rho: f64,
 }
 

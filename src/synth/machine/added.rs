@@ -12,7 +12,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Number of equal parts of the turn for the added terms.
+/// Number of equal parts into which the turn is divided, in addition to the breaks of the law, if the layout is exact.
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
@@ -26,7 +26,7 @@ const ANGLES: usize = 240;
 /// positions in the period at equally spaced angles. Each value is divided by a unit, so that its magnitude is about 1.
 pub struct Layout {
     breaks: Vec<f64>,
-    /// Matrix from values at the nodes to Bernstein coefficients.
+    /// Matrix that converts values at the nodes to Bernstein coefficients.
     coefficients: SMatrix<f64, NODES, NODES>,
     /// Limits on velocity, acceleration and jerk if the speed varies; `None` for a derivative without a limit.
     limits: [Option<f64>; 3],

@@ -338,7 +338,7 @@ fn corrected(
 }
 
 /// Optimum on a floor that responds to the law. The iteration starts from the optimum for a fixed floor motion and uses the same number of
-/// spans. If it does not converge, the optimum for the fixed motion is returned.
+/// spans. If the iteration does not converge, the optimum for the fixed floor motion is returned.
 fn on_responding_floor(
     mut settled: Settled<Iterate>,
     floor: &Floor,

@@ -26,9 +26,9 @@ const NEAR: f64 = 1e-4;
 
 /// Designs the law of the follower's end and the cam that produces it.
 ///
-/// The limits of the program apply to the law of the end. The law of the cam differs from it by the deflection of the follower. The cam may
-/// therefore violate a limit, or have a margin to a limit that is active for the end. The limit for the end is then changed, and the law is
-/// computed again.
+/// The limits of the program apply to the law of the end. The law of the cam differs from the law of the end by the deflection of the
+/// follower. The cam may therefore violate a limit, or have a margin to a limit that is active for the end. The limit for the end is then
+/// changed, and the law is computed again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {

@@ -124,9 +124,10 @@ impl FloorResponse {
     /// Upper bound of the gap of the coupled program at a law, in the units of the objective. The state of the law differs from the assumed
     /// state by at most `off`. `None` if no bound can be proved.
     ///
-    /// At the coupled optimum, the force error is at most that of the law. The forces of the two laws on a rigid floor therefore differ by at
-    /// most twice the force error of the law, divided by the minimum |Gₙ|. The bound includes the errors of h and of the force, multiplied by
-    /// this difference. The curvature of the coupled objective is at least min |Gₙ|²/G∞ times that of the program.
+    /// At the coupled optimum, the force error is at most the force error of this law. The forces of the two laws on a rigid floor therefore
+    /// differ by at most twice the force error of the law, divided by the minimum |Gₙ|. The bound includes the errors of h and of the force,
+    /// multiplied by this difference. The curvature of the coupled objective is at least min |Gₙ|²/G∞ times the curvature of the objective of
+    /// the program.
     pub fn gap(&self, problem: &Problem, attempt: &Attempt, off: f64) -> Option<f64> {
         let price = &attempt.law.price;
         let own = attempt.law.solver.certificate.as_ref()?.duality_gap;

@@ -1,4 +1,4 @@
-//! Derivative of the Lagrangian of a solution with respect to the force. The response of a moving floor is computed from it.
+//! Derivative of the Lagrangian of a solution with respect to the force. The program for a moving floor uses this derivative.
 
 use super::Optimum;
 use crate::criterion::{Criterion, DependsOn};

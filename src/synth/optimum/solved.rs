@@ -8,7 +8,8 @@ use crate::synth::report::method::{Ended, Method};
 use crate::synth::report::proof::{self, Doubt};
 use crate::synth::report::solver::{SolverReport, Step, Tier};
 
-/// Relative rounding error of a lower bound of the force error, up to which a bound above the accuracy is not a proof.
+/// Relative margin for rounding errors. The required accuracy is proved infeasible only if the lower bound of the force error exceeds it by
+/// more than this margin.
 const BOUND_ROUNDING: f64 = 1e-6;
 
 /// Result of a sequence of convex programs: final solution, steps, and reason for the end.
@@ -31,7 +32,7 @@ pub struct Formulation {
 
 impl Formulation {
     /// Whether the law with these coefficients violates a limit. The law is first placed on its base circle, unless the drive or a condition
-    /// determines the level.
+    /// fixes the level of the lift.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
         if program.limits.is_empty() && program.rms.is_empty() {

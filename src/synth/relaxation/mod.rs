@@ -193,7 +193,7 @@ struct Relaxing<'a> {
     /// The problem in which each design has its own machine motion. In `problem`, the motion of the given design is fixed.
     asked: &'a Problem,
     search: &'a Search,
-    /// Magnitude of the force, N.
+    /// Magnitude of the force, N: the larger of the absolute mean target force and the absolute force at rest.
     force: f64,
 }
 

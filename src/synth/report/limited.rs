@@ -27,7 +27,7 @@ impl Infeasible {
         NoDesignError::NoLaw { reason }
     }
 
-    /// Key of the conflicting conditions: points, dwells, or the table of the law for both.
+    /// Key of the scene for the conflicting conditions: `law.point`, `law.dwell`, or `law` if both kinds or neither are in conflict.
     pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
         let named = |of: fn(&Demand) -> bool| {
             let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));

@@ -106,7 +106,7 @@ pub struct SolverReport {
 }
 
 impl SolverReport {
-    /// Report on a method whose result is exact, so that no certificate is necessary.
+    /// Report on a method that computes the law without a numerical certificate.
     pub(crate) fn of(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         SolverReport {
             tier,

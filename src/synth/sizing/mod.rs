@@ -17,7 +17,7 @@ use crate::problem::Problem;
 use crate::synth::limits::{self, NEARLY_RIGHT};
 use crate::units::Quantity;
 
-/// Relative accuracy of a prime radius from bisection.
+/// Relative accuracy of a prime radius that is computed by bisection.
 const BISECTION: f64 = 1e-12;
 /// Factor between successive trial sizes in the search for a feasible size.
 const GROWTH: f64 = 1.5;

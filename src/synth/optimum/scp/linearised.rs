@@ -12,13 +12,13 @@ use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Valu
 const ROWS_PER_PIECE: usize = 4;
 /// Clearance h, relative to the largest term of h, above which no row is added for a point. The line search checks such points.
 const FAR: f64 = 0.6;
-/// Clearance h/w below which the minima of h are points of linearisation too.
+/// Clearance h/w below which the limits are also linearised at the minima of h.
 const NEAR: f64 = 0.05;
 /// Distance, relative to the span, below which two points coincide.
 const COINCIDENT: f64 = 1e-6;
-/// Relative distance of a convex limit from its bound below which the limit may become active in the next step.
+/// Relative distance of a limited quantity from its bound, below which a convex limit may become active in the next step.
 const SOON: f64 = 0.03;
-/// Violation, relative to w, up to which the margin of a limit is increased.
+/// Maximum violation, relative to w, for which the margin of a limit is increased.
 pub const NEARLY: f64 = 1e-3;
 
 /// Margins h/w that the linearised limits keep, one for each limit.

@@ -15,7 +15,7 @@ const SMALLEST_SHARE: f64 = 2e-3;
 /// Maximum number of programs with the restriction or with linearised limits.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
-/// Weight of the distance between laws in the objective, relative to the weight of a minimised peak.
+/// Weight of the distance between laws in the objective, as a multiple of the cost of a minimised peak.
 const HEAVY: f64 = 1e3;
 /// Fractions of a step that are tried if the complete step is too long.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
@@ -36,8 +36,9 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible. Otherwise the sufficient restriction is set up about the last law, and the optimum is computed
-/// repeatedly, until the limits hold. For followers on an arm there is no such restriction, and the linearised limits are used instead.
+/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied: the sufficient restriction is set up
+/// about the last law, and the optimum with this restriction is computed. For followers on an arm there is no such restriction, and the
+/// linearised limits are used instead. `None` if there is no progress.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);

@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 40;
 const IMPROVEMENT: f64 = 1e-7;
 /// Maximum number of second-order corrections before a step is shortened.
 const CORRECTIONS: usize = 5;
-/// Fraction of the predicted gain. If the gain of a corrected step is below it, shorter steps are tried too, for comparison.
+/// Fraction of the predicted gain. If the gain of a corrected step is below this fraction, shorter steps are tried too, for comparison.
 const WORTH_MENDING: f64 = 0.5;
 /// Minimum fraction of a step, and minimum trust region.
 pub const SHORTEST: f64 = 1e-4;
