@@ -91,7 +91,8 @@ pub struct Pressure {
 }
 
 impl Pressure {
-    /// Clearance h = q X (w^{3/2} − R_f K) − F w², with q = p² π L R_f/E*, X = D + s, Y = v − e, w = X² + Y² and K = w + vY − aX.
+    /// Clearance h = q X (w^{3/2} − R_f K) − F w², with q = p² π L R_f/E*, X = D + s, Y = v − e, w = X² + Y² and K = w + vY − aX. F is the
+    /// contact force, L the contact length and E* the contact modulus.
     pub fn slack(&self, drive: &Drive, at: Svaj, force: f64, size: ProfileSize) -> Slack {
         let [k, c, m, _] = drive.weights();
         let (x, y) = (size.rise + at.s, at.v - size.offset);

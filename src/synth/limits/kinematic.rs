@@ -82,7 +82,7 @@ fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
     LimitKind::by_time().filter_map(|(kind, order)| Some((kind, order, problem.limits[kind]?)))
 }
 
-/// Limits on velocity, acceleration and jerk, one for each sign.
+/// Limits on velocity, acceleration and jerk: one limit for each sign of each derivative.
 pub fn timed(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     for (name, order, limit) in limited(problem) {

@@ -18,8 +18,9 @@ pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::Pres
 /// Sign of v − e at which the limit of the same index in [`SIDES`] applies.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). With m = 1 it is enforced over the whole turn. With m
-/// = 0 it is the constraint at a reversal of the follower (v = 0).
+/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). Here v = ds/dθ is the slope of the lift s, e is the
+/// offset, and D is the height of the roller centre at s = 0. The constraint with m = 1 limits the pressure angle over the whole turn. The
+/// constraint with m = 0 is the condition at a reversal of the follower (v = 0).
 ///
 /// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e|
 /// ≤ tan φ·(s + D) with the smaller tangent. Between the reversals, a pressure angle φ of the opposite sign is therefore within its limit
@@ -85,8 +86,8 @@ impl AngleRow {
     }
 }
 
-/// Limits ±(v − e) ≤ tan φ·(s + D) of a problem (theory §6). The prime circle is given, or D is a variable (`is_sized`), and e too if the offset
-/// is free.
+/// Limits ±(v − e) ≤ tan φ·(s + D) of a problem (theory §6). Either the prime circle is given, or D is a variable (`is_sized`). In the second
+/// case, e is also a variable if the offset is free.
 pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     let kind = problem.cam.follower;
     let prime = problem.prime_radius();
@@ -115,7 +116,8 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     rows.map(row_of).collect()
 }
 
-/// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure angle of a roller on an arm, with the tangent t of the permitted angle.
+/// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure-angle limit for a roller on an arm. Here t is the tangent of the
+/// permitted angle, A the arm length, c the pivot distance, and ξ the arm angle.
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (tan, side) = (row.tan, row.side);
@@ -161,7 +163,7 @@ pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
         .collect()
 }
 
-/// Whether a check, of either cam of a pair, refers to a side without a limit in the scene.
+/// Whether a check refers to a side (rise or fall) without a limit in the scene. The check may be of either cam of a pair.
 pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
     let open = SIDES
         .into_iter()

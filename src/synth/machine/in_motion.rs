@@ -5,8 +5,8 @@
 //! target force causes the floor acceleration z″, which is computed by one linear response per harmonic.
 //!
 //! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion
-//! of the previous law. In each iteration, the change of the machine motion decreases by a factor of the order of the speed ripple and of the
-//! residual of the law (theory §10).
+//! of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction is of the
+//! order of the speed ripple and of the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
