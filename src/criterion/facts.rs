@@ -26,7 +26,7 @@ impl Direction {
         }
     }
 
-    /// Amount by which a value violates a bound, in the unit of both; negative or zero if the bound is satisfied.
+    /// Amount by which a value violates a bound, in the unit of the value; negative or zero if the bound is satisfied.
     pub fn excess(self, value: f64, bound: f64) -> f64 {
         self.sign() * (value - bound)
     }
@@ -40,7 +40,8 @@ impl Direction {
     }
 }
 
-/// Dependence of a limited quantity on speed and walker. It determines how a varying shaft speed and several walkers are treated.
+/// Dependence of a limited quantity on shaft speed and walker. It determines how the limit is applied with a varying shaft speed or several
+/// walkers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DependsOn {
     /// The quantity depends on the cam only, not on speed or walker.
@@ -141,7 +142,7 @@ impl Lines {
         }
     }
 
-    /// Ordinate from which the bound is measured to its line; `None` if the line is at the bound.
+    /// Ordinate of the curve from which the bound is measured, such as its minimum; `None` if the line is at the bound itself.
     pub fn origin(self, lowest: f64) -> Option<f64> {
         match self {
             Lines::AtBound => None,

@@ -17,7 +17,7 @@ pub enum CamError {
     RollerFillsCam { radius: Quantity, prime: Quantity },
     /// The offset is not smaller than the prime radius.
     Offset { offset: Quantity, prime: Quantity },
-    /// The law falls below the centre of the cam.
+    /// The lift falls below the centre of the cam.
     BelowCentre {
         lift: Quantity,
         height: Quantity,
@@ -67,7 +67,7 @@ pub enum CamError {
     },
     /// No base radius satisfies the limits.
     NoSize { follower: &'static str },
-    /// The floor of a groove is not below its surface.
+    /// The floor of a groove is not below the surface of the barrel.
     GrooveDepth { floor: Quantity, surface: Quantity },
     /// The rollers do not fit the groove.
     GrooveRollers {
@@ -78,7 +78,7 @@ pub enum CamError {
     GrooveFloor { radius: Quantity, floor: Quantity },
 }
 
-/// Errors in given lengths or in measured points.
+/// Errors in dimensions given by the user, or in measured profile points.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -106,7 +106,7 @@ pub enum CamInputError {
     SlidesByAngle,
     /// There is no conjugate cam for this kind of follower.
     NoConjugateOf { follower: &'static str },
-    /// The base height of a translating cam has no minimum, because curvature and pressure angle do not depend on it.
+    /// The base height of a translating cam has no minimum, because curvature and pressure angle do not depend on this height.
     TranslatingHeight,
     /// There are too few measured points.
     MeasuredFew { points: usize, least: usize },
@@ -129,7 +129,7 @@ pub enum CamInputError {
     },
 }
 
-/// Length of a follower or cam, named in a message.
+/// Dimension of a follower or cam that a message names, such as the roller radius.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use crate::units::Quantity;
 
-/// Errors in a machine, an emitted profile or the requested model.
+/// Errors in a machine, in an output profile or in the requested model.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
@@ -23,11 +23,11 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum DynamicsError {
-    /// Machine data are out of range.
+    /// A value of the machine data is out of range.
     Machine,
     /// The coefficient of friction is invalid.
     Friction { friction: f64 },
-    /// The contact line or a material is invalid.
+    /// The length of the line contact or a material constant is invalid.
     ContactLine,
     /// The target force is empty or not finite.
     Target,
@@ -39,7 +39,7 @@ pub enum DynamicsError {
     Restitution { restitution: f64 },
     /// The profile has too few points.
     FewRows { rows: usize },
-    /// A profile point is not at its equally spaced angle.
+    /// The angles of the profile points are not equally spaced.
     RowAngle {
         row: usize,
         at: Quantity,
@@ -67,9 +67,9 @@ pub enum DynamicsError {
     HeldByPair,
     /// The contact model requires a cam that turns once per cycle.
     NotOneTurn,
-    /// Motor data are out of range.
+    /// A value of the motor data is out of range.
     Motor,
-    /// A motor can drive only one cam, with a law of one turn.
+    /// A motor is combined with several cams or with a law that is not over one turn.
     MotorTurns,
     /// The shaft stops within a turn.
     Stalls { inertia: Quantity, needed: Quantity },

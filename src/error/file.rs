@@ -47,7 +47,7 @@ pub enum FileError {
     MeasuredColumns { found: String },
     /// A coordinate of a measured point is not a number.
     MeasuredField { typed: String },
-    /// The summary does not contain a scene.
+    /// The file `summary.json` does not contain a scene.
     NoSceneInSummary,
     /// An existing file would be replaced.
     Replaced { file: String },
@@ -90,7 +90,7 @@ pub enum FileError {
     MotionOrder { column: String, x: f64, before: f64 },
     /// A motion has too many rows.
     MotionManyRows { most: usize },
-    /// The length or the lift of a segment differs from the values in its file.
+    /// The length or the lift of a segment differs from that in its motion file.
     MotionDiffers {
         column: String,
         covered: f64,

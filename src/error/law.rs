@@ -112,9 +112,9 @@ pub enum LawError {
     },
     /// The motion is a type of VDI 2143 for which the catalogue has several laws or none.
     MotionType { motion: String, laws: Vec<String> },
-    /// A table or spline has no numbers.
+    /// A motion of the kind table or spline has no values.
     MotionNeedsPoints { motion: String },
-    /// The motion is in a file, which the caller has to read.
+    /// The motion refers to a file, which cannot be read when the law is computed.
     MotionFile { motion: String, file: String },
     /// A general polynomial has a degree other than 5 or 7.
     GeneralDegree { degree: usize },
@@ -141,7 +141,7 @@ pub enum LawError {
     TableSpacing { table: String },
 }
 
-/// Reasons why a programme of segments does not result in a valid law.
+/// Reasons why a programme of segments does not define a valid law.
 ///
 /// ```
 /// use gaitcam::error::JoinError;
@@ -159,14 +159,14 @@ pub enum LawError {
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum JoinError {
-    /// The lift jumps between two segments.
+    /// The lift is discontinuous between two segments.
     LiftJump {
         before: SegmentName,
         after: SegmentName,
         at: Quantity,
         jump: Quantity,
     },
-    /// The velocity jumps between two segments.
+    /// The velocity is discontinuous between two segments.
     VelocityJump {
         before: SegmentName,
         after: SegmentName,
@@ -256,9 +256,9 @@ pub enum JoinCure {
         /// New length of the segment.
         length: Quantity,
     },
-    /// One of the two segments has a velocity at the joint, so a further segment between them is needed.
+    /// One of the two segments has a nonzero velocity at the joint, so a further segment is needed between the two.
     PutBetween {
-        /// The segment that has a velocity at the joint.
+        /// The segment whose velocity at the joint is not zero.
         segment: SegmentName,
     },
 }

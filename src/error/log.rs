@@ -12,7 +12,7 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum LogError {
-    /// The log has neither time nor angle, or no force column.
+    /// The log has neither a time nor an angle column, or it has no force column.
     NoColumn { columns: String },
     /// Several columns match one quantity.
     ManyColumns { option: String, columns: String },
@@ -44,7 +44,7 @@ pub enum LogError {
     NoMotion { angle: f64 },
     /// A cell is not a number.
     Value { column: String, typed: String },
-    /// Time or angle does not increase.
+    /// The values of the time or angle column do not increase.
     Order {
         column: String,
         value: f64,
@@ -91,7 +91,7 @@ pub enum LogError {
     },
     /// No common set of parameters fits the logs. The values are the RMS residuals of the common fit and of the separate fit.
     Inconsistent { together: Quantity, alone: Quantity },
-    /// The speed of the log differs from that of the design.
+    /// The speed in the log differs from the design speed.
     OtherSpeed { speed: Quantity, design: Quantity },
     /// The cam does not make one turn per cycle.
     NoTurn,
@@ -99,13 +99,13 @@ pub enum LogError {
     NoTarget,
 }
 
-/// Reasons why a log does not lead to a new cam.
+/// Reasons why no corrected cam is computed from a log.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum NoNewCamError {
-    /// The repeatable error does not exceed the noise.
+    /// The repeatable force error does not exceed the measurement noise.
     Noise { residual: Quantity, noise: Quantity },
 }

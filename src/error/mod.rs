@@ -1,10 +1,11 @@
 //! Errors in the input, each with message, location and suggested change.
 //!
-//! An error contains its location and a variant of an enum with fields. Each file of this folder contains the enum of one subject (area), such
-//! as the cam or the law. The messages of an area are in `wording/en/AREA.ftl`, the suggested changes in the attribute `.help`.
+//! An error contains a location and a variant of an enum. The fields of the variant are the values in the message. Each file of this folder
+//! contains the enum of one area, such as the cam or the law. The messages of an area are in `wording/en/AREA.ftl`. The attribute `.help` of
+//! a message contains the suggested change.
 //!
-//! A bad cam is not an error but a [`Verdict`](crate::cam::Verdict). An impossible cam is an [`Infeasible`](crate::synth::Infeasible) result. A
-//! panic is an internal error.
+//! A cam that fails a check is not an error: its [`Verdict`](crate::cam::Verdict) is unacceptable. Infeasible limits are reported as
+//! [`Infeasible`](crate::synth::Infeasible). A panic is an internal error.
 
 mod cam;
 mod dynamics;
@@ -33,7 +34,8 @@ pub(crate) use synth::NoDesignError;
 pub use synth::SynthError;
 pub use write::WriteError;
 
-/// Implements [`Fault`] for the error enums. Each row contains the area, the enum, and whether its errors mean that no cam satisfies the scene.
+/// Implements [`Fault`] for the error enums. Each row contains the area, the enum, and whether the errors of this enum mean that no cam
+/// satisfies the scene.
 macro_rules! faults {
     ($($area:literal => $fault:ty, $answer:literal);* $(;)?) => {
         $(impl Fault for $fault {

@@ -38,7 +38,7 @@ pub enum SceneError {
     NotOfDrive { drive: &'static str },
     /// An arm has a mass instead of a moment of inertia.
     MassOfArm,
-    /// A value is given instead of a table.
+    /// A key that requires a table has a single value.
     NotTable { typed: String, section: String },
     /// The text is not a hardness with its scale.
     NotHardness { typed: String },
@@ -46,9 +46,9 @@ pub enum SceneError {
     NotRobust { typed: String },
     /// The text is not a range of step frequencies.
     NotFrequencies { typed: String },
-    /// A value is given instead of a list of tables.
+    /// A key that requires a list of tables has another value.
     NotList { typed: String, list: String },
-    /// A value is given instead of a text.
+    /// A key that requires a text has another value.
     NotText { typed: String },
     /// The value is neither a text nor a list of texts.
     NotTexts { typed: String },
@@ -106,7 +106,7 @@ pub enum SceneError {
         number: String,
         given: usize,
     },
-    /// The number of the entry of a list is missing in a path.
+    /// A path to an entry of a list lacks the number of the entry.
     ListWithoutNumber { list: String, given: usize },
     /// A path continues below a value that is not a table.
     ValueNotTable { part: String },
@@ -140,9 +140,9 @@ pub enum SceneError {
     OnlySplines { family: &'static str },
     /// A programme has no segments.
     ProgramWithoutSegments,
-    /// A polynomial has no points.
+    /// A polynomial law has fewer than two points.
     PolynomialWithoutPoints,
-    /// The scene gives neither a target force nor points nor segments for the law.
+    /// The scene gives no target force, no points and no segments for the law.
     NothingAsked,
     /// The speed is automatic, but the scene has no force cycle.
     NoSpeed,
@@ -150,7 +150,7 @@ pub enum SceneError {
     NoMass,
     /// Both base radius and prime radius are given.
     BaseAndPrime,
-    /// A radius is given together with a breadth, which determines it.
+    /// A radius is given together with a breadth, although the breadth determines the radius.
     RadiusAndBreadth,
     /// A breadth is given without a programme.
     BreadthWithoutProgram,
@@ -180,11 +180,11 @@ pub enum SceneError {
     TurnsNeedProgram,
     /// A follower on an arm is combined with a cam on a moving axis.
     ArmOnMovingAxis,
-    /// A conjugate pair has no closing dimension, or two of them.
+    /// A conjugate pair has no dimension that locates the second cam, or two such dimensions.
     PairNotClosed,
     /// Both natural frequency and stiffness of the follower are given.
     FrequencyAndStiffness,
-    /// A motor must have exactly one torque line.
+    /// A motor has no torque line, or more than one.
     MotorLine,
     /// A no-load speed is given without the stall torque that completes the torque line.
     NoLoadWithoutStall,
@@ -218,13 +218,13 @@ pub enum SceneError {
     PolydyneWithoutStiffness,
     /// A polydyne cam is requested with a family that lacks four continuous derivatives.
     PolydyneFamily { family: &'static str },
-    /// The degree of a polydyne cam is too low.
+    /// The spline degree is too low for a polydyne cam.
     PolydyneDegree,
     /// A polydyne cam is requested for a cam that does not rotate.
     PolydyneOnSlide,
     /// A polydyne cam is combined with constant breadth.
     PolydyneBreadth,
-    /// A changed key has no effect.
+    /// A key that the user changed has no effect in this scene.
     NoEffect {
         key: String,
         why: &'static str,

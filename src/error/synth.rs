@@ -31,13 +31,13 @@ pub enum SynthError {
     NoLiftChangesForce,
     /// A value is required if no force is given.
     ValueMissing,
-    /// The mean force is negative, so no mass corresponds to it.
+    /// The mean force is negative, so no mass has this weight.
     MeanForceNegative { mean: Quantity },
     /// The force cannot be scaled to the weight.
     NotScalable { mean: Quantity, weight: Quantity },
-    /// The target is one cycle and has no spread.
+    /// The force band requires the step-to-step spread, but the target is a single cycle without spread.
     NoSpread,
-    /// A trade-off does not name two quantities.
+    /// A trade-off does not consist of two quantities.
     PairIncomplete { pair: String, known: String },
     /// Neither quantity of a trade-off is the force error.
     PairWithoutForceError { known: String },
@@ -49,13 +49,13 @@ pub enum SynthError {
     OnlySplines,
     /// A trade-off with the size is requested, but the scene fixes the size of the cam.
     SizeFixed,
-    /// The iteration between law and shaft speed does not converge.
+    /// The iteration that alternates between law design and shaft-speed simulation does not converge.
     ShaftDiverges {
         inertia: Quantity,
         ripple: Quantity,
         calm: Quantity,
     },
-    /// A value is given in the scene, although it is adjusted for each walker.
+    /// A value is given in the scene, although `gait.adjust` sets this value for each walker.
     AdjustsGiven { key: String },
     /// The mass of this drive does not depend on the weight of a walker.
     MassNotAdjustable,
@@ -73,7 +73,7 @@ pub enum SynthError {
     TooManyHarmonics { samples: usize, most: usize },
     /// Spring and inertia cancel at a harmonic of the force.
     Resonance { harmonic: usize },
-    /// The follower requires this key.
+    /// A key that the kind of follower requires is missing.
     FollowerNeeds,
     /// A range of angles is not within one turn.
     NoRange { start: Quantity, end: Quantity },
@@ -97,13 +97,13 @@ pub enum SynthError {
     LawOpen { rise: Quantity },
     /// With this drive, a force does not determine a lift.
     ForceGivesNoLift,
-    /// The points contain no condition.
+    /// The points of the law prescribe no value.
     PointsEmpty,
     /// The family of the law requires a target force.
     FamilyNeedsForce,
     /// No double harmonic approximates the force better than a constant lift.
     DoubleHarmonicUseless,
-    /// Two dwells overlap.
+    /// Two dwells overlap in cam angle.
     DwellsOverlap,
     /// The dwells fill the whole turn.
     DwellsFillTurn,

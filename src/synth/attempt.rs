@@ -20,8 +20,8 @@ use crate::scene::{LawSpec, Minimise};
 /// A law with its cam, force and checks.
 #[derive(Clone)]
 pub struct Attempt {
-    /// Best law within the limits, or without them if they are infeasible. Its minimum is on the base circle unless the drive or a condition
-    /// determines the level.
+    /// Best law within the limits, or without them if they are infeasible. Its minimum is on the base circle, unless the drive or a condition
+    /// fixes the level of the lift.
     pub law: SolvedLaw,
     /// Cam of the law, with force and checks.
     pub cam: CheckedCam,
@@ -93,7 +93,7 @@ fn on_cam(
 }
 
 impl Attempt {
-    /// Combines a law with its cam. The coefficients of the law are raised by the shift that places it on the base circle.
+    /// Combines a law with its cam. The coefficients of the law are changed such that the lift increases by the shift to the base circle.
     pub fn of(mut law: SolvedLaw, cam: CheckedCam) -> Attempt {
         law.functions.raise(&mut law.coefficients, cam.raised);
         law.law = cam.pressing().clone();
@@ -105,9 +105,9 @@ impl Attempt {
     }
 }
 
-/// Best law without some limits. If only the accuracy makes the limits infeasible, the law is computed without the accuracy. Otherwise it is
-/// computed without any limit, and if this fails, without the base circle too. If the force error is limited but is not the objective, the law
-/// minimises the force error.
+/// Best law without some limits. If the limits are infeasible only because of the required accuracy, the law is computed without this
+/// accuracy. Otherwise it is computed without any limit. If this fails, it may also be below the base circle. If the force error is limited
+/// but is not the objective, the law minimises the force error.
 fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Sought<Attempt> {
     let timely = Search::until(search.halt.clone());
     let of_accuracy = refusal.is_of_accuracy();
@@ -153,7 +153,7 @@ fn without_limits(problem: &Problem, search: &Search, refusal: &Refusal) -> Soug
     on_cam(problem, law.map(unproved))
 }
 
-/// The problem with an objective for which the law is in closed form or the solution of a least-squares problem.
+/// The problem with an objective for which a least-squares problem or a closed form gives the law.
 fn quick(problem: &Problem) -> Problem {
     match problem.objective() {
         Minimise::Peak(order) => problem.minimising(Minimise::Energy(order)),

@@ -1,8 +1,9 @@
-//! Figures of a design in closed form, without a complete synthesis, for many problems with the same force (theory §1). They apply to a rigid
-//! machine at constant speed.
+//! Characteristic values (figures) of a design in closed form, for many problems with the same target force (theory §1). A complete synthesis
+//! is not necessary. The closed form applies to a rigid machine at constant speed.
 //!
 //! If the drive is a pure inertia, the law is a fixed curve multiplied by a factor. All extremes of lift, velocity, acceleration, jerk, force
-//! and flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the design to 1e-9.
+//! and flat-face curvature are scaled extremes of this curve. Tests compare these figures with those of the complete design, with the
+//! relative tolerance 1e-9.
 
 use std::f64::consts::PI;
 
@@ -18,7 +19,7 @@ use crate::synth::report::force::ForceReport;
 
 /// Relative difference between mean force and mean target below which the two count as equal.
 const SAME: f64 = 1e-13;
-/// Fraction of the mean below which a permitted error is a rounding error, for which there is no closed form.
+/// Fraction of the mean force below which a permitted force error is within rounding errors. The closed form is then not used.
 const ROUNDING: f64 = 1e-5;
 
 /// Figures of the design in closed form, for harmonics under a translating flat face. `None` for other problems, and if a limit may be violated.
@@ -73,11 +74,11 @@ pub fn figures(problem: &Problem) -> Option<Figures> {
 /// A law as the product of a shape and a factor, plus a constant level.
 struct Motion<'a> {
     shape: &'a Shape,
-    /// Factor by which the series is multiplied to obtain the target force.
+    /// Factor by which the common force series is multiplied to obtain the target force of the problem.
     scale: f64,
     factor: f64,
     level: f64,
-    /// Minimum and maximum of the lift without its level, m, and of its first three derivatives.
+    /// Minimum and maximum of the lift without its constant level, m, and of its first three derivatives.
     svaj: [[f64; 2]; 4],
 }
 
@@ -149,8 +150,9 @@ impl Motion<'_> {
     }
 }
 
-/// Base radius and minimum radius of curvature, m. `bent` is the minimum of s + a, and `highest` the maximum lift. If no base radius is given,
-/// it is the minimum that curvature and bore permit.
+/// Base radius and minimum radius of curvature, m. `bent` is the minimum of s + a, where a is the second derivative of the lift s with
+/// respect to the angle. `highest` is the maximum lift. If no base radius is given, it is the minimum that the limits on curvature and bore
+/// permit.
 fn size(problem: &Problem, bent: f64, highest: f64) -> (f64, f64) {
     let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     if let Some([base, _]) = problem.cam.given_radii() {

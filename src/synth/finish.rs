@@ -1,4 +1,4 @@
-//! Finished design: a law on its cam with verdict and notes, and the reports on machine and population.
+//! Completion of a design: verdict and notes for a law on its cam, and the reports on machine and population.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub struct Reports {
     pub relaxations: Vec<Relaxation>,
 }
 
-/// Finished design: the law on its cam, with verdict, infeasible limits, notes and reports.
+/// Completes a design: the law on its cam, with verdict, infeasible limits, notes and reports.
 pub fn finished(problem: &Problem, search: &Search, attempt: Attempt, reports: Reports) -> Design {
     let Attempt { law, cam, refusal } = attempt;
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;

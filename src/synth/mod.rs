@@ -1,4 +1,4 @@
-//! Design: from a target force to a law, its certificate and its cam.
+//! Cam design: from a target force, it computes a law with its certificate, and the cam.
 //!
 //! The law s(θ) is a linear combination of basis functions, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in the law. Limits on lift,
 //! velocity, acceleration, jerk, force and flat-face curvature are linear in the law too. The problem
@@ -9,11 +9,11 @@
 //!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
 //! ```
 //!
-//! is therefore convex. It is solved by the simplest sufficient method of the following ones. The next method is used only if a limit is
-//! violated or cannot be expressed. Below, T is the turn, and W = (k, cω, mω²) are the weights of the force.
+//! is therefore convex. It is solved by the first of the following methods that is sufficient. The next method is used only if a limit is
+//! violated, or if the method cannot express a limit. Below, T is the turn, and W = (k, cω, mω²) are the weights of the force.
 //!
-//! **Spectral.** For harmonics n = 1 … N without active limits, the least-squares problem is diagonal. Its solution ŝₙ = F̂ₙ / (k − mω²n² + i
-//! cωn) is one division per harmonic.
+//! **Spectral.** For harmonics n = 1 … N without active limits, the least-squares problem is diagonal. Its solution requires one division per
+//! harmonic: ŝₙ = F̂ₙ / (k − mω²n² + i cωn).
 //!
 //! **Equality.** The law consists of B-splines of degree p on N spans with the coefficients x. Without limits, the problem is
 //!
@@ -22,14 +22,14 @@
 //! such that E x = e           demands at points, dwells
 //! ```
 //!
-//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force does
-//! not determine the level (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
+//! H is banded with a border, because the law is periodic. One Cholesky factorisation is sufficient; its cost is linear in N. If the force
+//! does not determine the mean lift (moving axis), one coefficient is fixed. The minimum of the lift is placed on the base circle afterwards.
 //!
-//! **QP.** Limits a(θ)ᵀx ≤ b(θ) for every θ are added: acceleration, jerk, stroke, force, flat-face curvature, or a band about the target. The
-//! method starts from the optimum without limits. The points of maximum violation, computed as roots in Bernstein form, become rows of a dual
-//! active-set method. When all active points are known, Newton's method moves these points to the angles at which a(θ)ᵀx touches b(θ) with equal
-//! slope. The method ends when no limit is exceeded at any angle by more than 4·10⁻¹⁰ of its scale. Clarabel replaces the active-set method if
-//! there are many rows or if it does not converge.
+//! **QP.** Limits a(θ)ᵀx ≤ b(θ) for every θ are added: acceleration, jerk, stroke, force, flat-face curvature, or a band about the target.
+//! The method starts from the optimum without limits. The points of maximum violation, computed as roots in Bernstein form, become rows of a
+//! dual active-set method. When all active points are known, Newton's method moves these points to the angles at which a(θ)ᵀx touches b(θ)
+//! with equal slope. The method ends when no limit is exceeded at any angle by more than 4·10⁻¹⁰ of its scale. The interior-point solver
+//! Clarabel replaces the active-set method if there are many rows or if it does not converge.
 //!
 //! **SOCP.** Prime radius R, height D and offset e are further variables (theory §6):
 //!
@@ -37,8 +37,8 @@
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! where R is minimised or bounded. For a flat face, the limit is R + s + a ≥ ρ instead. Clarabel solves the program, and rows are exchanged as
-//! for the QP.
+//! where R is minimised or bounded. For a flat face, the limit is R + s + a ≥ ρ instead. The solver Clarabel solves the program, and rows are
+//! added and removed as for the QP.
 //!
 //! **SCP.** Some limits h(s, v, a, j, D, e) ≥ 0 are not convex. Those of the profile are the curvature of a roller cam, and curvature and
 //! pressure angle of followers on an arm. Those of the loads are the shaft torque F v, its rate F′v + F a, and the pressure between a roller and
@@ -48,9 +48,9 @@
 //! **Polydyne.** For a compliant follower, the law y of its end is optimised. The law of the cam is s = y + x, where the deflection x follows
 //! from x + (c₁ω/k₁) x′ = F(y)/k₁. The limits for the end are changed until the cam reaches its limits.
 //!
-//! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half the square of the left side is
-//! added to the objective, with the weight for which the limit is active. If a peak is minimised, the program minimises the force error under a
-//! limit on the peak. This limit is changed until the force error is e.
+//! **Accuracy.** If the objective is not the force error, √(mean (F − F*)²) ≤ e is a further convex limit. Half the square of the left side
+//! is added to the objective. Its weight is chosen such that the limit is active. If a peak is minimised, the program minimises the force
+//! error under a limit on the peak. The limit on the peak is changed until the force error is e.
 //!
 //! **Certificate.** The multipliers λ of the active rows prove a lower bound. The gap between objective and bound is Σ λ(b − aᵀx) + xᵀr, with
 //! the gradient r of the Lagrangian. The product of λ and 1 % of a limit is the gain from relaxing this limit by 1 %.
@@ -112,8 +112,8 @@ use crate::scene::Scene;
 
 /// Designs the cam for a scene. `force` is one cycle of the target force, if the scene has one.
 ///
-/// The result is complete even if a check fails, which its verdict states. If the limits are infeasible, `infeasible` contains the reason, and
-/// the design is the best design without the limits.
+/// The result is complete even if a check fails. Its verdict states the failed check. If the limits are infeasible, `infeasible` contains the
+/// reason, and the design is the best design without the limits.
 ///
 /// # Errors
 ///

@@ -38,7 +38,7 @@ pub fn answer(scene: &Scene, force: Option<&ForceCurve>, search: &Search) -> Res
 }
 
 impl Outcome {
-    /// Outcome for the result of a synthesis. An error that means that no cam satisfies the scene becomes `NoCam`.
+    /// Converts the result of a synthesis to an outcome. An error that means that no cam satisfies the scene becomes `NoCam`.
     ///
     /// # Errors
     ///
@@ -63,7 +63,7 @@ impl Outcome {
         }
     }
 
-    /// Adds suggested changes to a design that fails.
+    /// Adds suggested changes to the design if it fails a check.
     #[must_use]
     pub fn relaxed_with(self, search: &Search) -> Outcome {
         match self {

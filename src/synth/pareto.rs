@@ -37,18 +37,18 @@ pub struct Trade {
     pub design: Design,
 }
 
-/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger, it replaces this value.
+/// Largest force error on the front, relative to the mean force. If twice the error of the unlimited law is larger, twice this error is used.
 const WORST: f64 = 0.1;
 /// Number of bisection steps that find the tightest value of the front.
 const HALVINGS: usize = 14;
-/// Ratio of the weakest value of the front and the value of the unlimited law. It is below 1, so that the limit is active.
+/// Ratio of the weakest permitted value on the front and the value of the unlimited law. The ratio is below 1, so that the limit is active.
 const INSIDE: f64 = 1.0 - 1e-6;
 /// Ratio of the number of spans of the laws on the front and the number of spans of the first design.
 const MORE_SPANS: usize = 2;
 /// Maximum automatic number of spans of a law on the front.
 const MOST_SPANS: usize = 64;
 
-/// The figure that is combined with the force error in a pair such as `force_error:prime_radius`, in either order.
+/// The quantity (figure) that is combined with the force error in a pair such as `force_error:prime_radius`, in either order.
 ///
 /// # Errors
 /// The pair is incomplete, lacks the force error, or contains an unknown figure. The error contains the known figures.
@@ -111,7 +111,7 @@ impl Bound {
         }
     }
 
-    /// Rejects problems for which the front is not defined, and figures whose limit is not possible.
+    /// Rejects problems for which the front is not defined, and figures that cannot be limited.
     fn check(self, problem: &Problem) -> Result<()> {
         if problem.target.is_none() {
             return Err(SynthError::NoTarget.at_key("gait"));

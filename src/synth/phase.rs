@@ -14,9 +14,9 @@ use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 
-/// Number of phases on the grid.
+/// Number of equally spaced phases on the grid, of which the best is refined.
 const VISITED: usize = 36;
-/// Tolerance of the phase, rad.
+/// Tolerance of the phase in Brent's method, rad.
 const RESOLVED: f64 = 1e-6;
 /// Maximum number of iterations of Brent's method.
 const STEPS: u64 = 60;
@@ -85,7 +85,7 @@ fn deepest(
     Ok(Cow::Owned(problem.at_phase(found)))
 }
 
-/// Force error as a function of the phase, for Brent's method.
+/// Force error as a function of the phase, as the objective of Brent's method.
 struct Phases<F>(F);
 
 impl<F: Fn(f64) -> Result<Option<f64>>> CostFunction for Phases<F> {

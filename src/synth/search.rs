@@ -1,4 +1,4 @@
-//! Options of a search: stop condition, and results that are useful.
+//! Options of a search: the stop condition, and which results are useful.
 
 use crate::halt::Halt;
 
@@ -22,7 +22,7 @@ pub struct Search {
     pub(crate) halt: Halt,
     /// Whether only a passing design is useful. A design that is proved not to reach the accuracy is then not completed.
     pub(super) only_passing: bool,
-    /// Whether the law may be below the base circle. This is used to diagnose conditions that no cam satisfies.
+    /// Whether the law may be below the base circle. This option is used to diagnose conditions that no cam satisfies.
     pub(super) below_base_circle: bool,
     /// Minimum number of spans in the search for an automatic number, from the design of a similar problem.
     pub(super) least_spans: usize,

@@ -1,4 +1,4 @@
-//! Design of a problem, for one force or many walkers, and for a plain machine or a machine whose motion depends on the cam.
+//! Design of a problem: for one force or many walkers, and for a machine with or without a motion that depends on the cam.
 
 use super::attempt::{attempt, under_limits};
 use super::design::Design;

@@ -49,7 +49,7 @@ pub fn verdict(
     (class, bad)
 }
 
-/// Reason for a mean target force that differs from M·g, which is the mean force of every law on a moving axis (theory §1).
+/// Reason for the verdict: the mean target force differs from M·g. On a moving axis, every law has the mean force M·g (theory §1).
 pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     problem.mean_force_gap().map(|gap| Reason::MeanForce {
         mean: Quantity::force(force.target_mean_n),
@@ -58,7 +58,7 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
     })
 }
 
-/// Reason for a property of the recording that is uncertain.
+/// Reason for the verdict: an uncertain property of the recording.
 fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     let mut keys: Vec<&'static str> = Vec::new();
     for key in because.iter().flat_map(|note| note.settled_by()) {
@@ -74,7 +74,7 @@ fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
     }
 }
 
-/// Reason for the first jump of the derivative of this order; `None` without a jump.
+/// Reason for the verdict: the first jump of the lift derivative of this order; `None` without a jump.
 fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     let at = place(cam.follower.measures(), cam.first_jump(order)?);
     Some(match order {
@@ -84,7 +84,7 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     })
 }
 
-/// Reason for loss of contact, where the contact force would have to be negative.
+/// Reason for the verdict: loss of contact where the contact force would have to be negative.
 fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> Reason {
     let drive = &problem.drive;
     let measures = cam.follower.measures();
@@ -175,7 +175,8 @@ fn too_sharp(check: &Check, at: Quantity, radius: Quantity, allowed: Quantity) -
     }
 }
 
-/// Whether a pressure angle is the largest one among the checks with the same limit. Of equal angles, the first one counts.
+/// Whether a pressure angle is the largest among the checks with the same limit. Of several equal angles, only the first counts as the
+/// largest.
 fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     let angles = checks
         .iter()
@@ -185,7 +186,7 @@ fn is_largest_angle(check: &Check, checks: &[Check]) -> bool {
     largest.is_none_or(|o| o.name == check.name)
 }
 
-/// Reasons for a failed check, with a suggestion if one is known.
+/// Reasons for the verdict that describe a failed check, with a suggested change if one is known.
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);

@@ -73,7 +73,7 @@ pub(crate) static WORDS: Catalogue = Catalogue::new(&[
     SENTENCES,
 ]);
 
-/// Additional Spanish words for values of a scene. The messages contain the other Spanish names.
+/// Additional Spanish words for values of a scene. All other Spanish names are in the messages.
 const SPANISH: [(&str, &str); 6] = [
     ("reposo", "dwell"),
     ("rodillo", "roller-translating"),
@@ -98,8 +98,8 @@ fn spanish_names(known: &[&'static str]) -> Vec<(String, &'static str)> {
     known.iter().map(name).chain(others).collect()
 }
 
-/// The known word with the name that is most similar to a typed name; `None` without a similar name. First the words are compared, then the
-/// parts of their names in both languages, then the complete names.
+/// The known word with the name that is most similar to a typed name; `None` without a similar name. The typed name is compared first with
+/// the words, then with the parts of their names in both languages, and then with the complete names.
 pub(crate) fn nearest_in_languages(typed: &str, known: &[&'static str]) -> Option<&'static str> {
     if let Some(word) = nearest(typed, known.iter().copied()) {
         return Some(word);

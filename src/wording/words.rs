@@ -1,4 +1,4 @@
-//! Texts of one catalogue in one language.
+//! Texts of one message catalogue in one language.
 
 use serde_json::{Map, Value};
 
@@ -49,7 +49,7 @@ impl Words {
         number(self.language(), value)
     }
 
-    /// A number for display. A value below 1e-9 of `scale` is a rounding error and is displayed as 0.
+    /// A number for display. A value below 1e-9 times `scale` counts as a rounding error and is displayed as 0.
     ///
     /// ```
     /// use gaitcam::wording::{Language, Words, catalogue};

@@ -1,4 +1,4 @@
-//! Edges to be cut, in the coordinates of the drawing. Exporters and figures use these edges.
+//! Edges of the workpiece that are cut, in drawing coordinates. Exporters and plots use these edges.
 //!
 //! A disc has one closed edge, and a conjugate pair has one closed edge for each cam. A translating cam has one edge with two ends. The unrolled
 //! groove of a barrel has two walls with two ends each, even if its law is closed.
@@ -24,7 +24,7 @@ pub struct Edge<'a> {
     place: Place,
 }
 
-/// Position of the edge relative to the contact points of the cam.
+/// Location of the edge relative to the contact points of the cam.
 #[derive(Debug, Clone, Copy)]
 enum Place {
     /// The contact points, shifted in +y by this distance, m.
@@ -117,7 +117,7 @@ impl<'a> Edge<'a> {
         self.cam.law.is_closed() && !self.cam.follower.is_unrolled()
     }
 
-    /// Whether the edge is undercut. The tangent of an undercut edge reverses at cusps.
+    /// Whether the edge is undercut. An undercut edge has cusps, at which its tangent reverses.
     pub fn is_undercut(&self) -> bool {
         match self.place {
             Place::Opposite { undercut, .. } => undercut,

@@ -1,4 +1,4 @@
-//! Figures of a design, and the table from which all lists of figures are derived.
+//! Figures (characteristic values) of a design, such as stroke, force error and size. All lists of figures are derived from one table.
 
 use super::Design;
 use super::machine::MachineReport;
@@ -7,7 +7,7 @@ use crate::criterion::{Direction, LimitKind as Limit};
 use crate::synth::report::force::ForceReport;
 use crate::wording::{DIGITS, Language, people, rounded, sentence};
 
-/// Figures of one design, in SI units.
+/// Characteristic values of one design, in SI units.
 ///
 /// ```
 /// use gaitcam::synth::Figures;
@@ -31,7 +31,7 @@ pub struct Figures {
     pub speed: f64,
     /// Maximum lift minus minimum lift, m (rad for an arm).
     pub stroke: f64,
-    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time, in m or rad and s.
+    /// Maximum |velocity|, |acceleration| and |jerk| with respect to time: m/s, m/s² and m/s³; for an arm rad/s, rad/s² and rad/s³.
     pub peaks: [f64; 3],
     /// Radius of the base circle, m.
     pub base_radius: f64,
@@ -112,7 +112,7 @@ pub struct Figure {
     pub digits: usize,
     /// Table of `summary.json` that contains the figure; empty if no table contains it.
     pub section: &'static str,
-    /// Key of the figure in this table; also its column name in the file of a front.
+    /// Key of the figure in this table of `summary.json`. It is also the column name in the file of a trade-off front.
     pub key: &'static str,
     /// Limit of the scene that applies to the figure; `None` without such a limit.
     pub limit: Option<Limit>,
@@ -229,8 +229,9 @@ impl Figure {
     }
 }
 
-/// All figures, in the order of the columns of a sweep. Each row contains the column, the unit, the place in `summary.json`, the value and
-/// related keys. The lift-off speed has no limit of its own; a minimum force at the speed of the machine replaces it.
+/// All figures, in the order of the columns of a sweep. Each row contains the column name, the unit, the location in `summary.json`, the
+/// function for the value, and related keys. The lift-off speed has no limit of its own; a minimum force at the speed of the machine replaces
+/// it.
 #[rustfmt::skip]
 pub static FIGURES: [Figure; 31] = [
     figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n).digits(3),

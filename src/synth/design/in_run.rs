@@ -1,4 +1,4 @@
-//! Verdict from a simulation of the emitted cam. The simulation replaces the checks of force, loads and motion.
+//! Verdict from a simulation of the output profile. The simulated values replace those of the checks of force, loads and motion.
 
 use std::f64::consts::TAU;
 
@@ -11,12 +11,12 @@ use crate::synth::report::reason::Reason;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
-/// Relative violation of a bound that is accepted in a simulation, because its rows have a finite spacing.
+/// Relative violation of a bound that is accepted in a simulation, because the simulated points have a finite spacing.
 const RESOLVED: f64 = 1e-3;
 
 impl Design {
-    /// The design with its verdict from a simulation of the emitted cam. Where the simulation provides a value, it replaces that of the check.
-    /// Loss of contact makes the cam unacceptable, unless the scene switches this check off.
+    /// The design with its verdict from a simulation of the output profile. Where the simulation gives a value, this value replaces that of
+    /// the check. Loss of contact makes the cam unacceptable, unless the scene switches this check off.
     #[must_use]
     pub fn judged_in(self, run: &Outcome) -> Design {
         let force = run.force.max.abs().max(run.force.min.abs());
@@ -91,8 +91,8 @@ impl Design {
         }
     }
 
-    /// Maximum absolute time derivative of the lift. At constant speed it is computed from the continuous law. With a motor it is computed from
-    /// the rows of the simulation, for velocity and acceleration only.
+    /// Maximum absolute time derivative of the lift. At constant speed it is computed from the continuous law. With a motor it is computed
+    /// from the simulated points, for velocity and acceleration only.
     fn motion(&self, order: usize, run: &Outcome) -> Option<Extreme> {
         if run.shaft.is_none() {
             let most = Extreme::largest(self.cam.derivative_extremes(order));
@@ -122,7 +122,7 @@ impl Design {
             .max_by(|a, b| a.value.total_cmp(&b.value))
     }
 
-    /// Adds the loss of contact to the reasons for the verdict, unless another reason describes it already.
+    /// Adds the loss of contact to the reasons for the verdict, unless another reason already states the loss of contact.
     fn losing_contact(self, run: &Outcome) -> Design {
         let limits = &self.problem.limits;
         let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
@@ -150,7 +150,7 @@ impl Design {
     }
 }
 
-/// Maximum absolute rate of change of the torque between adjacent rows, N·m/rad.
+/// Maximum absolute rate of change of the torque between adjacent simulated points, N·m/rad.
 fn steepest(run: &Outcome) -> Option<Extreme> {
     let rates = run.rows.windows(2).map(|rows| Extreme {
         at: rows[0].theta,
@@ -159,7 +159,7 @@ fn steepest(run: &Outcome) -> Option<Extreme> {
     rates.max_by(|a, b| a.value.total_cmp(&b.value))
 }
 
-/// Mean power over time, W, computed from rows at equal angles.
+/// Mean power over time, W, computed from points at equal steps of the cam angle.
 fn mean_power(run: &Outcome) -> Option<Extreme> {
     let (mut work, mut time) = (0.0, 0.0);
     for row in &run.rows {

@@ -12,13 +12,13 @@ const HARMONICS: usize = 6;
 /// Number of samples of a turn from which the harmonics are computed. For a force with jumps of its slope, the load factors are accurate to
 /// 2e-5.
 const SAMPLES: usize = 8192;
-/// Number of samples of the target of a load model, which has only a few harmonics.
+/// Number of samples of the target force if it is a load model, which has only a few harmonics.
 const MODEL_SAMPLES: usize = 1024;
 /// Load factor below which a harmonic counts as a rounding error. Its load factor and phase are then set to 0.
 const ROUNDING: f64 = 1e-9;
 
-/// One harmonic of the target and of the achieved force, F = F₀ + W Σ αₖ sin(kθ − φₖ), where W is the weight of the walker. The phase is
-/// subtracted; in `gait.harmonics` it is added.
+/// One harmonic of the target and of the achieved force, F = F₀ + W Σ αₖ sin(kθ − φₖ), where W is the weight of the walker. Here the phase is
+/// subtracted. In the key `gait.harmonics` it is added.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -35,7 +35,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct LoadFactor {
     /// Order of the harmonic with respect to one turn of the cam.
     pub harmonic: usize,
-    /// Order of the harmonic with respect to the step frequency. If a turn is a stride of two steps, it is half of `harmonic`.
+    /// Order of the harmonic with respect to the step frequency. If a turn is a stride of two steps, this order is half of `harmonic`.
     pub of_step: f64,
     /// Frequency of the load factor, Hz.
     pub frequency_hz: f64,
@@ -50,8 +50,8 @@ pub struct LoadFactor {
 }
 
 impl Design {
-    /// Harmonics of target and achieved force, relative to the weight of the walker, up to six times the step frequency. Empty without a target
-    /// or a positive weight.
+    /// Harmonics of target and achieved force, relative to the weight of the walker, up to six times the step frequency. The list is empty
+    /// without a target force or without a positive weight.
     ///
     /// A turn of a recording, or of a load model of one foot, is a stride of two steps. A file that contains one cycle does not state whether it
     /// is a step or a stride. The cycle counts as a stride if the second harmonic of the target is larger than the first.

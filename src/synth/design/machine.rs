@@ -1,4 +1,4 @@
-//! Requirements of a design on its machine: torque, power, lift-off speed and contact pressure.
+//! Loads of a design on its machine: torque, power, lift-off speed and contact pressure.
 
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ pub struct MachineReport {
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-/// The mean power, W; 0 if it is a rounding error relative to the extremes.
+/// The mean power, W. It is set to 0 if it is within the rounding errors of the extreme power.
 fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
@@ -65,7 +65,8 @@ fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
 }
 
 impl MachineReport {
-    /// Figures of power and torque at a shaft speed, rad/s, from the extremes of a torque and from its mean and root mean square, N·m.
+    /// Values of power and torque at a shaft speed, rad/s, computed from the extremes of a torque and from its mean and root mean square,
+    /// N·m.
     pub(in crate::synth) fn of_torque(
         [low, high]: [f64; 2],
         [mean, rms]: [f64; 2],

@@ -55,7 +55,7 @@ use crate::wording::Language;
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Design {
-    /// Problem of the design. Serialised data contain only its name, drive and phase.
+    /// Design problem that was solved. Serialised data contain only its name, drive and phase.
     #[serde(serialize_with = "in_short")]
     pub problem: Arc<Problem>,
     /// Family of the law.
@@ -76,12 +76,13 @@ pub struct Design {
     pub groove: Option<BarrelGroove>,
     /// Comparison of the achieved force with the target.
     pub force: ForceReport,
-    /// Reason why no such cam exists; `None` for a feasible design.
+    /// Reason why the limits are infeasible; `None` for a feasible design.
     pub infeasible: Option<Infeasible>,
-    /// Changes of a single limit, each sufficient for the complete design to pass. `relaxed` computes the changes for a design that fails.
+    /// Changes of one limit each. Each change alone is sufficient for the complete design to pass. `relaxed` computes the changes for a
+    /// design that fails.
     pub relaxations: Vec<Relaxation>,
-    /// A common relative change of several limits for which the design passes. It is given if no single change, or only a larger force error, is
-    /// sufficient.
+    /// A common relative change of several limits for which the design passes. It is given if no single change is sufficient, or if only a
+    /// larger permitted force error is.
     pub together: Vec<Relaxation>,
     /// Verdict on the cam.
     pub verdict: Verdict,
@@ -103,7 +104,7 @@ pub struct Design {
     pub shaft: Option<OnShaft>,
     /// Steady motion of the floor with the shaker and all walkers; `None` for a rigid floor.
     pub floor: Option<FloorMotion>,
-    /// Errors for each of several walkers; `None` for a single cycle.
+    /// Force errors for several walkers; `None` for a single cycle.
     pub population: Option<OfPopulation>,
 }
 
@@ -210,8 +211,8 @@ impl Design {
         (mix(&shaft.speed, 0.0), mix(&shaft.time, period))
     }
 
-    /// Cam angle, rad, at a time that is given as a phase of the period, rad (2π for one period). Cam angle and phase are zero at the same time.
-    /// The shaft speed is the one for which the force is computed.
+    /// Cam angle, rad, at a time that is given as a phase of the period, rad (2π for one period). Cam angle and phase are zero at the same
+    /// time. The conversion uses the shaft speed for which the force is computed.
     fn angle_at(&self, phase: f64) -> f64 {
         let shaft = self.shaft.as_ref();
         let Some(shaft) = shaft.filter(|_| self.problem.on_shaft.is_some()) else {
@@ -225,7 +226,7 @@ impl Design {
         TAU * ((i - 1) as f64 + (time - from) / (to - from)) / shaft.time.len() as f64
     }
 
-    /// Target force over one period of time, N, which begins at cam angle 0.
+    /// Target force, N, over one period in time. The period begins at cam angle 0.
     pub fn target_in_time(&self) -> Option<&ForceCurve> {
         self.problem.target_in_time()
     }

@@ -1,4 +1,4 @@
-//! Response of the floor to a cam that runs at other step frequencies.
+//! Response of the floor as a function of the step frequency at which the cam runs.
 
 use std::f64::consts::TAU;
 

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::force::{ForceCurve, Walk};
 use crate::scene::{CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Scene};
 
-/// Limits of motion and force, which also apply to a servo axis. All other limits apply to a cam profile or a shaft.
+/// Limits on motion and force, which also apply to a servo axis. All other limits apply only to a cam profile or a shaft.
 const OF_MOTION: [LimitKind; 6] = [
     LimitKind::Stroke,
     LimitKind::Velocity,

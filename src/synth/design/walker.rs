@@ -1,4 +1,5 @@
-//! Comparison of the recorded walk with the cam at constant speed, by the response of a mode tuned about the step frequency.
+//! Comparison of the recorded walk with the cam at constant speed. Both forces act on a vibration mode with a natural frequency near the step
+//! frequency.
 
 use std::f64::consts::TAU;
 
@@ -54,21 +55,21 @@ pub struct AtResonance {
     pub mean_stride: f64,
     /// Ratio of the response to the cam and the response to the recorded walk.
     pub ratio: f64,
-    /// Whether the number N of recorded strides is sufficient for this damping ratio: 2π ζ N ≥ 1. With fewer strides, the recorded response is too
-    /// large.
+    /// Whether the number N of recorded strides is sufficient for this damping ratio: 2π ζ N ≥ 1. With fewer strides, the response to the
+    /// recorded walk is overestimated.
     pub resolved: bool,
 }
 
 impl Design {
-    /// Recorded strides, N, in the scale of the target. `None` unless the cam makes one turn per stride and eight consecutive strides of one
-    /// walker are recorded.
+    /// Force of the recorded strides, N, scaled like the target force. `None` unless the cam makes one turn per stride and eight consecutive
+    /// strides of one walker are recorded.
     pub fn walk(&self) -> Option<Walk> {
         let walk = self.force_of_one()?.walk.clone()?;
         Some(walk.scaled(1.0 / self.problem.drive.lever))
     }
 
-    /// Generated walk, N, whose steps have random durations and amplitudes and the periodic force of the target. `None` without a target, for
-    /// fewer than eight strides, or if the cam does not turn once per cycle.
+    /// Force of a generated walk, N. Each step has the shape of the target force, with random duration and amplitude. `None` without a
+    /// target, for fewer than eight strides, or if the cam does not turn once per cycle.
     ///
     /// ```
     /// use gaitcam::force::StepStatistics;

@@ -55,7 +55,7 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
 const TOUCHES: f64 = 1e-12;
 
 /// Implied equality constraints. At a prescribed lift that equals a bound, the velocity is zero; if the acceleration is zero too, so is the
-/// jerk. Without these equalities, rows on both sides of the point would converge to the point.
+/// jerk. Without these equalities, the exchange method would add limit rows ever closer to the point, on both sides of it.
 pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -94,7 +94,7 @@ pub fn implied_by_limits(problem: &Problem, search: &Search, basis: &Basis) -> V
     out
 }
 
-/// Whether the jerk of every law of the basis is continuous at an angle, rad.
+/// Whether the jerk is continuous at an angle, rad, for every law that the basis represents.
 fn is_smooth(basis: &Basis, angle: f64) -> bool {
     let Basis::Spline { space, .. } = basis else {
         return true;
@@ -106,7 +106,7 @@ fn is_smooth(basis: &Basis, angle: f64) -> bool {
     !at_break || plain && space.degree() > 3
 }
 
-/// Name of a condition at a point.
+/// Name of the condition on a quantity at a point of the law.
 fn named(index: usize, angle: f64, given: Given) -> Demand {
     Demand::AtPoint {
         point: index + 1,

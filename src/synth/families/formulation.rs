@@ -56,8 +56,8 @@ pub fn of_spline(problem: &Problem, search: &Search, spans: usize) -> Result<For
     })
 }
 
-/// Program that fits the force with a given number of harmonics under all convex limits. `unlimited` is the law without limits. If neither the
-/// drive nor a condition determines the level, the touching angle is that of the minimum of `unlimited`.
+/// Program that fits the force with a given number of harmonics under all convex limits. `unlimited` is the law without limits. If neither
+/// the drive nor a condition fixes the level of the lift, the law touches its base circle at the angle of the minimum of `unlimited`.
 pub fn of_harmonics(
     problem: &Problem,
     search: &Search,
@@ -132,7 +132,7 @@ fn objective(problem: &Problem, spans: usize) -> Result<(Basis, Quadratic, Quadr
     Ok((basis, whole, force))
 }
 
-/// Objective with the response of the floor. On a rigid floor it is unchanged.
+/// Objective with the added effect of the floor response. On a rigid floor, the objective is unchanged.
 fn through_floor(problem: &Problem, basis: &Basis, whole: Quadratic) -> Quadratic {
     let Some(through) = problem.through_floor() else {
         return whole;
@@ -215,7 +215,7 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) ->
     })
 }
 
-/// Angle ranges of the dwells, rad, within [0, 2π]. A dwell across 0 is split.
+/// Angle ranges of the dwells, rad, within [0, 2π]. A dwell that contains the angle 0 is split there.
 fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     let mut out = Vec::new();
     for (i, d) in dwells.iter().enumerate() {
@@ -287,7 +287,7 @@ fn mean_square(problem: &Problem, basis: &Basis) -> MeanSquare {
 struct Wanted {
     nodes: usize,
     values: Vec<f64>,
-    /// Whether the values are those of the least-squares polynomials instead of the target itself.
+    /// Whether the values come from the least-squares polynomials on the spans instead of the target itself.
     is_nearest: bool,
 }
 

@@ -34,7 +34,8 @@ pub struct Spectral {
 }
 
 impl Spectral {
-    /// The law of these coefficients. The drive determines its mean. The mean is zero if the force does not depend on the level.
+    /// The law of these coefficients. The mean lift follows from the mean force and the drive. It is zero if the force does not depend on the
+    /// mean lift.
     pub fn law(&self) -> Law {
         let count = self.count;
         Law::of(&Basis::Harmonic { count }, &self.x)

@@ -26,8 +26,8 @@ use crate::synth::sizing::checked_cam::checked_cam;
 use crate::units::Quantity;
 use harmonic::inverted;
 
-/// Law of a problem, of the family in the scene. For the automatic family, it is the closed form by harmonics, or a spline if the closed form
-/// fails a check.
+/// Computes the law of a problem, in the family that the scene selects. For the family `auto`, this is the harmonic law in closed form, or a
+/// spline law if the harmonic law fails a check.
 pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
     let passed_over = match problem.law.family {
         Family::Polynomial => return Ok(Ok(polynomial::polynomial_law(problem)?)),
@@ -54,14 +54,14 @@ pub fn law(problem: &Problem, search: &Search) -> Sought<SolvedLaw> {
 enum ClosedForm {
     /// The cam of this law passes every check, so the law is the optimum (theory §1).
     Passes(Box<SolvedLaw>),
-    /// Requirement that the harmonics do not satisfy; `None` if harmonics cannot be used for the problem.
+    /// Requirement that the harmonic law does not satisfy; `None` if harmonics cannot be used for the problem.
     Missed(Option<PassedOver>),
 }
 
 /// Name of the closed form by harmonics in [`PassedOver`].
 const FAMILY: &str = "inverse-by-harmonics";
 
-/// Law by harmonics in closed form, or the requirement that it does not satisfy.
+/// Harmonic law in closed form, or the requirement that this law does not satisfy.
 fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     if !suits(problem) {
         return Ok(ClosedForm::Missed(None));
@@ -100,7 +100,8 @@ fn closed_form(problem: &Problem) -> Result<ClosedForm> {
     })
 }
 
-/// Whether the force error is the only requirement, so that harmonics can be used. Other conditions and objectives require a spline.
+/// Whether harmonics can be used, because the objective is the force error and there are no conditions on the law. Conditions and other
+/// objectives require a spline.
 fn suits(problem: &Problem) -> bool {
     let law = &problem.law;
     problem.target.is_some()

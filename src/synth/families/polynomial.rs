@@ -14,7 +14,7 @@ use crate::synth::report::parameters::Functions;
 use crate::synth::report::solver::{SolverReport, Tier};
 use crate::units::Quantity;
 
-/// Difference between first and last lift, relative to the length scale, below which the law is closed.
+/// Difference between first and last lift, relative to the length scale, below which the law counts as closed.
 const SAME_LIFT: f64 = 1e-9;
 
 /// Polynomial law of a problem. The monomial coefficients in (θ − θ₀)/β are used only for output.
@@ -83,7 +83,7 @@ fn range(problem: &Problem) -> Result<[f64; 2]> {
     Ok([start.max(0.0), end.min(TAU)])
 }
 
-/// Error for a number of conditions that determines another degree than the requested one.
+/// Error for a number of conditions that does not correspond to the requested degree.
 fn wrong_degree(fixed: usize, degree: usize) -> SynthError {
     let conditions = fixed + 1;
     if degree < fixed {

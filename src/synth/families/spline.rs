@@ -24,7 +24,7 @@ const MOST_IN_BAND: usize = 120;
 const GROWTH: f64 = 1.5;
 /// Minimum relative decrease of the force error for which the number of spans is increased again.
 pub const WORTHWHILE: f64 = 0.02;
-/// Number of spans below which a feasible law may not exist if limits are active. Below this number, the force error may increase with the
+/// Number of spans below which there may be no feasible law if limits are active. Below this number, the force error may increase with the
 /// number of spans.
 pub const TELLING: usize = 12;
 
@@ -49,7 +49,7 @@ enum Spans {
     Given(usize),
     /// The minimum number in a range, from the first to the second value, for which the force band or the accuracy is feasible.
     Fewest(usize, usize),
-    /// A number that is sufficient for the given RMS force error, N, without limits. It is increased if limits require it.
+    /// A number that is sufficient for the given RMS force error, N, without limits. If limits are active, the number may be increased.
     AtLeast(usize, f64),
 }
 
@@ -187,8 +187,8 @@ const NOTED: f64 = 1.05;
 /// Automatic number of spans above which a note states the reason.
 const MANY: usize = 100;
 
-/// Notes on the automatic number of spans (or of harmonics in closed form). They state whether the spread or the noise of the recording limits
-/// the number, or whether the accuracy requires many spans.
+/// Notes on the automatic number of spans (or of harmonics in closed form). They state whether the spread or the noise of the recording
+/// limits this number, or whether the required accuracy needs many spans.
 pub fn notes_on_size(problem: &Problem, family: Family, spans: usize) -> Vec<Note> {
     let is_spline = family == Family::Spline;
     let auto = match problem.law.family {

@@ -12,7 +12,8 @@ use crate::synth::qp::{
 use crate::synth::report::limited::{Conflicting, Infeasible, Relaxation};
 use crate::synth::report::reason::Reason;
 
-/// Number of equalities above which all of them are reported. The search for a minimal set solves a program for each equality.
+/// Maximum number of equalities for which a minimal set is searched, because the search solves a program for each equality. If there are
+/// more, all are reported.
 const MOST_DEMANDS: usize = 64;
 
 /// Relative violation above which a solution does not satisfy a limit.
@@ -75,8 +76,8 @@ fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>) -> Infeasible {
     }
 }
 
-/// Deletion filter for an irreducible infeasible set. The returned set is infeasible, but becomes feasible if any single member is removed. A
-/// member also remains if `can_hold` cannot decide the set without it (`None`).
+/// Deletion filter for an irreducible infeasible set. The returned set is infeasible, but becomes feasible if any single member is removed.
+/// If `can_hold` returns `None` for the set without a member, because the solver stopped early, this member remains in the set.
 fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Option<bool>) -> Vec<T> {
     let mut kept = all.to_vec();
     for item in all {
@@ -88,7 +89,7 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
     kept
 }
 
-/// Irreducible set of conflicting limits of the scene, under all equalities; empty if the equalities alone are infeasible.
+/// Irreducible set of conflicting limits of the scene, under all equalities. The set is empty if the equalities alone are infeasible.
 fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
     let nonconvex = refusal
@@ -148,7 +149,7 @@ fn unlimit(limit: &mut RmsLimit) {
     limit.most = f64::INFINITY;
 }
 
-/// Whether a row limits a value of the scene. Rows for the base circle, a monotone flank or a minimised peak do not.
+/// Whether a row comes from a limit value of the scene. The result is `false` for the base circle, a monotone flank and a minimised peak.
 fn is_asked(limit: &Limit) -> bool {
     limit.meaning != Meaning::Structure && !limit.is_peak()
 }
@@ -212,9 +213,9 @@ fn best_accuracy(program: &Program, name: Criterion) -> Option<Relaxation> {
     Some(Relaxation::of(name, limit.meaning.value(limit.most)?, to))
 }
 
-/// Minimum relaxation of one limit for which the other limits of the program are feasible, computed by minimising its bound. `None` for a limit
-/// that is not a value of the scene. The complete design may require a larger change; `relaxation` starts from this
-/// value.
+/// Minimum relaxation of one limit with which the program is feasible. It is computed by minimising the bound of this limit under the other
+/// limits. `None` for a limit that is not a value of the scene. The complete design may require a larger change; `relaxation` starts from
+/// this value.
 fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);

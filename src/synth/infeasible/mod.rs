@@ -1,5 +1,5 @@
-//! Diagnosis of infeasibility: a deletion filter on the program finds an irreducible infeasible set of limits. A solver that stops early does
-//! not prove infeasibility, which is reported.
+//! Diagnosis of infeasibility: a deletion filter on the program finds an irreducible infeasible set of limits. If the solver stops early,
+//! infeasibility is not proved, and the report states this.
 
 mod iis;
 pub mod reasons;

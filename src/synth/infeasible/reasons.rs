@@ -44,7 +44,8 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
     }
 }
 
-/// Value of a limit in its displayed unit, for a cam with these measures. The text has enough digits to be entered again in a scene.
+/// Value of a limit in its displayed unit, for a cam with this kind of motion (`measures`). The text has enough digits to be entered again in
+/// a scene.
 pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;

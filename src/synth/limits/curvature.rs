@@ -11,7 +11,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
 /// Number of profile points for the interference check.
 const INTERFERENCE_POINTS: usize = 360;
-/// Depth of interference relative to the prime radius that counts as a rounding error.
+/// Depth of interference, relative to the prime radius, up to which the interference counts as a rounding error.
 const TOUCH: f64 = 1e-6;
 /// Weights of a limit on −(s + a). The radius of curvature under a flat face is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
@@ -37,7 +37,8 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     (problem.cam.follower == FollowerKind::FlatTranslating).then_some(limit)
 }
 
-/// Clearance h = w^{3/2}/ρ − (w + vY − aX) for a translating roller, with X = D + s, Y = v − e and w = X² + Y².
+/// Clearance h = w^{3/2}/ρ − (w + vY − aX) of the curvature limit for a translating roller, with X = D + s, Y = v − e and w = X² + Y²
+/// (symbols as in `slack`).
 pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     let (x, y) = (size.rise + at.s, at.v - size.offset);
     let w = x * x + y * y;
@@ -57,8 +58,9 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
     }
 }
 
-/// Clearance h = W^{3/2}/ρ − K of the pitch curve of a roller on an arm. With q = 1 + ξ′, W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 + q)
-/// cos ξ − cAξ″ sin ξ + c².
+/// Clearance h = W^{3/2}/ρ − K of the curvature limit for a roller on an arm, where ρ is the minimum radius of curvature of the pitch curve,
+/// A the arm length, c the pivot distance, and ξ the arm angle. With q = 1 + ξ′, W = A²q² − 2cAq cos ξ + c² and K = A²q³ − cAq(1 + q) cos ξ −
+/// cAξ″ sin ξ + c².
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
@@ -78,8 +80,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     }
 }
 
-/// Clearance h = (ρ_face − ρ) q³ of a flat face on an arm, with q = 1 + ξ′. The radius of curvature ρ_face is that of theory §6 and includes the
-/// offset of the face.
+/// Clearance h = (ρ_face − ρ) q³ of a flat face on an arm, with the face angle ξ and q = 1 + ξ′. The minimum permitted radius is ρ. The
+/// radius of curvature ρ_face is that of theory §6 and includes the offset of the face.
 pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let q = 1.0 + at.v;

@@ -1,8 +1,8 @@
 //! Limit on the diameter of the finished cam: twice the maximum radius of the profile about the centre of the shaft.
 //!
-//! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). For a
-//! given size, and where the radius is the sum of lift and size, the limit is a row of the convex program. The prime radius of a follower on an
-//! arm and a free offset enter the limit nonlinearly. In these cases the limit is one of the nonconvex limits.
+//! Where the profile is farthest from the centre, its normal is radial, so the radius depends only on lift and size ([`Cam::radii`]). If the
+//! size is given, or if the radius is the sum of lift and size, the limit is a row of the convex program. The prime radius of a follower on
+//! an arm and a free offset enter the limit nonlinearly. In these cases the limit is treated as a nonconvex limit.
 
 use super::finished::GEOMETRY;
 use super::profile::{arm_at_rest, face_at_rest};
@@ -105,7 +105,7 @@ fn affine(problem: &Problem, bound: f64, offset: f64) -> Limit {
     .of(lift(problem, bound))
 }
 
-/// Limit on the sum of the lift and a size variable, for a follower with this offset, m.
+/// Limit on the sum of the lift and a size variable, m: at most `bound`. The offset of the follower, m, relates this bound to the diameter.
 fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
     let radius = problem.cam.roller_radius;
     let meaning = Meaning::Diameter { offset, radius };
@@ -115,7 +115,7 @@ fn sized(problem: &Problem, bound: f64, size: Variable, offset: f64) -> Limit {
 }
 
 impl Diameter {
-    /// Nonconvex limit on the diameter of a problem; `None` if the limit is absent or linear.
+    /// Nonconvex limit on the diameter of the cam of a problem; `None` if this limit is absent or linear.
     pub fn of(problem: &Problem) -> Option<Diameter> {
         let reach = reach(problem)?;
         if problem.size() != Size::Sought {
@@ -156,7 +156,7 @@ impl Diameter {
         }
     }
 
-    /// Angle of the arm on the prime circle, rad, and its derivative with respect to the radius of the prime circle.
+    /// Arm angle on the prime circle, rad, and the derivative of this angle with respect to the prime radius, rad/m.
     fn at_rest(&self, prime: f64) -> (f64, f64) {
         match *self {
             Diameter::Line { .. } => (0.0, 0.0),
@@ -172,7 +172,7 @@ impl Diameter {
         }
     }
 
-    /// Clearance of the limit at a point of the law. h ≥ 0 if the limit is satisfied.
+    /// Clearance h of the limit at a point of the law. The limit is satisfied if h ≥ 0.
     pub fn slack(&self, at: Svaj, size: ProfileSize) -> Slack {
         let none = Slack::none(LimitKind::Diameter);
         match *self {
@@ -202,7 +202,7 @@ impl Diameter {
     }
 }
 
-/// Whether the limit of a problem on the diameter is not a row of its convex program.
+/// Whether the diameter limit of a problem is nonconvex, so that it is not a row of the convex program.
 pub fn is_nonconvex(problem: &Problem) -> bool {
     Diameter::of(problem).is_some()
 }

@@ -1,7 +1,7 @@
 //! Limit on the residual vibration in a dwell (theory §10).
 //!
-//! The state (q, p) of the vibration at the start of a dwell is linear in the law. The length of this vector is the amplitude. If the law
-//! without the limit has a larger amplitude, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the
+//! The state (q, p) of the vibration at the start of a dwell is linear in the law. The length of the vector (q, p) is the amplitude. If the
+//! law without the limit has a larger amplitude, the disc |(q, p)| ≤ limit is replaced by its tangents. The finished cam is checked with the
 //! simulation model.
 
 use std::f64::consts::TAU;
@@ -17,8 +17,8 @@ use crate::synth::qp::{Basis, Entries, Row, TOLERANCE, apply};
 
 /// Relative violation below which the limit counts as satisfied.
 const SLACK: f64 = 1e-6;
-/// Fraction of the deflections that is the minimum scale of a violation. The vibration is a difference of deflections and contains their
-/// rounding errors.
+/// Fraction of the deflections that is the minimum scale for a violation. The vibration is a difference of deflections and contains the
+/// rounding errors of the deflections.
 const CANCELLED: f64 = 1e-4;
 
 /// Check of the residual vibration of the finished cam. For a polydyne cam, the deviation of the follower's end from its law is checked.
@@ -105,8 +105,8 @@ impl Free {
     }
 }
 
-/// Vibrations at the starts of the dwells in the steady state. Each has a row for q and a row for p, whose entries multiply the coefficients of
-/// a law.
+/// Vibrations at the starts of the dwells in the steady state. Each vibration consists of a row for q and a row for p. The product of a row
+/// and the coefficients of a law is the value of q or p.
 pub struct Vibrations {
     rests: Vec<(f64, f64)>,
     rows: Vec<[Vec<f64>; 2]>,
@@ -205,8 +205,8 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), rate: f64) -> Vec<(f64, f6
     out
 }
 
-/// Vibrations in the steady state, from zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. At an undamped resonance there is no steady state, and
-/// the vibration after each interval of motion from rest is returned.
+/// Vibrations z = (q, p) at the starts of the dwells in the steady state, from zₖ = e^{A(θₖ − θₖ₋₁)} zₖ₋₁ + rₖ around the turn. At an
+/// undamped resonance there is no steady state, and the vibration after each interval of motion from rest is returned.
 fn steady(rests: &[(f64, f64)], own: Vec<[Vec<f64>; 2]>, free: &Free) -> Vec<[Vec<f64>; 2]> {
     let n = rests.len();
     // own[k] ends at the start of rest k + 1.

@@ -36,8 +36,8 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Limits on the difference between force and target: the force band, and the maximum error if it is minimised. Their bounds as functions of the
-/// angle, and the cost of the maximum error, are added to the program.
+/// Limits on the difference between force and target: the force band, and the maximum error if it is the objective. The function adds their
+/// angle-dependent bounds and the cost of the maximum error to the program.
 pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     let Some(target) = &problem.target else {
         return Vec::new();
@@ -87,10 +87,10 @@ pub fn accuracy(problem: &Problem, half: impl FnOnce() -> MeanSquare) -> Option<
     })
 }
 
-/// Negative contact force, relative to the maximum absolute force, that counts as a rounding error.
+/// Magnitude of a negative contact force, relative to the maximum absolute force, up to which it counts as a rounding error.
 const TOUCHES: f64 = 1e-7;
 
-/// Checks of the minimum and maximum force. Without a minimum force in the scene, the default minimum of the problem is checked (contact).
+/// Checks of the minimum and maximum force. Without a minimum force in the scene, the default minimum is checked, which ensures contact.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.force_extremes(design.pressing);

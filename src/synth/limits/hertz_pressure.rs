@@ -1,4 +1,5 @@
-//! Limit on the Hertz pressure between cam and follower. For a flat face it is linear in law and size; for a roller it is not convex.
+//! Limit on the Hertz pressure between cam and follower. For a flat face, the limit is linear in law and size. For a roller, the limit is not
+//! convex.
 
 use std::f64::consts::PI;
 
@@ -13,8 +14,8 @@ use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS, structural};
 
-/// Fraction of the squared pressure limit. If the curvature of the roller alone causes more than this fraction, enlarging the cam is not
-/// worthwhile.
+/// Fraction of the squared pressure limit. If the curvature of the roller alone causes a larger fraction, a larger cam hardly reduces the
+/// pressure, so the cam is not enlarged.
 const WORTH_GROWING: f64 = 0.95;
 
 /// Pressure limit for a flat face, F ≤ π L p²/E*·(Rb + s + a), which is linear in law and base radius together. If `is_sized` is true, the base
@@ -28,8 +29,8 @@ pub fn row(problem: &Problem, is_sized: bool) -> Option<Limit> {
     Some(limit)
 }
 
-/// Pressure limit for a flat face on a base circle of radius `base_radius`, m. The value 0 is used if the radius is a variable, which the caller
-/// adds.
+/// Pressure limit for a flat face on a base circle of radius `base_radius`, m. If the radius is a variable, `base_radius` is 0 and the caller
+/// adds the variable.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
     if cam.follower != FollowerKind::FlatTranslating {
@@ -49,7 +50,8 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     Some(Meaning::Sized.of(limit))
 }
 
-/// Minimum base radius of a flat-faced cam with the pressure limit, m: the maximum of F E*/(π L p²) − s − a. Without a limit it is 0.
+/// Minimum base radius of a flat-faced cam with the pressure limit, m: the maximum of F E*/(π L p²) − s − a. The result is 0 without a limit
+/// on the pressure.
 pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
     let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;
@@ -65,8 +67,8 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
         .value
 }
 
-/// Limit on the Hertz pressure, Pa, if a sufficiently large cam can satisfy it; otherwise `None`. The curvature of the roller alone already
-/// causes a pressure.
+/// Limit on the Hertz pressure, Pa, if a sufficiently large cam can satisfy it; otherwise `None`. Even on a very large cam, the curvature of
+/// the roller causes a pressure.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (
         problem.limits[LimitKind::HertzPressure]?,
@@ -89,7 +91,8 @@ pub struct Pressure {
 }
 
 impl Pressure {
-    /// Clearance h = q X (w^{3/2} − R_f K) − F w², with q = p² π L R_f/E*, X = D + s, Y = v − e, w = X² + Y² and K = w + vY − aX.
+    /// Clearance h = q X (w^{3/2} − R_f K) − F w², with q = p² π L R_f/E*, X = D + s, Y = v − e, w = X² + Y² and K = w + vY − aX. F is the
+    /// contact force, L the contact length and E* the contact modulus.
     pub fn slack(&self, drive: &Drive, at: Svaj, force: f64, size: ProfileSize) -> Slack {
         let [k, c, m, _] = drive.weights();
         let (x, y) = (size.rise + at.s, at.v - size.offset);

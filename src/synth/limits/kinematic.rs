@@ -14,7 +14,7 @@ const DIP: f64 = 1e-7;
 /// Depth below the base circle, m or rad, that counts as zero. It is the tolerance of the program for a lift of a centimetre.
 const NO_LIFT: f64 = 1e-11;
 
-/// Limit s ≥ 0, which keeps the law above its base circle. `None` if nothing determines the level of the law and no limit refers to its height.
+/// Limit s ≥ 0, which keeps the law above its base circle. `None` if nothing fixes the level of the lift and no limit depends on this level.
 pub fn base_circle(problem: &Problem) -> Option<Limit> {
     let stroke = problem.limits[LimitKind::Stroke];
     let scale = stroke.map_or(problem.length(), |h| h.min(problem.length()));
@@ -36,8 +36,8 @@ pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     dips.then(|| Check::of(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 
-/// Limit on the stroke. If the level of the law is determined, the stroke is counted from the minimum lift. Otherwise it is counted from the
-/// base circle, because the minimum lift is then on the base circle.
+/// Limit on the stroke. If the level of the lift is fixed, the stroke is counted from the minimum lift. Otherwise the minimum lift is on the
+/// base circle, and the stroke is counted from the base circle.
 pub fn stroke(problem: &Problem) -> Vec<Limit> {
     let Some(h) = problem.limits[LimitKind::Stroke] else {
         return Vec::new();
@@ -56,7 +56,7 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// Limits a derivative to a range of the given width. The range begins at 0, or at the value of the variable `window`.
+/// Limits a derivative of the lift to a range of the given width. The range begins at 0, or at the value of the variable `window`.
 fn range(
     problem: &Problem,
     name: LimitKind,
@@ -82,7 +82,7 @@ fn limited(problem: &Problem) -> impl Iterator<Item = (LimitKind, usize, f64)> {
     LimitKind::by_time().filter_map(|(kind, order)| Some((kind, order, problem.limits[kind]?)))
 }
 
-/// Limits on velocity, acceleration and jerk, one for each sign.
+/// Limits on velocity, acceleration and jerk: one limit for each sign of each derivative.
 pub fn timed(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     for (name, order, limit) in limited(problem) {
@@ -101,7 +101,7 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Checks of stroke and time derivatives of the finished cam. A derivative is infinite where the next lower derivative jumps.
+/// Checks of stroke and time derivatives of the finished cam. A derivative is infinite where the next lower derivative is discontinuous.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);

@@ -1,5 +1,5 @@
-//! Load limits that are not convex in the law, h(s, v, a, j, D, e) ≥ 0, with their derivatives. They limit torque, torque rate and power of the
-//! shaft, and the Hertz pressure under a roller.
+//! Load limits that are not convex in the law: torque, torque rate and power of the shaft, and the Hertz pressure under a roller. Each limit
+//! has the form h(s, v, a, j, D, e) ≥ 0 (symbols as in `slack`), with the partial derivatives of h.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -16,12 +16,12 @@ use crate::problem::{OnShaft, Problem, product};
 /// Relative violation below which a limit counts as satisfied.
 const SLACK: f64 = 1e-6;
 
-/// Nonconvex load limits of a problem. A field is `None` without the corresponding limit.
+/// Nonconvex load limits of a problem. A field is `None` if the scene has no such limit.
 #[derive(Debug, Clone)]
 pub struct Loads {
     /// Drive, which relates lift and force.
     pub drive: Drive,
-    /// Force added by a varying speed or a floor; `None` for a rigid machine at constant speed.
+    /// Force, N, that a varying speed or a floor adds; `None` for a rigid machine at constant speed.
     pub on_shaft: Option<Arc<OnShaft>>,
     /// Maximum |F v|, N·m.
     pub torque: Option<f64>,
@@ -57,7 +57,7 @@ impl Loads {
         (!loads.named().is_empty()).then_some(loads)
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
+    /// Clearances h of all limits at a point of the law. A limit is satisfied if h ≥ 0.
     pub fn slacks(&self, at: Svaj, theta: f64, size: ProfileSize, out: &mut Vec<Slack>) {
         let shaft = self.on_shaft.as_ref();
         let [extra, extra_rate] = shaft.map_or([0.0; 2], |shaft| {
@@ -105,7 +105,7 @@ impl Loads {
         .collect()
     }
 
-    /// The limits with one value replaced; `None` removes the limit.
+    /// The limits, with the value of one limit replaced. The value `None` removes this limit.
     pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = self.clone();
         match name {

@@ -1,7 +1,7 @@
 //! Limits of a problem, one file per limit or group.
 //!
-//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The size
-//! of the cam is given, or it is a variable of the program.
+//! Each file contains the rows of its limit in a convex program, the nonconvex part of the limit, and the check of the finished design. The
+//! size of the cam is either given or a variable of the program.
 
 mod curvature;
 mod diameter;
@@ -45,9 +45,9 @@ use crate::scene::Minimise;
 /// Adds the convex limits of a problem to a program. These are the limits over the whole turn, the limits on root mean squares, and the limits
 /// on a size that is a variable. A law of harmonics has no conditions, and its only objective is the force error.
 ///
-/// If no condition determines the level of the law, limits on the profile subtract the lift at the touching angle on the base circle from the
-/// lift. A varying shaft speed or a moving floor changes a limited quantity by a function of the angle, by which the bound is then reduced.
-/// `force_error` computes half the mean square of the force error.
+/// If no condition fixes the level of the lift, limits on the profile use the lift minus its value at the touching angle, where the law
+/// touches the base circle. A varying shaft speed or a moving floor adds a function of the angle to a limited quantity. The bound is reduced
+/// by this function. `force_error` computes half the mean square of the force error.
 pub fn constrain(
     problem: &Problem,
     search: &Search,
@@ -92,8 +92,8 @@ pub fn constrain(
     program.limits = rows;
 }
 
-/// Reduces the bound of a limit by the term that a varying speed or a floor adds to the limited quantity. The term is a function of the angle,
-/// which is added to the program.
+/// Reduces the bound of a limit by the term that a varying speed or a floor adds to the limited quantity. The term is a function of the
+/// angle. It is stored in the program.
 fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) {
     let per_time = speed.powi(limit.highest_order() as i32);
     let timed = |order: usize| {
@@ -117,7 +117,8 @@ fn shift(shaft: &OnShaft, speed: f64, program: &mut Program, limit: &mut Limit) 
 }
 
 impl Finished<'_> {
-    /// Checks of all limits of the problem, and of the requirements that apply to every cam. They include the second cam and the groove.
+    /// Checks of all limits of the problem, and of the requirements that apply to every cam. The second cam of a pair and the groove of a
+    /// barrel are included.
     pub fn checks(&self) -> Vec<Check> {
         let mut out = kinematic::checks(self.problem, self.cam);
         out.extend(force::checks(self));

@@ -9,7 +9,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_ins_for_differences};
 use crate::problem::Problem;
 
-/// Relative enlargement of the size at the end of a sequence of convex programs, by which the curvature limit is satisfied up to rounding
+/// Relative enlargement of the cam at the end of a sequence of convex programs, so that the curvature limit is satisfied up to rounding
 /// errors.
 pub const ENLARGED: f64 = 4e-6;
 
@@ -39,7 +39,7 @@ impl NonconvexLimits {
         })
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
+    /// Clearances h of all limits at a point of the law. A limit is satisfied if h ≥ 0.
     pub fn slacks(&self, at: Svaj, theta: f64) -> Vec<Slack> {
         let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         out.extend(self.diameter.map(|d| d.slack(at, self.size())));
@@ -49,7 +49,7 @@ impl NonconvexLimits {
         out
     }
 
-    /// Size of the cam in the limits of the profile; all values are 0 without such limits.
+    /// Size of the cam for the limits of the profile; all values are 0 without such limits.
     pub fn size(&self) -> ProfileSize {
         self.profile.map(|f| f.size()).unwrap_or_default()
     }
@@ -90,7 +90,7 @@ impl NonconvexLimits {
     }
 }
 
-/// Clearances h/w as functions of the angle, one polynomial for each limit.
+/// Relative clearances h/w as functions of the angle, where w is the scale of h. The list has one piecewise polynomial for each limit.
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let own = law.breaks();
     let on_shaft = limits.loads.as_ref().and_then(|l| l.on_shaft.as_ref());
@@ -112,7 +112,7 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     })
 }
 
-/// Minimum clearance h/w over the law, one value for each limit.
+/// Minimum relative clearance h/w over the law, one value for each limit.
 pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
     let curves = relative(law, limits);
     curves.iter().map(|c| c.extremes().0.value).collect()

@@ -32,7 +32,7 @@ pub fn root_mean_square(problem: &Problem, basis: &Basis) -> Option<RmsLimit> {
     })
 }
 
-/// Check of the mean power over time, which is the mean torque over the angle times the mean speed.
+/// Check of the mean power over time. This power is the product of the mean torque over the angle and the mean speed.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
     let limit = problem.limits[LimitKind::PowerMean]?;

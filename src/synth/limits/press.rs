@@ -50,8 +50,8 @@ impl<'a> Press<'a> {
             .map_or_else(|| own.clone(), |extra| sum(&own, extra))
     }
 
-    /// Maximum pressure over all contacts, Pa. For a conjugate pair it includes the second cam where this cam is loaded. For a groove it
-    /// includes both walls, at floor and rim. `None` if a profile is undercut.
+    /// Maximum pressure over all contacts, Pa. For a conjugate pair, the second cam is included at the angles where it is loaded. For a
+    /// groove, both walls are included, at floor and rim. `None` if a profile is undercut.
     pub fn worst(
         &self,
         cam: &Cam,
@@ -136,8 +136,8 @@ impl<'a> Press<'a> {
         root(square)
     }
 
-    /// Maximum pressure under a flat face, Pa, by Dinkelbach's method for the maximum of F/ρ. The radius of curvature ρ = Rb + s + a is linear
-    /// in the law. The point of the maximum of F − λρ has a higher quotient, which is the next λ, until λ converges.
+    /// Maximum pressure under a flat face, Pa, by Dinkelbach's method for the maximum of F/ρ. The radius of curvature ρ = Rb + s + a is
+    /// linear in the law. At the maximum of F − λρ, the quotient F/ρ is at least λ. This quotient is the next λ, until λ converges.
     fn under_flat_face(&self, cam: &Cam, base_radius: f64) -> Extreme {
         let force = self.force_curve();
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
@@ -196,7 +196,7 @@ fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> 
     Some(pressure())
 }
 
-/// Function from the motion of a cam and the contact force to normal force, N, and relative curvature, 1/m.
+/// Function that computes normal force, N, and relative curvature, 1/m, from the motion of a cam and the contact force.
 fn contact(cam: &Cam) -> impl Fn(Svaj, f64) -> (f64, f64) {
     let follower = cam.follower;
     move |at, force| {
@@ -266,7 +266,7 @@ fn most_gained(
     place
 }
 
-/// Value of F/ρ at a point. At a break it is the larger value of both sides.
+/// Value of F/ρ at a point. At a break between spans, it is the larger of the values on both sides.
 fn quotient(force: &PiecewisePoly, radius: &PiecewisePoly, at: f64) -> f64 {
     let (i, u) = force.locate(at);
     let ends = |k: usize, u: f64| {

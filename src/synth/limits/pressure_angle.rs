@@ -18,11 +18,13 @@ pub const SIDES: [LimitKind; 2] = [LimitKind::PressureAngleRise, LimitKind::Pres
 /// Sign of v − e at which the limit of the same index in [`SIDES`] applies.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). With m = 1 it is enforced over the whole turn. With m
-/// = 0 it is the constraint at a reversal of the follower (v = 0).
+/// Linear constraint on the pressure angle of one side: `side`·(m v − e) ≤ `tan`·(s + D). Here v = ds/dθ is the slope of the lift s, e is the
+/// offset, and D is the height of the roller centre at s = 0. The constraint with m = 1 limits the pressure angle over the whole turn. The
+/// constraint with m = 0 is the condition at a reversal of the follower (v = 0).
 ///
-/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e| ≤
-/// tan φ·(s + D) with the smaller tangent. As a result, a pressure angle φ of the opposite sign is within its limit between the reversals too.
+/// While the follower moves in the direction of a side, the constraint of this side limits |φ|. At a reversal both limits apply, so that |e|
+/// ≤ tan φ·(s + D) with the smaller tangent. Between the reversals, a pressure angle φ of the opposite sign is therefore within its limit
+/// too.
 #[derive(Debug, Clone, Copy)]
 pub struct AngleRow {
     /// Name of the limit.
@@ -35,8 +37,8 @@ pub struct AngleRow {
     pub moves: bool,
 }
 
-/// Constraints for the limits on rise and fall, given as tangents. Each limit results in the constraint of its side with m = 1. The limit with
-/// the smaller tangent also results in the constraint of the other side with m = 0.
+/// Constraints for the limits on rise and fall, given as tangents. Each limit gives a constraint with m = 1 for its own direction of motion.
+/// The smaller limit, or the only one, also gives a constraint with m = 0 for the other direction (see [`AngleRow`]).
 pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
     let row = |name: LimitKind, tan: f64, side: f64, moves: bool| AngleRow {
         name,
@@ -56,13 +58,14 @@ pub fn angle_rows(tangents: [Option<f64>; 2]) -> Vec<AngleRow> {
 }
 
 impl AngleRow {
-    /// Limit of a convex program for a translating roller, with the length scale `scale`. Size and offset are added by the caller.
+    /// The constraint as a limit of the convex program for a translating roller, with the length scale `scale`, m. The caller adds size and
+    /// offset to the limit.
     fn limit(self, scale: f64) -> Limit {
         let velocity = if self.moves { self.side } else { 0.0 };
         structural(self.name, [-self.tan, velocity, 0.0, 0.0, 0.0], 0.0, scale)
     }
 
-    /// Limit on a prime circle of given radius with the offset `e`, m.
+    /// The limit for a given prime circle and the offset `e`, m.
     fn on_circle(self, prime: f64, e: f64) -> Limit {
         let (tan, offset) = (self.tan, self.side * e);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
@@ -71,7 +74,7 @@ impl AngleRow {
         Meaning::PrimeRadius { tan, offset }.of(limit)
     }
 
-    /// Limit with D as a variable, and with e as a variable if no offset is given.
+    /// The limit with the height D as a variable. The offset e is a variable too if it is not given.
     fn sized(self, length: f64, offset: Option<f64>) -> Limit {
         let mut limit = Meaning::PressureAngle.of(self.limit(length));
         limit.bound = self.side * offset.unwrap_or(0.0);
@@ -83,8 +86,8 @@ impl AngleRow {
     }
 }
 
-/// Limits ±(v − e) ≤ tan φ·(s + D) of a problem (theory §6). The prime circle is given, or D is a variable (`is_sized`), and e too if the offset
-/// is free.
+/// Limits ±(v − e) ≤ tan φ·(s + D) of a problem (theory §6). Either the prime circle is given, or D is a variable (`is_sized`). In the second
+/// case, e is also a variable if the offset is free.
 pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     let kind = problem.cam.follower;
     let prime = problem.prime_radius();
@@ -113,7 +116,8 @@ pub fn rows(problem: &Problem, is_sized: bool) -> Vec<Limit> {
     rows.map(row_of).collect()
 }
 
-/// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure angle of a roller on an arm, with the tangent t of the permitted angle.
+/// Clearance h = t c sin ξ ∓ (A(1 + m ξ′) − c cos ξ) of the pressure-angle limit for a roller on an arm. Here t is the tangent of the
+/// permitted angle, A the arm length, c the pivot distance, and ξ the arm angle.
 pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack {
     let (sin, cos) = libm::sincos(rest + at.s);
     let (tan, side) = (row.tan, row.side);
@@ -128,8 +132,8 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, row: AngleRow) -> Slack 
     }
 }
 
-/// Default bounds of the pressure angle, rad, for a side without a limit: for any machine, and for slow machines only. They are those of CAM-DAS
-/// (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
+/// Default bounds of the pressure angle, rad, for a side without a limit. The first applies to any machine, the second only to slow machines.
+/// The values are those of CAM-DAS (Serrano Muñoz 2010). `None` for a flat face, or if the scene switches the check off.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     if problem.limits.unjudged.pressure_angle {
         return None;
@@ -159,7 +163,7 @@ pub fn checks(problem: &Problem, worst: [Extreme; 2]) -> Vec<Check> {
         .collect()
 }
 
-/// Whether a check, of either cam of a pair, refers to a side without a limit in the scene.
+/// Whether a check refers to a side (rise or fall) without a limit in the scene. The check may be of either cam of a pair.
 pub fn is_usual(problem: &Problem, check: Criterion) -> bool {
     let open = SIDES
         .into_iter()

@@ -7,7 +7,7 @@ use crate::cam::{Criterion, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::problem::{Problem, Size};
 
-/// Minimum radius of curvature of a sharp edge, relative to the prime radius. It keeps divisions finite.
+/// Radius of curvature that replaces zero for a sharp edge, relative to the prime radius. With it, divisions by the radius remain finite.
 pub const SHARP: f64 = 1e-6;
 
 /// Dimensions of a follower whose profile has nonconvex limits, m.
@@ -103,7 +103,7 @@ impl Profile {
         }
     }
 
-    /// Clearances of all limits at a point of the law. h ≥ 0 if a limit is satisfied.
+    /// Clearances h of all limits at a point of the law. A limit is satisfied if h ≥ 0.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
             Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
@@ -133,7 +133,7 @@ impl Profile {
         }
     }
 
-    /// Size of the cam in these limits, which may be a variable of the program.
+    /// Size of the cam for which the limits are evaluated. It may be a variable of the program.
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
@@ -186,14 +186,14 @@ impl Profile {
     }
 }
 
-/// Arm angle ξ on the prime circle, rad, and its derivative with respect to the radius of the prime circle, from Rp² = A² + c² − 2Ac cos ξ.
+/// Arm angle ξ on the prime circle, rad, and the derivative dξ/dRp, rad/m, from Rp² = A² + c² − 2Ac cos ξ.
 pub(super) fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
     let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
     let rest = libm::acos(cos.clamp(-1.0, 1.0));
     (rest, prime / (arm * pivot * libm::sin(rest)))
 }
 
-/// Face angle ξ on the base circle, rad, and its derivative with respect to the radius of the base circle, from Rb = c sin ξ + offset.
+/// Face angle ξ on the base circle, rad, and the derivative dξ/dRb, rad/m, from Rb = c sin ξ + offset.
 pub(super) fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
     let rest = libm::asin(((base - offset) / pivot).clamp(-1.0, 1.0));
     (rest, 1.0 / (pivot * libm::cos(rest)))

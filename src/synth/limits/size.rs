@@ -50,7 +50,7 @@ pub fn priced(problem: &Problem, program: &mut Program) -> Vec<Limit> {
     limits
 }
 
-/// Upper limit of the scene on a size variable, m. It does not depend on the angle, so it is one row.
+/// Upper limit of the scene on a size variable, m. This limit does not depend on the angle, so it is a single row.
 fn at_most(problem: &Problem, radius: f64, variable: Variable) -> Limit {
     Limit {
         name: LimitKind::PrimeRadius.into(),

@@ -1,4 +1,6 @@
-//! Clearance of a nonconvex limit at one point of the law: h(s, v, a, j, D, e, Rp) ≥ 0, with its derivatives.
+//! Clearance of a nonconvex limit at one point of the law: h(s, v, a, j, D, e, Rp) ≥ 0, with the partial derivatives of h. Here s is the
+//! lift, v, a and j are its derivatives with respect to the cam angle, D is the height of the roller centre at s = 0, e the offset, and Rp
+//! the prime radius.
 
 use crate::cam::Criterion;
 
@@ -11,7 +13,8 @@ pub struct ProfileSize {
     pub offset: f64,
     /// Radius of the prime circle of an oscillating follower.
     pub radius: f64,
-    /// Minimum permitted radius of curvature. For a roller it is that of the pitch curve, which is the sum of the radii of cam and roller.
+    /// Minimum permitted radius of curvature. For a roller it applies to the pitch curve and is the sum of the permitted radius of the
+    /// profile and the roller radius.
     pub rho: f64,
 }
 
@@ -27,7 +30,7 @@ pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
     pub h: f64,
-    /// Scale of h. The relative clearance is h/w.
+    /// Scale w of h, for the relative clearance h/w.
     pub w: f64,
     /// Magnitude of the largest term of h.
     pub largest: f64,
@@ -41,7 +44,7 @@ pub struct Slack {
 }
 
 impl Slack {
-    /// Clearance with h = 0 and zero derivatives, to be completed by the caller.
+    /// Clearance with h = 0 and zero derivatives. The caller sets the actual values.
     pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
             name: name.into(),

@@ -1,5 +1,5 @@
 //! Terms that a varying speed, a floor and a learned force add to force, velocity, acceleration and jerk of a law. The values of these terms
-//! form the state of the design iteration.
+//! form the state vector of the design iteration.
 
 use std::f64::consts::{PI, TAU};
 
@@ -12,30 +12,31 @@ use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::{Extra, Problem};
 
-/// Number of equal parts of the turn for the added terms.
+/// Number of equal parts into which the turn is divided, in addition to the breaks of the law, if the layout is exact.
 const PARTS: usize = 48;
 const FEW: usize = 24;
 const DEGREE: usize = 5;
 const NODES: usize = DEGREE + 1;
 /// Minimum length of a part, relative to an equal part.
 const SHORTEST: f64 = 0.3;
-/// Number of equally spaced angles at which the position in the period is stored.
+/// Number of equally spaced angles at which the state contains the position in the period (the time as a phase).
 const ANGLES: usize = 240;
 
 /// Layout of the state vector. It contains the added force at the nodes, the added time derivatives that are limited, the speed, and the
-/// positions in the period at equally spaced angles. The units scale each value to about 1.
+/// positions in the period at equally spaced angles. Each value is divided by a unit, so that its magnitude is about 1.
 pub struct Layout {
     breaks: Vec<f64>,
-    /// Matrix from values at the nodes to Bernstein coefficients.
+    /// Matrix that converts values at the nodes to Bernstein coefficients.
     coefficients: SMatrix<f64, NODES, NODES>,
     /// Limits on velocity, acceleration and jerk if the speed varies; `None` for a derivative without a limit.
     limits: [Option<f64>; 3],
-    /// Whether the speed varies.
+    /// Whether the shaft speed varies over the turn.
     varies: bool,
 }
 
 impl Layout {
-    /// Layout for a law. The shaft has a varying speed if `varies` is true. If `is_exact` is true, the parts begin at the breaks of the law.
+    /// Layout for a law. If `varies` is true, the shaft speed varies. If `is_exact` is true, the parts of the turn begin at the breaks of the
+    /// law.
     pub fn new(problem: &Problem, law: &Law, varies: bool, is_exact: bool) -> Layout {
         let mut limits = [None; 3];
         for (kind, order) in LimitKind::by_time() {

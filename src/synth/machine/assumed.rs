@@ -1,4 +1,4 @@
-//! State of the design iteration: the terms that the motion of the machine adds to the problem of a law.
+//! State of the design iteration: the terms that the motion of the machine adds to the design problem of the law.
 
 use super::added::Layout;
 use super::through_floor::FloorResponse;
@@ -7,7 +7,7 @@ use crate::law::Svaj;
 use crate::problem::{Extra, Problem};
 use crate::synth::attempt::Attempt;
 
-/// Contents of the state: layout of the terms that are added to a law, and at constant speed the response of the floor.
+/// Contents of the state: the layout of the terms that are added to force and motion, and, at constant speed, the response of the floor.
 pub struct Assumed {
     pub layout: Layout,
     pub floor: Option<FloorResponse>,

@@ -1,12 +1,12 @@
 //! Design of a law for a motor-driven shaft with varying speed, and for a moving floor.
 //!
-//! The design at constant speed on a rigid floor determines a motion of the follower in time. From the power of this motion, the torque line of
-//! the motor determines the speed ω(θ). At this speed, the same motion in time is another law. The target force determines the acceleration z″
-//! of the floor by one linear response per harmonic.
+//! The design at constant speed on a rigid floor determines a motion of the follower in time. From the power of this motion, the torque line
+//! of the motor determines the speed ω(θ). At this varying speed, the same motion in time corresponds to another law over the cam angle. The
+//! target force causes the floor acceleration z″, which is computed by one linear response per harmonic.
 //!
-//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion of
-//! the previous law. Each iteration multiplies the change of the machine motion by a factor of about the speed ripple and the residual of the
-//! law (theory §10).
+//! If ω(θ) and z″(θ) are known, the force is linear in the law ([`crate::problem`]). The program is then solved again with the machine motion
+//! of the previous law. Each iteration reduces the change of the machine motion to a fraction of the previous change. This fraction is of the
+//! order of the speed ripple and of the residual of the law (theory §10).
 
 use super::added::Layout;
 use super::assumed::Assumed;
@@ -46,7 +46,7 @@ const ROOM: f64 = 1e-4;
 const TOLD_ROWS: usize = 1440;
 /// Speed ripple up to which the iteration usually converges.
 const CALM: f64 = 0.25;
-/// Relative margins, tried one after the other, above the inertia that is sufficient for a law.
+/// Relative margins above the inertia that is sufficient for a law. They are tried one after the other.
 const INERTIA_ROOMS: [f64; 4] = [0.0, 0.01, 0.1, 0.5];
 /// Number of iterations without improvement after which the number of spans is increased.
 const STALLED: usize = 3;
@@ -94,7 +94,7 @@ impl Iterate {
         }
     }
 
-    /// Restores the law specification of the scene, and the reason of the first design against simpler families.
+    /// Restores the law specification of the scene, and the reason why the first design did not use a simpler family.
     fn take_law_of(&mut self, law: &LawSpec, first: &Attempt) {
         let solver = &mut self.attempt.law.solver;
         solver.passed_over = first.law.solver.passed_over.clone();
@@ -120,8 +120,8 @@ impl Iterate {
         }
     }
 
-    /// Factor below 1 on the accuracy over the angle, for which a law probably also satisfies the accuracy over time. `None` if the law already
-    /// satisfies it, or violates the accuracy over the angle.
+    /// Factor below 1 on the accuracy over the angle, for which a law probably also satisfies the accuracy over time. `None` if the law
+    /// already satisfies the accuracy over time, or violates the accuracy over the angle.
     fn tighter(&self, run: &Runner, allowed: f64) -> Option<f64> {
         let rows = self.motion.shaft.clone().at_rows(ROWS);
         let over_time = run.error(&self.attempt.cam.cam.law, &self.motion, &rows)?;
@@ -243,9 +243,9 @@ fn on_machine(problem: &Problem, search: &Search, first: &Attempt) -> Result<(It
     Ok((last, reports))
 }
 
-/// Inertia of the shaft, kg·m², with which the design satisfies the accuracy over time, as a note and a suggested change. `None` if the design
-/// already satisfies the accuracy, or if no inertia is sufficient. The search starts from the inertia that is sufficient for the present law,
-/// and designs again for each trial value.
+/// Inertia of the shaft, kg·m², with which the design satisfies the accuracy over time, as a note and a suggested change. `None` if the
+/// design already satisfies the accuracy, or if no inertia is sufficient. The search starts from the inertia that is sufficient for the
+/// present law. For each trial value, the cam is designed again.
 fn larger_inertia(
     problem: &Problem,
     search: &Search,
@@ -284,8 +284,7 @@ fn larger_inertia(
     Some((note, relaxation))
 }
 
-/// Final iterate, checked with the converged machine motion. The other values are the number of iterations and the ratio of the last two
-/// changes.
+/// Final iterate, checked with the converged machine motion, the number of iterations, and the ratio of the last two changes.
 fn corrected(
     first: &Attempt,
     before: MachineMotion,
@@ -339,7 +338,7 @@ fn corrected(
 }
 
 /// Optimum on a floor that responds to the law. The iteration starts from the optimum for a fixed floor motion and uses the same number of
-/// spans. If it does not converge, the optimum for the fixed motion is returned.
+/// spans. If the iteration does not converge, the optimum for the fixed floor motion is returned.
 fn on_responding_floor(
     mut settled: Settled<Iterate>,
     floor: &Floor,
@@ -399,7 +398,7 @@ fn mean_over_time(problem: &Problem, law: &Law, shaft: &Motion) -> f64 {
 enum Begin<'a> {
     /// The law for constant speed on a rigid floor, and the machine motion of this law.
     ConstantSpeed(&'a Attempt, &'a MachineMotion),
-    /// Final iterate of a previous iteration.
+    /// Final iterate of a previous fixed-point iteration.
     Settled(&'a Iterate),
 }
 

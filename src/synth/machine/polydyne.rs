@@ -1,5 +1,5 @@
-//! Polydyne cam of a compliant follower. The law of the follower's end is optimised, and the cam produces this law in spite of the deflection.
-//! All limits of the cam apply to the law of the cam.
+//! Polydyne cam of a compliant follower. The law of the follower's end is optimised. The cam is computed so that the end performs this law in
+//! spite of the deflection of the follower. All limits of the cam apply to the law of the cam.
 
 use crate::cam::Criterion;
 use crate::dynamics::Train;
@@ -18,7 +18,7 @@ use crate::synth::sizing::checked_cam::checked_cam;
 
 /// Maximum number of corrections of the limits for the follower's end.
 const ROUNDS: usize = 12;
-/// Relative margin by which a changed limit for the follower's end is tightened, so that the iteration ends.
+/// Relative margin by which a changed limit for the follower's end is tightened further, so that the iteration ends.
 const AIM: f64 = 1e-6;
 /// Maximum relative difference between the value of the cam and its limit at which the cam reaches the limit. It is used for limits that are
 /// active in the law of the follower's end.
@@ -26,9 +26,9 @@ const NEAR: f64 = 1e-4;
 
 /// Designs the law of the follower's end and the cam that produces it.
 ///
-/// The limits of the program apply to the law of the end. The law of the cam differs from it by the deflection of the follower. The cam may
-/// therefore violate a limit, or not reach a limit that is active for the end. The limit for the end is then changed, and the law is computed
-/// again.
+/// The limits of the program apply to the law of the end. The law of the cam differs from the law of the end by the deflection of the
+/// follower. The cam may therefore violate a limit, or have a margin to a limit that is active for the end. The limit for the end is then
+/// changed, and the law is computed again.
 pub fn designed(problem: &Problem, search: &Search, train: &Train) -> Result<Design> {
     let first = attempt(problem, search)?;
     let mut best = Attempt {
@@ -67,7 +67,7 @@ fn on_train(problem: &Problem, law: SolvedLaw, train: &Train) -> Result<Attempt>
     Ok(Attempt::of(law, cam))
 }
 
-/// Changes the limits for the follower's end by the distance of the cam from its limits; `false` if no change is necessary.
+/// Changes the limits for the follower's end by the distances of the cam from these limits. Returns `false` if no change is necessary.
 fn move_limits(tried: &Attempt, limits: &mut Limits) -> bool {
     let mut any = false;
     for check in &tried.cam.checks {
@@ -96,7 +96,8 @@ fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     limits[kind].as_mut()
 }
 
-/// Report on the end of the follower. It contains the deviation from the law of the end, for this cam and for a cam with the law of the end.
+/// Report on the end of the follower. It contains the deviation of the end from its law, for this cam and for a cam whose lift is the law of
+/// the end.
 fn end_of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
     // Without damping and at resonance with a harmonic, there is no steady state.

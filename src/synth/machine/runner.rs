@@ -35,14 +35,14 @@ const INERTIA_PART: f64 = 1e-4;
 pub struct Runner<'a> {
     /// Drive, motor and floor of the machine.
     pub carrier: Carrier<'a>,
-    /// Target, N, at equally spaced times of the period.
+    /// Target force, N, at equally spaced times of the period.
     target: Option<Vec<f64>>,
     /// Learned force of the machine, N, at equally spaced angles.
     learned: Vec<f64>,
 }
 
 impl<'a> Runner<'a> {
-    /// Simulator of the machine of a problem. The target is given over the period.
+    /// Creates the simulation of the machine of a problem. The target force is given over the period.
     pub fn new(
         problem: &Problem,
         cam: &Cam,
@@ -143,8 +143,8 @@ impl<'a> Runner<'a> {
         ))
     }
 
-    /// Estimate of speed ripple and force change, from inertia, motor and energy of the load. `in_run` is the simulated force error of the law
-    /// for constant speed. `None` without a motor.
+    /// Estimate of speed ripple and force change, computed from the inertia, the motor and the energy of the load. `in_run` is the simulated
+    /// force error of the law for constant speed. `None` without a motor.
     pub fn forecast(
         &self,
         problem: &Problem,
@@ -178,8 +178,8 @@ impl<'a> Runner<'a> {
         Some(run.error(law, &motion, &shaft)?.rms_error_percent_of_mean)
     }
 
-    /// Minimum inertia for which the force error of a law over time is at most `allowed`, kg·m², with `allowed` in percent of the mean. `None`
-    /// if no inertia is sufficient.
+    /// Minimum inertia for which the force error of a law over time is at most `allowed`, kg·m², where `allowed` is in percent of the mean
+    /// force. `None` if no inertia is sufficient.
     pub fn inertia_for_accuracy(&self, law: &Law, allowed: f64) -> Option<f64> {
         let motor = self.carrier.motor?;
         let meets = |inertia: f64| {

@@ -9,7 +9,7 @@ use crate::synth::design::Design;
 /// Relative variation of inertia, torque line and friction.
 const DEVIATION: f64 = 0.1;
 
-/// Force error of the cam in a varied machine.
+/// Force errors of the cam in machines in which one value is decreased or increased.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sensitivity {
     /// Key of the varied value.
@@ -19,8 +19,8 @@ pub struct Sensitivity {
 }
 
 impl Design {
-    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is adjusted for
-    /// the same mean speed. Empty at constant speed or without a target.
+    /// Force errors over time, in percent of the mean, for machines in which one value differs by ±10 %. The supply of the motor is adjusted
+    /// so that the mean speed remains the same. Empty at constant speed or without a target.
     pub fn sensitivity(&self) -> Vec<Sensitivity> {
         let machine = &self.problem.machine;
         let (motor, floor) = (machine.motor(), machine.floor());

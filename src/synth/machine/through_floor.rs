@@ -1,5 +1,5 @@
-//! Response of the floor as part of the program of a law. The program includes the effect that a change of the law has through the motion of the
-//! floor, and so does its certificate.
+//! Response of the floor as part of the program of a law. A change of the law changes the motion of the floor, and thereby the force. The
+//! program and its certificate include this effect.
 //!
 //! The force on the moving floor is linear in the law: F = T P + const, where P maps the law to the force on a rigid floor. T contains the gains
 //! Gₙ = 1/(1 − M Hₙ) of the harmonics.
@@ -23,7 +23,7 @@ use crate::synth::qp::Certificate;
 
 /// Number of equally spaced angles at which π and h are evaluated.
 const ANGLES: usize = 2880;
-/// Number of harmonics of h. Their gains Gₙ − G∞ decrease with the square of the order.
+/// Number of harmonics of h. Their gains Gₙ − G∞ are inversely proportional to the square of the order, for high orders.
 const COUNT: usize = 240;
 
 /// Gains of the floor, and the units of the values in a state.
@@ -44,7 +44,8 @@ impl FloorResponse {
     /// Number of values of a state.
     pub const VALUES: usize = 2 * COUNT + 1;
 
-    /// Response of a floor to the laws of a problem. `first` is a solution of the problem, which determines the units.
+    /// Gains of a floor for a problem. If the objective is not the force error, the certificate of `first`, a first solved law of the
+    /// problem, determines the unit of the objective.
     pub fn of(problem: &Problem, floor: &Floor, first: &SolvedLaw) -> FloorResponse {
         let drive = &problem.drive;
         let at_once = floor.felt_at_once(drive.mass);
@@ -123,9 +124,10 @@ impl FloorResponse {
     /// Upper bound of the gap of the coupled program at a law, in the units of the objective. The state of the law differs from the assumed
     /// state by at most `off`. `None` if no bound can be proved.
     ///
-    /// At the coupled optimum, the force error is at most that of the law. The forces on a rigid floor therefore differ by at most twice this
-    /// error, divided by the minimum |Gₙ|. The errors of h and of the force, multiplied by this distance, are included in the bound. The
-    /// curvature of the coupled objective is at least min |Gₙ|²/G∞ times that of the program.
+    /// At the coupled optimum, the force error is at most the force error of this law. The forces of the two laws on a rigid floor therefore
+    /// differ by at most twice the force error of the law, divided by the minimum |Gₙ|. The bound includes the errors of h and of the force,
+    /// multiplied by this difference. The curvature of the coupled objective is at least min |Gₙ|²/G∞ times the curvature of the objective of
+    /// the program.
     pub fn gap(&self, problem: &Problem, attempt: &Attempt, off: f64) -> Option<f64> {
         let price = &attempt.law.price;
         let own = attempt.law.solver.certificate.as_ref()?.duality_gap;

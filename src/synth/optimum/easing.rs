@@ -9,7 +9,7 @@ use crate::synth::report::limited::{Easing, Minimised};
 /// Relative change by which a limit is relaxed.
 pub const RELAXED: f64 = 0.01;
 
-/// First-order effect of relaxing one limit by 1 % on the objective.
+/// First-order change of the objective if one limit is relaxed by 1 %.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sensitivity {
     /// Limit, or given value of the scene, that is relaxed.
@@ -44,7 +44,8 @@ pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> V
         .collect()
 }
 
-/// Expresses a gain of the objective in the minimised quantity. Returns the quantity, its value before and its value after the change.
+/// Converts a gain of the objective to the minimised quantity, such as an RMS from a mean square. Returns the quantity and its values before
+/// and after the change.
 fn measured(
     program: &Program,
     solution: &Solution,
@@ -82,7 +83,7 @@ fn measured(
     }
 }
 
-/// Key of the value that a limit comes from: the key of the limit, or of the given prime radius.
+/// Criterion of the scene value from which a limit comes: the limit itself, or the given prime radius.
 pub fn key(limit: &Limit) -> Criterion {
     match limit.meaning {
         Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
@@ -105,7 +106,7 @@ fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
     out
 }
 
-/// Effect of relaxing the limit on a root mean square of which a row is a tangent; `None` for other rows.
+/// Effect of relaxing a limit on a root mean square. `row` is a tangent of this limit; the result is `None` for other rows.
 fn of_rms(program: &Program, row: &Row) -> Option<Sensitivity> {
     let limit = program.rms.iter().find(|l| l.is_tangent(row))?;
     let from = limit.meaning.value(limit.most)?;

@@ -1,4 +1,4 @@
-//! Derivative of the Lagrangian of a solution with respect to the force. The response of a moving floor is computed from it.
+//! Derivative of the Lagrangian of a solution with respect to the force. The program for a moving floor uses this derivative.
 
 use super::Optimum;
 use crate::criterion::{Criterion, DependsOn};
@@ -6,12 +6,12 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{Program, Row, Solution};
 
-/// Derivative of the Lagrangian with respect to the force: factors of the force error, and multipliers at angles.
+/// Derivative of the Lagrangian with respect to the force. It consists of factors of the force error, and of multipliers at angles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcePrice {
-    /// Factor of the weighted force error from the objective: 1 if the mean square force error is minimised, otherwise 0.
+    /// Factor of the weighted force error that comes from the objective: 1 if the mean square force error is minimised, otherwise 0.
     pub of_objective: f64,
-    /// Factor of the force error from the limit on its root mean square.
+    /// Factor of the force error that comes from the limit on its root mean square.
     pub of_accuracy: f64,
     /// Angle, rad, and signed multiplier of every active limit on the force.
     pub of_limits: Vec<(f64, f64)>,
@@ -52,7 +52,8 @@ impl ForcePrice {
     }
 }
 
-/// The solution with multipliers per unit of the force on the moving floor. The force in the program is 1/G∞ times this force.
+/// The solution with multipliers per unit of the force on the moving floor. The force in the program is 1/G∞ times the force on the moving
+/// floor.
 pub fn on_floor(problem: &Problem, solution: &Solution) -> Solution {
     let mut out = solution.clone();
     let at_once = problem.through_floor().map_or(1.0, |floor| floor.at_once);
@@ -74,7 +75,7 @@ fn is_of_force(problem: &Problem, row: &Row) -> bool {
     }
 }
 
-/// Bound, N, of the limit on a root mean square of which a row is a tangent; infinite if there is none.
+/// Bound, N, of the limit on a root mean square whose tangent the row is; infinite if there is no such limit.
 fn most(program: &Program, row: &Row) -> f64 {
     let own = program.rms.iter().find(|limit| limit.is_tangent(row));
     own.map_or(f64::INFINITY, |limit| limit.most)

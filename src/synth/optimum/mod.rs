@@ -1,5 +1,5 @@
-//! Best law under all limits. The touching angle on the base circle is optimised first. Non-convex limits are then added by a sequence of convex
-//! programs.
+//! Best law under all limits. The touching angle, at which the law touches the base circle, is optimised first. Non-convex limits are then
+//! added by a sequence of convex programs.
 
 pub mod easing;
 pub mod force_price;
@@ -36,7 +36,7 @@ const MOST_TANGENTS: usize = 40;
 ///
 /// # Errors
 ///
-/// No law satisfies the limits. In a search for passing designs, a law that does not reach the accuracy is an error too.
+/// No law satisfies the limits. If only passing designs are useful, a law that does not reach the accuracy is an error too.
 pub fn solve(
     problem: &Problem,
     search: &Search,
@@ -105,8 +105,8 @@ fn with_loads(
     (!in_sequence(problem, search, optimum, limits.clone())).then_some(limits)
 }
 
-/// Continues with the sequence of convex programs for non-convex limits. It starts from the optimum without these limits, then from the smallest
-/// cam without these limits; `false` if no feasible start was found.
+/// Continues with the sequence of convex programs for non-convex limits. It starts from the optimum without these limits, then from the
+/// smallest cam without these limits. Returns `false` if no feasible start was found.
 fn in_sequence(
     problem: &Problem,
     search: &Search,
@@ -151,7 +151,7 @@ fn in_sequence(
     is_found
 }
 
-/// Sequence of convex programs from a program, whose level is determined, and its solution; `None` without a feasible start.
+/// Sequence of convex programs that starts from a program with a fixed level of the lift, and its solution; `None` without a feasible start.
 fn sequence_from(
     problem: &Problem,
     search: &Search,
@@ -185,8 +185,8 @@ fn starts(problem: &Problem, program: &Program, solution: &Solution) -> Vec<Solu
     out
 }
 
-/// Feasible law with the minimum mean square force error under the same limits, as a start if the maximum error is minimised. The programs of
-/// this objective are easier to solve.
+/// Feasible law with the minimum mean square force error under the same limits, as a start if the maximum error is minimised. The programs
+/// with this objective are easier to solve.
 fn nearest_to_force(
     problem: &Problem,
     program: &Program,
@@ -203,8 +203,8 @@ fn nearest_to_force(
     Some(found)
 }
 
-/// Program and solution with a determined level. If neither the drive nor a condition determines the level, and limits of the profile depend on
-/// it, the law is placed on its base circle.
+/// Program and solution with a fixed level of the lift. If nothing in the problem fixes this level, and limits of the profile depend on it,
+/// the law is shifted so that its minimum lift is zero.
 fn at_level(
     problem: &Problem,
     optimum: &Optimum,
@@ -240,8 +240,8 @@ pub fn with_profile(problem: &Problem, search: &Search, optimum: &mut Optimum) {
     }
 }
 
-/// The law of a solution with the size of the cam that the law requires, if the size is a variable. In the solution, the size is only the
-/// minimum for the convex limits, or arbitrary if it has no cost. For a follower on an arm, the size is limited by the reach of the arm.
+/// The law of a solution with the size of the cam that the law requires, if the size is a variable. The size in the solution satisfies only
+/// the convex limits, and it is arbitrary if it has no cost. For a follower on an arm, the size is limited by the reach of the arm.
 pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;

@@ -6,7 +6,7 @@ use crate::scene::Family;
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Basis, Failure, Program};
 
-/// A result, or the reason why the limits are infeasible. The outer error is an error of the input.
+/// Result of a design step, or the reason why the limits are infeasible. The outer error is an error of the input.
 pub type Sought<T> = Result<std::result::Result<T, Box<Refusal>>>;
 
 /// A program without a solution, and the reason.
@@ -34,7 +34,7 @@ impl Refusal {
         !matches!(&self.failure, Failure::Numerical { .. })
     }
 
-    /// Whether only the accuracy makes the limits infeasible: a law exists without it.
+    /// Whether the limits are infeasible only because of the required accuracy: without this accuracy a law exists.
     pub fn is_of_accuracy(&self) -> bool {
         let open = self.program.of_least_rms(Criterion::Accuracy);
         self.nonconvex.is_none() && open.is_some_and(|open| open.solve().is_ok())

@@ -8,7 +8,8 @@ use crate::synth::report::method::{Ended, Method};
 use crate::synth::report::proof::{self, Doubt};
 use crate::synth::report::solver::{SolverReport, Step, Tier};
 
-/// Relative rounding error of a lower bound of the force error, up to which a bound above the accuracy is not a proof.
+/// Relative margin for rounding errors. The required accuracy is proved infeasible only if the lower bound of the force error exceeds it by
+/// more than this margin.
 const BOUND_ROUNDING: f64 = 1e-6;
 
 /// Result of a sequence of convex programs: final solution, steps, and reason for the end.
@@ -25,13 +26,13 @@ pub struct Formulation {
     pub stiffness: Option<f64>,
     /// Limit s ≥ 0; `None` if the law may be below its base circle.
     pub above_base_circle: Option<Limit>,
-    /// Number of spans, or of half waves of the highest harmonic. Active rows within half a span count as one contact.
+    /// Number of spans, or of half waves of the highest harmonic. Active rows of a limit within half a span count as one active point.
     pub pieces: usize,
 }
 
 impl Formulation {
     /// Whether the law with these coefficients violates a limit. The law is first placed on its base circle, unless the drive or a condition
-    /// determines the level.
+    /// fixes the level of the lift.
     pub fn is_broken_by(&self, coefficients: &[f64]) -> bool {
         let program = &self.program;
         if program.limits.is_empty() && program.rms.is_empty() {
@@ -46,13 +47,13 @@ impl Formulation {
     }
 }
 
-/// Best law of a formulation.
+/// Best law of a formulated program, with its touching angle and its bounds.
 pub struct Optimum {
     /// The formulation with the best touching angle.
     pub formulation: Formulation,
     /// Solution of the program, or last solution of the sequence of convex programs.
     pub solution: Solution,
-    /// Touching angle, rad, if it was free.
+    /// Touching angle on the base circle, rad; `None` if no limit depends on it.
     pub at: Option<f64>,
     /// Lower bound of the objective over all touching angles; `None` if the angle is fixed or nothing is proved.
     pub bound: Option<f64>,
@@ -134,9 +135,9 @@ impl Optimum {
         doubt.is_none().then_some(value - evidence.duality_gap)
     }
 
-    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8). A sequence of convex programs is
-    /// then useless. The result is `false` if the number of spans is automatic, since more spans may reach the accuracy. It is also `false` for
-    /// a floor that responds to the law, because the objective then belongs to one iteration.
+    /// Whether the multipliers prove that no law within the convex limits reaches the accuracy (theory §8). A sequence of convex programs
+    /// cannot change this. The result is `false` if the number of spans is automatic, since more spans may reach the accuracy. It is also
+    /// `false` for a floor that responds to the law, because the objective then changes from iteration to iteration.
     pub fn misses_accuracy(&self, problem: &Problem) -> bool {
         let is_objective = problem.law.spans.is_some()
             && problem.objective() == Minimise::ForceError
@@ -180,7 +181,7 @@ impl Optimum {
         })
     }
 
-    /// Replaces the convex optimum by the final law of a sequence.
+    /// Replaces the optimum of the convex program by the final law of a sequence of convex programs.
     pub fn ended_by(&mut self, program: Program, (refined, steps, ended): Refined) {
         let least = self.least();
         self.sequence = Some(Sequence {

@@ -1,21 +1,22 @@
-//! Angle at which a law with free level touches its base circle.
+//! Touching angle: angle at which a law touches its base circle, if nothing else fixes the level of the lift.
 //!
-//! On a moving axis the force does not depend on the level of the law. The level is chosen so that the minimum of the law is on the base circle.
-//! Limits on curvature, pressure angle and contact pressure measure the lift from the base circle. For a touching angle φ, these limits are Σ wₖ
-//! s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex program with the optimum f(φ). If the law of this program is lower than s(φ)
-//! elsewhere, its true clearance is only larger. The optimum is therefore the minimum of f(φ) over the turn.
+//! On a moving axis the force does not depend on the level of the law. The level is chosen so that the minimum of the law is on the base
+//! circle. Limits on curvature, pressure angle and contact pressure measure the lift from the base circle. For a touching angle φ, these
+//! limits are Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex program with the optimum f(φ). If the law of this program is
+//! lower than s(φ) at another angle, the lift above its true minimum is larger, so the limits hold with a margin. The optimum is therefore
+//! the minimum of f(φ) over the turn.
 //!
-//! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀ the Lagrangian changes by ν (s(φ) −
-//! s(c)), and therefore
+//! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀, the Lagrangian changes by ν
+//! (s(φ) − s(c)). Let s_c be the law at the angle c. Then
 //!
 //! ```text
 //! f(φ) ≥ f(c) + ν (s_c(φ) − s_c(c)) − ½ ν² Q(φ − c)
 //! Q(t) = 4/α Σ (1 − cos nt)/n⁴ = 4/α (π²t²/12 − π|t|³/12 + t⁴/48)
 //! ```
 //!
-//! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm of
-//! the objective. At c, the bound has the value and the slope of f. A few programs are therefore sufficient for a lower bound of f with an
-//! accuracy of 1e-6 over the whole turn, by branch and bound over φ.
+//! where α mean(s″²) is at most the quadratic part of the objective. Q bounds the squared norm of the functional s(φ) − s(c) in the dual norm
+//! of the objective. At c, the bound has the value and the slope of f. Branch and bound over φ therefore needs only a few programs for a
+//! lower bound of f over the whole turn with a relative gap of 1e-6.
 
 use std::f64::consts::{PI, TAU};
 
@@ -37,7 +38,7 @@ const SETTLED: f64 = 1e-7;
 const FARTHEST: f64 = 20.0;
 /// Number of parts of the turn at the start of branch and bound.
 const PARTS: usize = 16;
-/// Minimum width of a part, rad.
+/// Width of a part below which branch and bound does not divide it, rad.
 const NARROWEST: f64 = TAU / 65536.0;
 /// Number of trial angles if the first program is infeasible.
 const TRIED: usize = 12;
@@ -73,8 +74,8 @@ pub fn at_best_angle(formulation: Formulation) -> Result<Optimum, Box<Refusal>> 
     })
 }
 
-/// Solution at the best touching angle, and a lower bound of the objective over all angles. `stiffness` is α of the head of this file, if the
-/// objective has a quadratic part.
+/// Solution at the best touching angle, and a lower bound of the objective over all angles. `stiffness` is the convexity α (see the comment
+/// at the beginning of this file), if the objective has a quadratic part.
 fn searched(
     program: &Program,
     stiffness: Option<f64>,
@@ -153,7 +154,7 @@ fn bound(nodes: &[Node], a: f64, b: f64, alpha: f64) -> f64 {
     each.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Function α Q(t) for the angle t between two positions, rad.
+/// Function α Q(t), where t is the angle between two positions, rad.
 fn distance(t: f64) -> f64 {
     4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
 }
@@ -165,8 +166,8 @@ struct Search {
 }
 
 impl Search {
-    /// Solves the first program, at the angle `first`. If equalities or the target tie the law to angles, several angles are tried until one has
-    /// a solution.
+    /// Solves the first program, at the angle `first`. If equalities or the target prescribe the law at given angles, several touching angles
+    /// are tried until one has a solution.
     fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
@@ -190,8 +191,8 @@ impl Search {
         Err(Refusal::of(self.touching(first), failure))
     }
 
-    /// Touching angle of the law with the minimum root mean square under the other limits; `None` without a limit on a root mean square. If this
-    /// limit is tight, the feasible angles are near the returned angle.
+    /// Touching angle of the law with the minimum root mean square under the other limits; `None` without a limit on a root mean square. If
+    /// this limit is almost infeasible, the feasible angles are near the returned angle.
     fn at_least_rms(&self, first: f64) -> Option<f64> {
         let mut least = Search {
             program: self.program.of_least_rms(Criterion::Accuracy)?,

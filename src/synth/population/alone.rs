@@ -1,4 +1,4 @@
-//! Individual cams of the walkers, by their forces.
+//! Forces of the individual cams, each designed for one walker.
 
 use super::errors::{Aim, Nodes};
 use super::{gap, limits, phase, weighed};
@@ -8,11 +8,11 @@ use crate::synth::families;
 use crate::synth::report::solver::Tier;
 use crate::synth::search::Search;
 
-/// Force of the individual cam of one walker, as a point with its error bounds.
+/// Force of the cam designed for one walker alone, with its error bounds. The force is a vector of values at quadrature nodes.
 pub struct Point {
     /// Force at the quadrature nodes, N, multiplied by the square roots of the weights.
     pub at: Vec<f64>,
-    /// Upper bound of the distance between this force and that of the optimum, N.
+    /// Upper bound of the RMS difference between this force and the force of the optimum, N.
     pub slack: f64,
     /// Factor γ of the walker, 1/N.
     pub scale: f64,
@@ -20,7 +20,7 @@ pub struct Point {
     pub least: f64,
 }
 
-/// Force of the individual cam of each cycle; empty if the feasible laws of a walker are not a convex set.
+/// Force of the individual cam for each cycle; empty if the feasible laws for a walker do not form a convex set.
 pub fn points(problem: &Problem, search: &Search) -> Result<Vec<Point>> {
     let Some(walkers) = problem.walkers.as_deref() else {
         return Ok(Vec::new());

@@ -1,4 +1,5 @@
-//! Gain for all walkers from relaxing a limit of the scene. It is computed from the gain for the mean curve with the reference machine.
+//! Gain for all walkers from relaxing a limit of the scene. This gain is computed from the gain for the mean curve with the reference
+//! machine.
 
 use super::limits::for_all;
 use crate::criterion::{Criterion, DependsOn};
@@ -7,8 +8,9 @@ use crate::scene::Robust;
 use crate::synth::optimum::easing::RELAXED;
 use crate::synth::report::limited::{Easing, Minimised};
 
-/// Gain for all walkers from relaxing a limit. `square` is the mean square error of all walkers. `None` if another measure than the mean is
-/// minimised, because the weights then change. The result is also `None` if the relaxation would reduce the error of the mean curve to zero.
+/// Gain for all walkers from relaxing a limit. `square` is the mean square error of all walkers. `None` if the objective is not the mean
+/// error, because the weights of the walkers then change. The result is also `None` if the relaxation would reduce the error of the mean
+/// curve to zero.
 pub fn of_all(
     easing: &Easing,
     problem: &Problem,

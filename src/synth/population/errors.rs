@@ -1,5 +1,6 @@
-//! Force errors of several walkers for a law, as squared distances. The mean square error of walker w is the mean of (γ_w ψ − y_w)². Here ψ is
-//! the force of the law in the reference machine minus the force at rest, and y_w is the scaled target of the walker.
+//! Force errors of several walkers for a law, as squared distances. The mean square error of walker w is the mean of (γ_w ψ − y_w)². Here ψ
+//! is the force of the law in the reference machine minus the force at rest, and y_w is the scaled target of the walker. The unit of a walker
+//! is the force, N, to which the errors of the walker are related.
 
 use std::f64::consts::TAU;
 
@@ -28,7 +29,7 @@ pub struct Nodes {
 
 /// Scaled target of one walker at the nodes.
 pub struct Aim {
-    /// Factor γ = β/unit of the walker, 1/N.
+    /// Factor γ = β/unit of the walker, 1/N. The factor β relates the force in the machine of the walker to that in the reference machine.
     pub scale: f64,
     /// Target (F − R)/unit at the nodes, multiplied by the square roots of the weights.
     pub towards: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Limits for every walker: combined into one set for the reference machine, and checked for the machine of each walker.
+//! Limits for every walker. They are combined into one set for the reference machine, and are checked for the machine of each walker.
 
 use crate::cam::Check;
 use crate::criterion::{DependsOn, Direction, LimitKind};
@@ -59,7 +59,7 @@ pub fn checked(problem: &Problem, walkers: &Walkers, solved: &SolvedLaw) -> Resu
     Ok(out)
 }
 
-/// Load limits: the values of these quantities for two walkers do not differ by a common factor.
+/// Load limits, for which the limited values of two walkers do not differ by a common factor.
 pub fn loads() -> impl Iterator<Item = LimitKind> {
     let is_load = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Load;
     LimitKind::ALL.iter().copied().filter(is_load)
@@ -76,8 +76,9 @@ pub fn less_loaded(checks: &[Check]) -> Option<f64> {
 /// Walkers that include the most critical walker for every limited quantity.
 ///
 /// Force, torque and torque rate are linear in the force at rest R and in the factor β; power is linear in ωR and ωβ. Pressure increases with
-/// the force, and motion with ω. Each quantity is thus linear in a pair of numbers of the walker, or increases with such a quantity. Its maximum
-/// over all walkers is therefore at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are returned.
+/// the force, and motion with ω. Each quantity is thus linear in a pair of values for each walker, or increases with such a linear quantity.
+/// The maximum over all walkers is therefore reached at a corner of the convex hull of these pairs. For vibration in a dwell, all walkers are
+/// returned.
 fn extremes<'w>(problem: &Problem, walkers: &'w Walkers) -> Vec<&'w Served> {
     let each = &walkers.each;
     let vibrates = |kind: &LimitKind| kind.facts().depends_on == DependsOn::Vibration;

@@ -111,7 +111,7 @@ fn refuse_unknown(problem: &Problem, walkers: &Walkers) -> Result<()> {
     }
 }
 
-/// Law for the walkers, with the data of its certificate.
+/// Law for the walkers, with the errors and bounds for its certificate.
 struct Found {
     attempt: Attempt,
     squares: Vec<f64>,
@@ -156,8 +156,8 @@ impl Found {
         Ok(found)
     }
 
-    /// Law for the walkers. An automatic number of spans or harmonics is the number for their mean curve. If the worst walkers count, the number
-    /// is increased while their error decreases sufficiently.
+    /// Law for the walkers. An automatic number of spans or harmonics is first chosen for the mean curve. If the objective is not the mean
+    /// error, the number is then increased while the objective decreases sufficiently.
     fn of_best_size(limited: &Problem, search: &Search, walkers: &Walkers) -> Result<Found> {
         let mut best = Found::of(limited, search, walkers)?;
         let is_open = limited.law.spans.is_none() && limited.law.harmonics.is_none();
@@ -236,7 +236,7 @@ impl Found {
         })
     }
 
-    /// Design with this law, and with a verdict that includes the errors of all walkers.
+    /// Completes the design with this law. The verdict includes the errors of all walkers.
     fn judged(
         self,
         problem: &Problem,

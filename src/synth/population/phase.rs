@@ -14,7 +14,7 @@ use crate::problem::{Served, Walkers};
 
 /// Number of equally spaced angles at which the force of a law is evaluated.
 const SAMPLES: usize = 1024;
-/// Number of harmonics from which a phase is determined.
+/// Number of harmonics from which the phase of a walker is determined.
 const HARMONICS: usize = 100;
 /// Number of trial phases on a grid over the turn.
 const TRIED: usize = 720;
@@ -70,7 +70,7 @@ pub fn best(force: &[(f64, f64)], walker: &Served) -> f64 {
     phase.0
 }
 
-/// Amplitudes of the walkers' harmonics, scaled by the units of the walkers, as targets that do not depend on the phase.
+/// Targets that do not depend on the phase: the amplitudes of each walker's harmonics, divided by the unit of this walker.
 pub fn amplitudes_of(walkers: &Walkers) -> Vec<Aim> {
     let aim = |walker: &Served| {
         let own = waves(&walker.target.force_n);

@@ -8,7 +8,7 @@ use crate::synth::report::walkers::{OfPopulation, WalkerError};
 /// Default fraction of the walkers that are not included in the mean of the largest errors.
 const USUAL_TAIL: f64 = 0.9;
 
-/// Report from the mean square error and the phase, rad, of each cycle.
+/// Report for the given mean square error and phase, rad, of each cycle.
 pub fn report(walkers: &Walkers, squares: &[f64], phases: &[f64]) -> OfPopulation {
     let each = walkers.each.iter().zip(squares).zip(phases);
     let each = each.map(|((walker, square), phase)| {

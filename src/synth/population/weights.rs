@@ -13,7 +13,7 @@ use super::errors::{Aim, dot, measure, norm};
 use crate::scene::Robust;
 use crate::synth::qp::PROVED;
 
-/// Fraction of the force of a law below which this force is linearly dependent on the other forces.
+/// Fraction of the force of a law. If the part that is orthogonal to the other forces is smaller, the force counts as linearly dependent.
 const DEPENDENT: f64 = 1e-9;
 
 /// State of the search for weights.
@@ -92,7 +92,7 @@ impl<'a> Weights<'a> {
         self.upper - self.lower <= PROVED * self.upper
     }
 
-    /// Maximum weight of each walker; `None` without such a limit.
+    /// Maximum weight of each walker; `None` if the weights are not limited.
     fn caps(&self) -> Option<Vec<f64>> {
         match self.robust {
             Robust::Tail(part) => Some(self.shares.iter().map(|p| p / (1.0 - part)).collect()),
@@ -100,9 +100,11 @@ impl<'a> Weights<'a> {
         }
     }
 
-    /// Weights for the next law; `None` if the convex hull does not determine weights. If `combines` is true, weighted sums of the laws satisfy
-    /// the limits, and the best sum in the hull is kept too. Otherwise optimality cannot be proved, and the search ends with the first law that
-    /// does not enlarge the hull.
+    /// Weights of the walkers for the next law. They are the multipliers of the problem over the convex hull of the previous laws. `None` if
+    /// this problem gives no weights, or if the last law is not an improvement and `combines` is false.
+    ///
+    /// If `combines` is true, weighted sums of the laws satisfy the limits, and the best sum is also kept. If it is false, optimality cannot
+    /// be proved.
     pub fn next(&mut self, combines: bool) -> Option<Vec<f64>> {
         if self.is_settled && !combines {
             return None;

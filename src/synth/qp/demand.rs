@@ -1,4 +1,4 @@
-//! Conditions on the law, which name the equalities of a program.
+//! Conditions on the law. They serve as names of the equalities of a program.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -29,7 +29,7 @@ pub enum Demand {
     OnBaseCircle,
 }
 
-/// Quantity prescribed at a point of the law.
+/// Kind of quantity that a point of the law prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

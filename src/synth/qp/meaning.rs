@@ -33,7 +33,8 @@ pub enum Meaning {
         /// Radius of the roller, m; 0 for a face.
         radius: f64,
     },
-    /// A pressure-angle limit for a given prime circle, with bound = tan·D ± e. The value of the scene is the prime radius.
+    /// A pressure-angle limit for a given prime circle, with bound = tan·D ± e, where D is the height of the roller centre and e the offset.
+    /// The value of the scene is the prime radius.
     PrimeRadius {
         /// Tangent of the permitted angle.
         tan: f64,

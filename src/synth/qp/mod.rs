@@ -1,4 +1,4 @@
-//! Convex programs of `splineqp` whose limits and equalities have the names of the scene.
+//! Convex programs of `splineqp`, with limits and equalities named as in a scene.
 
 mod demand;
 mod meaning;
@@ -33,7 +33,7 @@ pub type Solution = splineqp::Solution<OfScene>;
 pub type Failure = splineqp::Failure<OfScene>;
 
 /// Jerk, in units of the typical lift per rad³. If the size is minimised, the mean square of this jerk has the same cost as a radius of one
-/// typical lift. It is so large that it does not affect the size, and small enough to keep the law smooth.
+/// typical lift. The value is so large that the smoothing does not affect the size, and small enough that the law is still smooth.
 const SIZE_JERK: f64 = 1e3;
 
 /// Weight μ of the term ½ μ mean(j²), which keeps the law of the smallest cam smooth. `length` is the typical lift, m.

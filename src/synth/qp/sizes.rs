@@ -8,7 +8,7 @@ pub const RADIUS: Variable = Variable::nth(1);
 pub const RISE: Variable = Variable::nth(2);
 /// Offset e of the follower, m.
 pub const OFFSET: Variable = Variable::nth(3);
-/// Minimum lift, m, from which the stroke is measured if the level of the law is determined.
+/// Minimum lift, m, from which the stroke is measured if the level of the lift is fixed.
 pub const LOWEST: Variable = Variable::nth(4);
 /// Minimum velocity, m/rad, at which the range of the contact on a flat face of limited length begins.
 pub const FACE_END: Variable = Variable::nth(5);
@@ -37,7 +37,7 @@ pub fn held(program: &Program, solution: &Solution, room: f64) -> Program {
     held.with_constant(&SIZES, &sizes)
 }
 
-/// Whether sizes satisfy the limits that contain only sizes.
+/// Whether the sizes satisfy those limits that contain no other variable.
 pub fn keep(program: &Program, sizes: &Values) -> bool {
     let limits = program.limits.iter();
     let mut alone = limits.filter(|l| l.is_on_variables_alone());

@@ -1,5 +1,5 @@
-//! Relaxations of a scene whose smallest cam is too large. Each trial changes one value and computes the smallest cam, and by how much its prime
-//! radius exceeds the limit.
+//! Relaxations of a scene whose smallest cam is too large. Each trial changes one value and computes the smallest cam. The prime radius of
+//! this cam is compared with the limit.
 
 use super::relaxable::Relaxable;
 use crate::cam::LimitKind;
@@ -47,8 +47,9 @@ impl<'a> BySize<'a> {
         })
     }
 
-    /// Value for which the smallest cam has the permitted size; `None` if no value is sufficient. The value is found by regula falsi, with the
-    /// first slope from the multipliers. `range` contains a value for which the cam is too large, and a value at which the limit has no effect.
+    /// Value for which the smallest cam has the permitted size; `None` if no value is sufficient. The value is found by regula falsi, with
+    /// the first slope from the multipliers. `range` contains a value for which the cam is too large, and a value at which the relaxed limit
+    /// has no effect.
     pub fn value(
         &self,
         number: Relaxable,

@@ -1,7 +1,7 @@
 //! Suggested changes: for every limit, the minimum change with which the complete design passes.
 //!
-//! Each change is confirmed by a complete design. The convex program (`iis`) is not sufficient, because it contains only its own rows. A size
-//! that is computed after the law, a check of the finished profile, or the accuracy may still fail.
+//! Each change is confirmed by a complete design. The convex program (`iis`) is not sufficient, because it does not contain all requirements.
+//! A size that is computed after the law, the finished profile, or the accuracy may still fail a check.
 
 mod beside;
 mod by_size;
@@ -28,7 +28,8 @@ use relaxable::{Relaxable, relaxables};
 
 /// Relative margins beyond a sufficient value, tried one after the other, because a design may fail exactly at the edge of feasibility.
 const ROOMS: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
-/// Relative margins beyond a value that is sufficient for one motion of the machine, because this motion changes with the cam.
+/// Relative margins beyond a value that is sufficient for one motion of the machine. They are necessary because this motion changes with the
+/// cam.
 const MACHINE_ROOMS: [f64; 5] = [0.0, 1e-3, 1e-2, 0.05, 0.2];
 /// Factor between old and new value above which a change counts as unreasonably large. It is also the largest common relative change of
 /// several limits that is tried.
@@ -43,8 +44,8 @@ const ON_MACHINE: f64 = 5e-3;
 const BACK: f64 = 1e-3;
 
 impl Design {
-    /// The design with suggested changes. For conflicting limits, the changes are tested and corrected. For a failed check, they are computed. A
-    /// design that passes is returned unchanged.
+    /// The design with suggested changes. For conflicting limits, the changes are tested and corrected. For a failed check, changes are
+    /// computed. A design that passes is returned unchanged.
     #[must_use]
     pub fn relaxed(self) -> Design {
         self.relaxed_with(&Search::default())
@@ -158,7 +159,7 @@ fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
-/// Middle of two values. If their magnitudes differ, it is the geometric mean.
+/// Middle of two values: the arithmetic mean, or the geometric mean if the magnitudes differ greatly.
 fn middle(works: f64, fails: f64) -> f64 {
     if fails > 0.0 && works / fails > 4.0 {
         (works * fails).sqrt()
@@ -178,8 +179,8 @@ fn changed(problem: &Problem, values: &Values) -> Problem {
     })
 }
 
-/// A complete design that passes; `None` if there is none. If the force error is limited, the law with minimum force error is tried, because it
-/// takes the least time to compute.
+/// A complete design that passes; `None` if no such design is found. If the force error is limited, the law with minimum force error is
+/// tried, because it takes the least time to compute.
 fn passing(problem: &Problem, search: &Search) -> Option<Design> {
     let nearest = (problem.limited_error().is_some() && problem.law.family == Family::Spline)
         .then(|| problem.minimising(Minimise::ForceError));
@@ -192,7 +193,7 @@ struct Relaxing<'a> {
     /// The problem in which each design has its own machine motion. In `problem`, the motion of the given design is fixed.
     asked: &'a Problem,
     search: &'a Search,
-    /// Magnitude of the force, N.
+    /// Magnitude of the force, N: the larger of the absolute mean target force and the absolute force at rest.
     force: f64,
 }
 
@@ -248,8 +249,8 @@ impl<'a> Relaxing<'a> {
         tried.into_iter().flatten().collect()
     }
 
-    /// The value, or a slightly weaker one, for which the optimum itself passes. The value `to` was found with other laws. For non-convex limits
-    /// or many walkers, the search ended at the first passing law. For a limited force error, this error was minimised.
+    /// The value `to`, or a slightly weaker value, for which the optimum itself passes. The search for `to` used other laws. For non-convex
+    /// limits or many walkers, it ended at the first passing law. For a limited force error, it minimised this error.
     fn confirmed(&self, number: Relaxable, to: f64) -> Option<f64> {
         let problem = self.problem;
         let is_same = NonconvexLimits::of(problem).is_none()
@@ -383,8 +384,10 @@ impl<'a> Relaxing<'a> {
         Some(self.edge(number, works, fails))
     }
 
-    /// Smallest permitted diameter, m, if the size is minimised: the diameter of the smallest cam. Other values are searched with the law of
-    /// minimum force error, whose cam is larger. `None` for other values.
+    /// Minimum sufficient value of the diameter limit, m, if the design minimises the size: the diameter of the smallest cam. `None` for
+    /// other limits and objectives.
+    ///
+    /// The sufficient values of those limits are found by a search, which uses the law of minimum force error. The cam of that law is larger.
     fn of_smallest_cam(&self, number: Relaxable, from: f64) -> Option<f64> {
         let is_diameter = number.key.limit == Some(LimitKind::Diameter);
         if !is_diameter || self.problem.objective() != Minimise::Size {
@@ -426,9 +429,9 @@ impl<'a> Relaxing<'a> {
         works
     }
 
-    /// Sufficient accuracy for a given number of spans. The minimised error does not depend on the required accuracy, so the error of the design
-    /// itself is sufficient if no other check fails. The outer `None` means that a search is necessary, and the inner `None` that no accuracy is
-    /// sufficient.
+    /// Sufficient accuracy for a given number of spans. The minimised force error does not depend on the required accuracy. The error of the
+    /// design itself is therefore a sufficient accuracy, if no other check fails. The outer `None` means that a search is necessary, and the
+    /// inner `None` that no accuracy is sufficient.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;

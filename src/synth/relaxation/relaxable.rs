@@ -5,9 +5,9 @@ use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::report::named::criterion_of;
 
-/// Factor of the first relaxation of a limit, after which the limit has no effect.
+/// Factor by which a limit is relaxed so that it has no effect.
 const AWAY: f64 = 1e4;
-/// Factor of the first relaxation of a size of the cam, after which its limit has no effect.
+/// Factor by which a size limit of the cam is relaxed so that it has no effect.
 const FAR_LARGER: f64 = 30.0;
 /// Pressure angle, rad, at which a limit has no effect.
 const STEEPEST: f64 = 1.55;

@@ -1,4 +1,4 @@
-//! Suggested changes of several limits, for designs that no single change makes feasible.
+//! Suggested changes of several limits, for designs for which no single change is sufficient.
 
 use std::mem::discriminant;
 
@@ -84,8 +84,8 @@ impl Relaxing<'_> {
         }
     }
 
-    /// Limits that are infeasible even without the other limits, with the values at which they become feasible. In `free`, every limit has a
-    /// value without effect.
+    /// Limits that are infeasible even without the other limits, with the values at which they become feasible. `free` contains a value for
+    /// every limit at which the limit has no effect.
     fn out_of_reach(&self, numbers: &Values, free: &Values) -> Vec<(Relaxable, f64)> {
         let least = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
@@ -140,7 +140,7 @@ impl Relaxing<'_> {
         Some(all.collect())
     }
 
-    /// The relative change, or a slightly larger one, for which the optimum passes in a machine with its own motion.
+    /// The relative change, or a slightly larger change, with which the optimum passes in a machine with its own motion.
     fn share_on_machine(
         &self,
         share: f64,

@@ -37,7 +37,7 @@ pub struct End {
 }
 
 impl End {
-    /// Notes on speed (rad/s), stiffness and deviation.
+    /// Notes that state the speed (argument in rad/s), the stiffness and the deviation of the end.
     pub fn notes(&self, speed: f64) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {
             speed: Quantity::new(speed, Dimension::AngularSpeed),

@@ -27,7 +27,7 @@ impl Infeasible {
         NoDesignError::NoLaw { reason }
     }
 
-    /// Key of the conflicting conditions: points, dwells, or the table of the law for both.
+    /// Key of the scene for the conflicting conditions: `law.point`, `law.dwell`, or `law` if both kinds or neither are in conflict.
     pub(in crate::synth) fn key_of_demands(&self) -> &'static str {
         let named = |of: fn(&Demand) -> bool| {
             let of = |c: &Conflicting| matches!(c, Conflicting::Demand(d) if of(d));
@@ -211,7 +211,7 @@ impl Easing {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Infeasible {
-    /// Conflicting limits or conditions.
+    /// Limits or conditions that are infeasible together.
     pub conflict: Vec<Conflicting>,
     /// Sufficient change of each conflicting limit. It starts as the minimum change for which the other limits of the program are feasible.
     /// `relaxed` replaces it by a change with which the complete design passes.
@@ -248,7 +248,7 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// Whether the change gives up a part of the target: it permits a larger force error.
+    /// Whether the change permits a larger force error.
     pub fn is_goal(&self) -> bool {
         matches!(
             self.limit,

@@ -32,7 +32,7 @@ pub enum Method {
     Interpolation,
     /// Closed form for each harmonic. `rest` is the RMS force of the omitted harmonics.
     Spectral { harmonics: usize, rest: Quantity },
-    /// Harmonics under limits, by the exchange method.
+    /// Harmonics under limits, computed by the exchange method (rows are added where limits are violated).
     Harmonics {
         harmonics: usize,
         rounds: usize,

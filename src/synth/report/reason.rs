@@ -73,7 +73,7 @@ pub enum Reason {
         pull: Quantity,
         speed: Quantity,
     },
-    /// A negative contact force would be necessary for a prescribed law, which no limit can change.
+    /// A negative contact force would be necessary for a prescribed law. Since the law is given, no limit can prevent this.
     LiftsOffAsPrescribed {
         at: Quantity,
         pull: Quantity,
@@ -81,7 +81,7 @@ pub enum Reason {
     },
     /// A negative contact force would be necessary although there is a spring, a preload or a mass.
     ContactLost { at: Quantity, pull: Quantity },
-    /// The follower loses contact in the simulation of the emitted cam.
+    /// The follower loses contact in the simulation of the output profile.
     ContactLostInRun { share: Quantity },
     /// The profile has a cusp.
     Cusp { at: Quantity },
@@ -140,7 +140,7 @@ pub enum Reason {
     },
     /// The force error exceeds the required accuracy.
     ForceError { error: Quantity, allowed: Quantity },
-    /// The force error in the simulation of the emitted cam exceeds the required accuracy.
+    /// The force error in the simulation of the output profile exceeds the required accuracy.
     ForceErrorInRun { error: Quantity, allowed: Quantity },
     /// The lift is below the base circle.
     BelowBaseCircle { at: Quantity, depth: Quantity },

@@ -26,7 +26,7 @@ pub struct Step {
     pub prime_radius: f64,
     /// Value of the objective after the step.
     pub merit: f64,
-    /// Minimum clearance h/w of the non-convex limits over the law after the step.
+    /// Minimum clearance of the non-convex limits over the law after the step, relative to the scale of each limit.
     pub clearance: f64,
     /// Accepted fraction of the step, from 0 to 1.
     pub taken: f64,
@@ -106,7 +106,7 @@ pub struct SolverReport {
 }
 
 impl SolverReport {
-    /// Report on a method that needs no numerical proof.
+    /// Report on a method that computes the law without a numerical certificate.
     pub(crate) fn of(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         SolverReport {
             tier,

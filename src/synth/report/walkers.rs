@@ -34,7 +34,8 @@ pub struct OfPopulation {
     pub worst_percent: f64,
     /// Weighted mean of the RMS force errors, in percent of the mean force of each walker.
     pub mean_percent: f64,
-    /// Mean of the largest RMS force errors, in percent. It covers the worst tenth of the walkers, or the fraction in the objective.
+    /// Mean of the largest RMS force errors, in percent. The mean covers the worst tenth of the walkers, or the fraction given in the
+    /// objective.
     pub cvar_percent: f64,
     /// Maximum RMS force error, N.
     pub worst_n: f64,

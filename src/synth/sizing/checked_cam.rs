@@ -1,4 +1,5 @@
-//! A law on its cam, with force and checks. It is used for every family, for the iterates of a polydyne cam and for the finished design.
+//! A law on its cam, with force and checks. This type is used for every family, for the iterates of a polydyne cam and for the finished
+//! design.
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, LimitKind, PrimeCircle};
 use crate::error::Result;
@@ -11,7 +12,7 @@ use crate::synth::sizing;
 /// A law on its cam, with its force and all checks.
 #[derive(Clone)]
 pub struct CheckedCam {
-    /// Cam of the law. The minimum lift is on the base circle, unless the drive or a condition determines the level.
+    /// Cam of the law. The minimum lift is on the base circle, unless the drive or a condition fixes the level of the lift.
     pub cam: Cam,
     /// Shift by which the law was raised to the base circle, m or rad.
     pub raised: f64,
@@ -124,7 +125,8 @@ fn is_too_wide(problem: &Problem, cam: &Cam) -> bool {
     diameter_check(problem, cam, LimitKind::Diameter).is_some_and(|check| !check.pass)
 }
 
-/// The law, raised or lowered until its minimum is on the base circle. If the drive or a condition determines the level, the law is unchanged.
+/// The law, raised or lowered until its minimum is on the base circle. If the drive or a condition fixes the level of the lift, the law is
+/// unchanged.
 fn on_base_circle(problem: &Problem, law: &Law) -> Law {
     if problem.level_is_known() {
         return law.clone();

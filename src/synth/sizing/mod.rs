@@ -17,18 +17,18 @@ use crate::problem::Problem;
 use crate::synth::limits::{self, NEARLY_RIGHT};
 use crate::units::Quantity;
 
-/// Relative accuracy of a prime radius from bisection.
+/// Relative accuracy of a prime radius that is computed by bisection.
 const BISECTION: f64 = 1e-12;
 /// Factor between successive trial sizes in the search for a feasible size.
 const GROWTH: f64 = 1.5;
 const GROWTHS: i32 = 35;
 /// Relative margin that is added to a size from bisection, so that limits hold in spite of rounding errors.
 const ROUNDING: f64 = 1e-9;
-/// Default radius of a cam, relative to the travel of the follower, if nothing requires a larger one.
+/// Default radius of a cam, relative to the travel of the follower, if no requirement determines a larger radius.
 const NOTHING: f64 = 1e-4;
 /// Variation of s(θ) + s(θ + π), relative to the stroke, below which the breadth counts as constant.
 const BREADTH: f64 = 1e-9;
-/// Number of angles at which the breadth is compared.
+/// Number of angles at which the breadth is computed and compared.
 const BREADTH_POINTS: usize = 720;
 
 /// Cam of a law whose lift 0 is on the base circle.
@@ -193,7 +193,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     make(libm::hypot(distance, offset), offset)
 }
 
-/// Default radius of a cam, m, if no limit and no hole determines the size.
+/// Default radius of a cam, m, if no limit and no bore determines the size.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
     let travel = law.stroke() * problem.lever();
     if travel > 0.0 {

@@ -1,4 +1,4 @@
-//! Notes on the size of a finished cam: hole, shaft, roller, and defaults.
+//! Notes on the size of a finished cam: bore, shaft, roller, and defaults.
 
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ fn large_roller(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on a thin wall around the hole for the shaft. If the hole intersects the profile, a check fails instead.
+/// Note on a thin wall between bore and base circle. If the bore intersects the profile, a check fails instead.
 fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let hole = problem.cam.hole()?;
     let wall = cam.follower.base_radius() - hole.reach();
@@ -45,8 +45,8 @@ fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// Note on a base circle that is too small for the steel shaft that the torque requires. If a bore is given, the note is on a bore that is much
-/// larger than this shaft.
+/// Note on a base circle that is too small for the steel shaft that the torque requires. If a bore is given, the note is instead about a bore
+/// that is much larger than this shaft.
 fn shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;

@@ -29,26 +29,26 @@ use projection::Projection;
 
 /// Minimum angle of rise and fall, rad. A smaller angle would cause an impact.
 const SHORTEST: f64 = 0.2;
-/// Number of grid points from which searches begin.
+/// Number of grid points from which a Nelder–Mead search starts.
 const STARTS: usize = 6;
-/// Number of iterations of each first search, sufficient to compare the candidates.
+/// Number of iterations of each first search. They are sufficient to compare the candidates.
 const ROUGH: u64 = 25;
-/// Number of candidates for which the search is continued. Two are needed because a law without a dwell is found twice, with rise and fall
-/// exchanged.
+/// Number of candidates for which the search is continued. Two are needed, because the search finds a law without a dwell in two forms:
+/// beginning with the rise, or with the fall.
 const FINALISTS: usize = 2;
 /// Number of iterations of each continued search.
 const ITERATIONS: u64 = 60;
 /// Number of parts of a turn to which the angles are rounded. One part is 6 µrad. This is more than the rounding errors of the search and less
 /// than the accuracy of manufacturing.
 const PARTS: f64 = 1_048_576.0;
-/// Relative difference of mean square errors below which two laws are equal. The law that begins with its rise is then preferred to the law that
-/// begins with its fall. Without a dwell, both are the same law.
+/// Relative difference of mean square errors below which two laws are equal. The law that begins with its rise is then preferred to the law
+/// that begins with its fall. Without a dwell, these two laws are identical.
 const TIE: f64 = 1e-9;
 /// Size of the simplex at the start of a search, rad. It is about one step of the grid.
 const SIMPLEX: f64 = 0.065;
 /// Size of the simplex at the start of a continued search, rad.
 const FINE_SIMPLEX: f64 = 0.01;
-/// Total number of iterations of all searches.
+/// Total number of iterations of all first and continued searches.
 const STEPS: usize = STARTS * ROUGH as usize + FINALISTS * ITERATIONS as usize;
 
 /// Double-harmonic law of a problem, with a report on the search. The stroke of the law is within its limit.

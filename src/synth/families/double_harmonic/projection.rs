@@ -13,9 +13,9 @@ const SAMPLES: usize = 512;
 const HARMONICS: usize = 64;
 /// Fraction of the force below which an amplitude is a rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Number of harmonics in the choice of the initial angles.
+/// Maximum number of force harmonics that are used in the search for the initial angles.
 const COARSE: usize = 32;
-/// Number of grid steps of a turn in the choice of the initial angles.
+/// Number of grid steps per turn in the search for the initial angles.
 const STEPS: usize = 96;
 /// Angle h, rad, below which sin h / h is computed as 1 − h²/6.
 const SMALL: f64 = 1e-4;
@@ -29,7 +29,7 @@ const QUARTERS: [Complex<f64>; 3] = [
 /// Start of the rise, and angles of rise and fall, rad.
 pub(super) type Angles = [f64; 3];
 
-/// Harmonics of a force minus the force at rest, and the weights of a drive.
+/// Harmonics of the target force minus the force at rest, and the weights of lift, velocity and acceleration in the force of a drive.
 pub(super) struct Projection {
     /// Complex harmonics a − ib of the force terms a cos kθ + b sin kθ, k = 1, 2, …
     waves: Vec<Complex<f64>>,
@@ -124,7 +124,7 @@ impl Projection {
         }
     }
 
-    /// Best law whose level is `level` times its lift, with the lift between the bounds `lifts`.
+    /// Best law whose lift is between the bounds `lifts` and whose dwell level is `level` times this lift.
     fn along(&self, product: f64, square: f64, level: f64, lifts: [f64; 2]) -> Nearest {
         let lift = best(product, square, lifts);
         Nearest {
@@ -148,7 +148,8 @@ impl Projection {
         }
     }
 
-    /// Force of a unit rise (`sign` = 1) or of a unit fall (`sign` = −1) over an angle, rad. The fall is the reversed rise.
+    /// Force of a unit rise (`sign` = 1) or of a unit fall (`sign` = −1) over an angle, rad. The fall is the rise in reverse order of the
+    /// angle.
     fn motion(&self, angle: f64, sign: f64) -> Motion {
         let [s, v, a] = self.weights;
         let rate = PI / angle;
@@ -163,7 +164,8 @@ impl Projection {
         }
     }
 
-    /// Initial angles for the searches, rad: the best points, not adjacent to each other, of a grid of starts, rises and falls.
+    /// Initial angles for the searches, rad. They are the best points of a grid over start, rise angle and fall angle. Of adjacent grid
+    /// points, only the best is used.
     pub fn starts(&self, shortest: f64, count: usize) -> Vec<Angles> {
         let step = TAU / STEPS as f64;
         let least = (shortest / step).ceil() as usize;
@@ -203,7 +205,7 @@ impl Projection {
             .collect()
     }
 
-    /// Mean, mean square and products with the target of a motion, one product for each start on the grid.
+    /// Mean and mean square of the force of a motion, and its mean product with the target for each start on the grid.
     fn row(&self, motion: Motion) -> Row {
         let step = TAU / STEPS as f64;
         let waves: Vec<Complex<f64>> = (1..)
@@ -225,7 +227,7 @@ impl Projection {
     }
 }
 
-/// Lift between two bounds that minimises the mean square error.
+/// Lift, m, between two bounds, for which the mean square force error is minimum.
 fn best(product: f64, square: f64, [low, high]: [f64; 2]) -> f64 {
     let free = if square > 0.0 { product / square } else { 0.0 };
     free.clamp(low, high)
@@ -244,7 +246,7 @@ fn are_neighbours(a: [usize; 3], b: [usize; 3]) -> bool {
     around.max(apart(1)).max(apart(2)) < 3
 }
 
-/// Force of a motion over an angle, c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx, with x from 0 to 1.
+/// Force of a motion (a rise or a fall) over its angle: c₀ + c₁ cos πx + d₁ sin πx + c₂ cos 2πx + d₂ sin 2πx, with x from 0 to 1.
 struct Motion {
     angle: f64,
     terms: [(f64, f64); 3],

@@ -1,4 +1,4 @@
-//! Non-convex limits for the size of the cam in a solution.
+//! Non-convex limits, evaluated for the size of the cam that a solution contains.
 
 use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
@@ -27,7 +27,7 @@ impl AtSize {
         }
     }
 
-    /// The same limits with sizes that a step may not change.
+    /// The same limits, but a step may not change the sizes.
     pub fn held(&self) -> Self {
         AtSize {
             limits: self.limits.clone(),
@@ -41,7 +41,7 @@ impl AtSize {
         self.free
     }
 
-    /// Limits for the size of the cam in a solution.
+    /// The limits for the size of the cam that a solution contains.
     pub fn of(&self, solution: &Solution) -> NonconvexLimits {
         let given = self.limits.size();
         let of = |k: Variable, given: f64| {

@@ -7,11 +7,11 @@ use super::trial::solved;
 use crate::synth::limits::ENLARGED;
 use crate::synth::qp::{PEAK, Program, Quadratic, RADIUS, RISE, Row, Solution, TOLERANCE, sizes};
 
-/// Maximum number of linearisations for the nearest law.
+/// Maximum number of linearisations in the computation of the nearest law.
 const HELD_ROUNDS: usize = 6;
 
-/// Optimum of the program that is linearised about the last law, with limits satisfied up to rounding errors. `None` if it violates the limits
-/// more than the last law.
+/// Optimum of the program that is linearised about the last law. It satisfies the limits up to rounding errors. `None` if its violation is
+/// not smaller than that of the last law.
 pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut exact = program.clone();
     exact.settings.tolerance = TOLERANCE;
@@ -22,8 +22,8 @@ pub fn resolved(program: &Program, current: &Solution, at_size: &AtSize) -> Opti
     (found.violation < current.violation).then_some(found)
 }
 
-/// Law that satisfies the limits up to rounding errors and is nearest to the last law. If the size is a variable, it is slightly enlarged for
-/// this law. `None` if no such law was found.
+/// Law that satisfies the limits up to rounding errors and is nearest to the last law. If the size is a variable, the cam is slightly
+/// enlarged for this law. `None` if no such law was found.
 pub fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size remains unchanged.
     let free = at_size.free();

@@ -8,17 +8,17 @@ use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::{NonconvexLimits, ProfileSize, relative};
 use crate::synth::qp::{Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, Values};
 
-/// Number of grid intervals per span of the law, at whose ends the limits are linearised.
+/// Number of grid intervals per span of the law. The limits are linearised at the ends of these intervals.
 const ROWS_PER_PIECE: usize = 4;
-/// Clearance h, relative to the largest term of h, above which a point has no row. The line search checks such points.
+/// Clearance h, relative to the largest term of h, above which no row is added for a point. The line search checks such points.
 const FAR: f64 = 0.6;
-/// Clearance h/w below which the minima of h are points of linearisation too.
+/// Clearance h/w below which the limits are also linearised at the minima of h.
 const NEAR: f64 = 0.05;
 /// Distance, relative to the span, below which two points coincide.
 const COINCIDENT: f64 = 1e-6;
-/// Relative distance of a convex limit from its bound below which the limit may become active in the next step.
+/// Relative distance of a limited quantity from its bound, below which a convex limit may become active in the next step.
 const SOON: f64 = 0.03;
-/// Violation, relative to w, up to which the margin of a limit is increased.
+/// Maximum violation, relative to w, for which the margin of a limit is increased.
 pub const NEARLY: f64 = 1e-3;
 
 /// Margins h/w that the linearised limits keep, one for each limit.
@@ -54,7 +54,7 @@ impl Room {
     }
 }
 
-/// Smallest of several clearances.
+/// Smallest of several clearances h/w; infinite for an empty list.
 pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }

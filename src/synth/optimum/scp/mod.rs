@@ -1,14 +1,15 @@
 //! Non-convex limits of a law, by a sequence of convex programs with feasible iterates. Examples of such limits are the curvature of a roller
 //! cam, and curvature and pressure angle of followers on an arm.
 //!
-//! Let X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f. The radius of curvature of the pitch curve is nowhere below ρ if h = w^{3/2}/ρ
-//! − (w + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near zero, and the
-//! convex program is solved again. If the complete step violates the limit, the limit is linearised again at the end of the step (second-order
-//! correction). If this fails, the step is shortened until h ≥ 0 over the whole turn. Convex limits hold along the whole step.
+//! Let X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f. The radius of curvature of the pitch curve is nowhere below ρ if h =
+//! w^{3/2}/ρ − (w + vY − aX) ≥ 0 (theory §6). This limit is not convex. It is linearised about the last law at the points where h is near
+//! zero, and the convex program is solved again. If the complete step violates the limit, the limit is linearised again at the end of the
+//! step (second-order correction). If this fails, the step is shortened until h ≥ 0 over the whole turn. Convex limits are satisfied along
+//! the whole step.
 //!
 //! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀². This restriction is sufficient for X ≥ 4ρ/3 and e = 0, and needs no
-//! linearisation of h. For followers on an arm, h is a different function. A concave part of the profile needs no row. Its radius of curvature
-//! is the sum of the radii of pitch curve and roller, so the roller always fits.
+//! linearisation of h. For followers on an arm, h is a different function. Concave parts of the profile need no row. Their radius of
+//! curvature is the sum of the radii of pitch curve and roller, so the roller always fits.
 
 mod at_size;
 mod last;
@@ -34,9 +35,9 @@ use crate::synth::report::solver::Step;
 /// Relative tolerance of the limits between steps. The final law is solved up to rounding errors.
 const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 
-/// Sequence of convex programs, from the best feasible point reached from the `starts`. It ends when no step improves the objective, or when
-/// `enough` is true for the law. The starts satisfy the convex limits, except limits on the size. If the size is a variable of the program, the
-/// size in `limits` is ignored.
+/// Sequence of convex programs. It begins at the best feasible point that is reached from the `starts`. It ends when no step improves the
+/// objective, or when `enough` returns `true` for the law. The starts satisfy the convex limits, except limits on the size. If the size is a
+/// variable of the program, the size in `limits` is ignored.
 ///
 /// Returns the last solution with its size, the steps, and the reason for the end; `None` if no feasible start was found.
 pub fn refine(

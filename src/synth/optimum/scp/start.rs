@@ -8,14 +8,14 @@ use crate::cam::LimitKind;
 use crate::synth::limits::Profile;
 use crate::synth::qp::{PEAK, Program, Quadratic, SIZES, Solution, Values, sizes, smoothing};
 
-/// Maximum number of steps of the continuation.
+/// Maximum number of steps of the continuation, which tightens relaxed limits gradually.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 2e-3;
 /// Maximum number of programs with the restriction or with linearised limits.
 const RESTRICTIONS: usize = 20;
 const PATIENCE: usize = 4;
-/// Weight of the distance between laws, relative to a minimised peak.
+/// Weight of the distance between laws in the objective, as a multiple of the cost of a minimised peak.
 const HEAVY: f64 = 1e3;
 /// Fractions of a step that are tried if the complete step is too long.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
@@ -36,9 +36,9 @@ pub fn best(program: &Program, starts: &[Solution], at_size: &AtSize) -> Option<
     })
 }
 
-/// The start itself if it is feasible. Otherwise the result is the optimum with the sufficient restriction, which is repeatedly computed again
-/// about the last law. For followers on an arm there is no such restriction, so the linearised limits are solved repeatedly until the limits
-/// hold.
+/// The start itself if it is feasible. Otherwise, two steps are repeated until the limits are satisfied: the sufficient restriction is set up
+/// about the last law, and the optimum with this restriction is computed. For followers on an arm there is no such restriction, and the
+/// linearised limits are used instead. `None` if there is no progress.
 pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let (mut room, mut nearest, mut since) = (Room::above(0.0), f64::NEG_INFINITY, 0);
@@ -126,7 +126,7 @@ pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Optio
     None
 }
 
-/// Law nearest to the law `before`, with the same size, that satisfies h ≥ level · w. It is computed by repeated linearisation.
+/// Law that satisfies h ≥ level · w and is nearest to the law `before`, with the same size. It is computed by repeated linearisation.
 fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -> Option<Solution> {
     let mut near = nearest_to(program, before);
     let at_size = at_size.held();
@@ -178,7 +178,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near
 }
 
-/// Feasible start from a cam that is too large. Its size is reduced until it is permitted.
+/// Feasible start from a cam that is too large. Its size is reduced until the limits on the size are satisfied.
 pub fn shrunk(program: &Program, large: &Solution, at_size: &AtSize) -> Option<Solution> {
     let smallest = of_least_size(program, &large.extra);
     let convex = solved(&smallest);

@@ -1,4 +1,4 @@
-//! Steps from one feasible law to better ones.
+//! Steps from one feasible law to a better feasible law.
 
 use super::at_size::AtSize;
 use super::linearised::{NEARLY, Room, contacts, least_of, linearised};
@@ -14,13 +14,13 @@ const MOST_STEPS: usize = 40;
 const IMPROVEMENT: f64 = 1e-7;
 /// Maximum number of second-order corrections before a step is shortened.
 const CORRECTIONS: usize = 5;
-/// Fraction of the predicted gain below which a corrected step is compared with shorter steps.
+/// Fraction of the predicted gain. If the gain of a corrected step is below this fraction, shorter steps are tried too, for comparison.
 const WORTH_MENDING: f64 = 0.5;
 /// Minimum fraction of a step, and minimum trust region.
 pub const SHORTEST: f64 = 1e-4;
 
-/// Steps from a feasible start until the objective no longer improves, or until `enough` is true for the law. Returns the last solution, the
-/// steps, and the reason for the end.
+/// Steps from a feasible start until the objective no longer improves, or until `enough` returns `true` for the law. Returns the last
+/// solution, the steps, and the reason for the end.
 pub fn descended(
     program: &Program,
     start: Solution,
@@ -59,10 +59,10 @@ pub enum Outcome {
     Finished(Ended),
 }
 
-/// One step: the optimum with the limits linearised about the last law. It is corrected or shortened until the limits hold.
+/// One step: the optimum with the limits linearised about the last law. The step is corrected or shortened until the limits hold.
 ///
-/// `reach` is the trust region: the maximum relative reduction of the size in one step. It is necessary if the objective is the size alone,
-/// because the optimum then lies at the edge of the linearised limits.
+/// `reach` is the trust region: the maximum relative reduction of the size in one step. The trust region is necessary if the objective is the
+/// size alone, because the optimum then lies where the linearised limits are active.
 pub fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Outcome {
     if program.halt.is_asked() {
         return Outcome::Finished(Ended::OutOfTime);
@@ -171,7 +171,7 @@ pub fn shortened(
     None
 }
 
-/// Whether a smaller trust region can give another step. This requires a size with a cost and a region that is not too small.
+/// Whether a smaller trust region can give another step. This requires that a size has a cost, and that the region is not too small.
 pub fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
