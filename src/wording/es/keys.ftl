@@ -1,6 +1,6 @@
 # Qué significa cada clave de un archivo de escena (src/scene/keys/table.rs).
 key-name = Nombre de la escena y de su carpeta de salida.
-key-gait-file = Registro o ciclo escrito de la fuerza objetivo; para una población, una carpeta, una lista de archivos o una tabla de caminantes. La ruta es relativa al archivo de la escena o, si no, al directorio de trabajo. Plataformas de un ensayo en archivos separados: "a.tsv + b.tsv".
+key-gait-file = Registro de la fuerza objetivo, o un archivo con su ciclo. Para una población: una carpeta, una lista de archivos o una tabla de caminantes. La ruta es relativa al archivo de la escena o, si no, al directorio de trabajo. Plataformas de un ensayo en archivos separados: "a.tsv + b.tsv".
 key-gait-model = Modelo de carga de la fuerza objetivo: young, li-2010, setra, iso-22675 … Comparados con un texto publicado: setra, rebelo, sci-p354, iso-22675. Compruebe los demás antes de citarlos.
 key-gait-harmonics = Factores de carga dinámica de la fuerza de ambos pies, en lugar de un modelo. Por cada armónico de la frecuencia de paso: amplitud como fracción del peso y fase de su seno, ["0.4", "0.1 at -90 deg"].
 key-gait-step_frequency = Pasos por segundo del modelo de carga o de los factores de carga; para varios caminantes, un intervalo con el número de valores o una distribución normal (media, desviación típica).
@@ -17,8 +17,8 @@ key-gait-kind = Movimiento del registro. El ciclo medio se calcula para walking 
 key-gait-accept = Cuestiones abiertas del registro que usted ha comprobado: kind (tipo), clock (tiempo), mass (masa), en una lista como "clock, mass".
 key-gait-leave_out = Caminantes excluidos de una población: por nombre, por archivo, o una fila de una tabla por "ARCHIVO:LÍNEA".
 key-gait-adjust = Ajuste de la máquina para cada caminante de una población: masa, velocidad y fase, ["mass", "speed", "phase"], o nada, ["none"]. auto: la masa de un eje móvil, y la velocidad si la fuerza cambia con ella por un solo factor, salvo que la escena las dé.
-key-gait-feet = Pies cuya fuerza se da: ambos juntos (both), uno (one), izquierdo (left) o derecho (right); total si la columna es la suma de ambos. Los ciclos escritos y los puntos críticos se usan sin cambios.
-key-gait-scale = to-mass: multiplica la fuerza para que su media sea M g; alternating: desplaza la fuerza hasta esa media, de modo que solo se compara la parte alterna.
+key-gait-feet = Pies cuya fuerza se da: ambos juntos (both), uno (one), izquierdo (left) o derecho (right); total si la columna es la suma de ambos. Los archivos con un ciclo o con puntos críticos se usan sin cambios.
+key-gait-scale = to-mass: multiplica la fuerza para que su media sea M g; alternating: desplaza la fuerza para que su media sea M g y solo se compare la parte alterna.
 key-gait-band = Mitad del ancho de una banda en torno al objetivo en la que debe estar la fuerza; spread: una desviación típica de la fuerza de paso a paso.
 key-gait-phase = Fase del ciclo de fuerza en el ángulo de leva 0; free: la fase de error de fuerza mínimo.
 key-gait-weight-N-from = Primera fase de un intervalo del ciclo con un peso propio del error de fuerza.
@@ -38,7 +38,7 @@ key-cam-bore = Diámetro del agujero; un círculo base automático deja una pare
 key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto: la anchura para el agujero. El chavetero apunta a θ = 0; un círculo base automático deja al menos 3 mm fuera de él.
 key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea de todos los dibujos.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
-key-cam-material = Material de la leva: steel (acero), cast-iron (fundición), bronze (bronce), aluminium (aluminio), pom, pa66, pla, petg. Otro texto es una designación de acero. Una tabla da constantes propias.
+key-cam-material = Material de la leva: steel (acero), cast-iron (fundición), bronze (bronce), aluminium (aluminio), pom, pa66, pla, petg. Otro texto es una designación de acero. Una tabla da constantes definidas por el usuario.
 key-cam-material-young = Módulo de Young de la leva.
 key-cam-material-poisson = Coeficiente de Poisson de la leva.
 key-cam-material-allowable_pressure = Presión de contacto admisible de la leva. Limita la presión de Hertz si no se da otro límite.
@@ -49,7 +49,7 @@ key-cam-follower_material-allowable_pressure = Presión de contacto admisible de
 key-cam-hardness = Dureza de la superficie de la leva: "58 HRC", "650 HV", "240 HB". La presión admisible para esta dureza limita la presión de Hertz si no se da otro límite.
 key-cam-roughness = Rugosidad media aritmética Ra del perfil, que figura en el plano.
 key-cam-tolerance = Semiancho de la tolerancia del perfil; el plano indica su efecto en la fuerza.
-key-cam-breadth = Anchura constante: distancia entre ambas caras o ambos centros de rodillo. La ley requiere entonces solo su primera media vuelta.
+key-cam-breadth = Anchura constante: distancia entre ambas caras o ambos centros de rodillo. Entonces solo se da la primera media vuelta de la ley.
 key-cam-travel = Recorrido de una leva de traslación; auto: la longitud total de los segmentos.
 key-cam-turns = Número de vueltas de una leva cilíndrica hasta que la ley se repite.
 key-cam-depth = Profundidad de la ranura de una leva cilíndrica; auto: el diámetro del rodillo.
@@ -104,7 +104,7 @@ key-machine-motor-no_load_speed = Velocidad del motor en vacío, antes de su red
 key-machine-motor-rated_torque = Par nominal de un motor asíncrono según su placa, antes del reductor; el par se anula a la velocidad síncrona.
 key-machine-motor-rated_speed = Velocidad nominal del motor según su placa, antes del reductor.
 key-machine-motor-synchronous_speed = Velocidad del motor en vacío, antes del reductor; auto: la velocidad síncrona de 50 Hz o 60 Hz siguiente a la nominal.
-key-machine-motor-inertia = Momento de inercia del rotor, antes del reductor. En el eje de la leva cuenta por el cuadrado de la relación.
+key-machine-motor-inertia = Momento de inercia del rotor, antes del reductor. En el eje de la leva se multiplica por el cuadrado de la relación.
 key-machine-motor-curve = Par del motor en función de su velocidad: un archivo con las columnas speed_rad_per_s y torque_n_m, o parejas de velocidad y par: "0 50 10 20 12 -4" (rad/s, N m).
 key-machine-motor-gear = Vueltas del motor por vuelta de la leva.
 key-machine-motor-efficiency = Fracción del par que transmite el reductor.
@@ -122,7 +122,7 @@ key-machine-floor-mode-N-ordinate = Ordenada del modo en el excitador.
 key-machine-walkers-count = Número de peatones sobre la estructura, incluido el excitador; todos están en la posición del excitador.
 key-machine-walkers-phases = Fase de la fuerza de cada peatón, primero el excitador. Por defecto: fases aleatorias de los demás peatones, las mismas en cada ejecución.
 key-machine-walkers-weights = Peso de cada peatón, primero el excitador; solo cuentan sus proporciones. Por defecto: pesos iguales.
-key-accuracy-rms = Error RMS de fuerza máximo como fracción de la fuerza media; auto: 0,5 %, o la dispersión entre pasos del registro si es mayor, y none para varios caminantes; none: no se juzga.
+key-accuracy-rms = Error RMS de fuerza máximo como fracción de la fuerza media; auto: 0,5 %, o la dispersión entre pasos del registro si es mayor; sin límite para varios caminantes. "none" desactiva el límite.
 
 built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,85 Hz: la escena por defecto
 built-in-footbridge_double_harmonic = Pasarela con una doble armónica ajustada a la misma fuerza
