@@ -28,7 +28,7 @@ key-limits-curvature = Minimum convex radius of curvature of the finished cam.
 name-curvature = curvature
 label-limits-curvature = Minimum radius
 
-key-limits-pressure_angle = Maximum pressure angle on both sides. Default: the bounds of the verdict (30° and 45° for a slide); none: not judged.
+key-limits-pressure_angle = Maximum pressure angle during rise and fall. Default: the bounds of the verdict (30°, for an arm 35°; up to 45° for low speed only). "none" switches this check off.
 name-pressure-angle = pressure_angle
 label-limits-pressure_angle = Pressure angle
 

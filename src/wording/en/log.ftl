@@ -59,5 +59,5 @@ log-no-turn = only a cam that turns forwards, once per cycle, can be identified
     .help = give a scene with a closed law of one turn and a positive drive.speed
 log-no-target = the design has no target force, so the next cam cannot reduce a force error
     .help = give a scene with [gait]
-log-noise = the difference between log and design is noise: { $residual } (RMS), including { $noise } of scatter of the mean cycle
+log-noise = the difference between log and design, { $residual } (RMS), is noise; the noise of the mean cycle alone is { $noise } (RMS)
     .help = a new cam would not reduce the error; record more cycles to detect smaller errors

@@ -9,9 +9,9 @@ reason-recording-clipped = The recording is clipped: { $because }. Its peaks and
 reason-lift-jumps = The lift is discontinuous at { $at }; no follower can follow such a lift. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }, which causes infinite acceleration and an impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }, which causes infinite jerk, and vibration at high speed.
-reason-lifts-off = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
-reason-lifts-off-as-prescribed = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
-reason-contact-lost = The contact force becomes negative at { $at } (by { $pull }): the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
+reason-lifts-off = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
+reason-lifts-off-as-prescribed = The minimum contact force is −{ $pull } at { $at }: above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
+reason-contact-lost = The minimum contact force is −{ $pull } at { $at }: the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
 reason-contact-lost-in-run = In this run the follower is out of contact with the cam for { $share } of the motion. Use a stiffer spring, a larger preload, or a lower speed.
 reason-cusp = The profile has a cusp (zero radius of curvature) at { $at }. Set limits.curvature.
 reason-undercut = The profile is undercut at { $at }; its convex radius of curvature would be { $radius }.

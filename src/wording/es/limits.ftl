@@ -28,7 +28,7 @@ key-limits-curvature = Radio de curvatura convexo mínimo de la leva acabada.
 name-curvature = radio de curvatura
 label-limits-curvature = Radio mínimo
 
-key-limits-pressure_angle = Ángulo de presión máximo en ambos lados. Por defecto: los límites del veredicto (30° y 45° para una guía recta); none: no se juzga.
+key-limits-pressure_angle = Ángulo de presión máximo en subida y bajada. Por defecto: los límites del veredicto (30°, con brazo 35°; hasta 45° solo a baja velocidad). "none" desactiva esta comprobación.
 name-pressure-angle = ángulo de presión
 label-limits-pressure_angle = Ángulo de presión
 

@@ -9,9 +9,9 @@ reason-recording-clipped = El registro está recortado: { $because }. Sus picos 
 reason-lift-jumps = La elevación es discontinua en { $at }; ningún seguidor puede seguirla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }, lo que causa aceleración infinita y un choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }, lo que causa sobreaceleración infinita y vibración a alta velocidad.
-reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
-reason-lifts-off-as-prescribed = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
-reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
+reason-lifts-off = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
+reason-lifts-off-as-prescribed = La fuerza de contacto mínima es −{ $pull } en { $at }: por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
+reason-contact-lost = La fuerza de contacto mínima es −{ $pull } en { $at }: el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
 reason-contact-lost-in-run = En este ensayo el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
 reason-cusp = El perfil tiene una cúspide (radio de curvatura nulo) en { $at }. Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }; su radio de curvatura convexo sería { $radius }.

@@ -371,7 +371,7 @@ explain-none-passed-over = it is the simplest of the families that were tried
 explain-family-degree = { $family } of degree { $degree }
 explain-constant-speed = constant speed
 explain-motor = the speed of the shaft with the motor
-explain-forecast = from inertia and alternating energy, the forecast is a ripple of { $ripple } % and a force change of { $change } % of the mean (RMS); { $neglected } % is neglected{ $enough ->
+explain-forecast = inertia and alternating energy give an estimated ripple of { $ripple } % and a force change of { $change } % of the mean (RMS); a change up to { $neglected } % is neglected{ $enough ->
         [true] {": "}constant speed is sufficient
        *[other] {""}
     }

@@ -371,7 +371,7 @@ explain-none-passed-over = es la familia más sencilla de las probadas
 explain-family-degree = { $family } de grado { $degree }
 explain-constant-speed = velocidad constante
 explain-motor = la velocidad del eje con el motor
-explain-forecast = a partir de la inercia y la energía alterna se prevé una oscilación de { $ripple } % y un cambio de la fuerza de { $change } % de la media (RMS); se desprecia { $neglected } %{ $enough ->
+explain-forecast = la inercia y la energía alterna dan una oscilación estimada de { $ripple } % y un cambio de la fuerza de { $change } % de la media (RMS); se desprecia un cambio de hasta { $neglected } %{ $enough ->
         [true] {": "}basta la velocidad constante
        *[other] {""}
     }

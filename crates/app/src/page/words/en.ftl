@@ -150,7 +150,7 @@ studio-check-satisfied = satisfied
 studio-check-at-limit = at the limit
 studio-check-violated = violated
 studio-check-eased = limit 1 % wider: { $objective } { $before } → { $after }
-studio-cam-das = This class judges only the continuity of the law up to the jerk, not contact, curvature or force.
+studio-cam-das = This verdict considers only the continuity of the law up to the jerk, not contact, curvature or force.
 studio-notes = Remarks ({ $count })
 
 # Cam.

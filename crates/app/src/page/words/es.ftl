@@ -150,7 +150,7 @@ studio-check-satisfied = se cumple
 studio-check-at-limit = en el límite
 studio-check-violated = no se cumple
 studio-check-eased = límite un 1 % más amplio: { $objective } { $before } → { $after }
-studio-cam-das = Esta clase juzga solo la continuidad de la ley hasta la sobreaceleración, no el contacto, la curvatura ni la fuerza.
+studio-cam-das = Este veredicto considera solo la continuidad de la ley hasta la sobreaceleración, no el contacto, la curvatura ni la fuerza.
 studio-notes = Observaciones ({ $count })
 
 # Leva.
