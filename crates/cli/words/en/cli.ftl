@@ -413,8 +413,8 @@ inspect-outliers = { $count } { $count ->
         [one] point differs
        *[other] points differ
     } by up to { $most } µm from the others (lines { $lines }); these are excluded
-inspect-part = only a part of the profile is measured, without points between { $from } and { $to }; force and motion as manufactured are unknown
-inspect-waves = { $waves } waves per turn explain the deviation; the noise is { $left } RMS
+inspect-part = only a part of the profile is measured: there are no points between { $from } and { $to }, so force and motion as manufactured are unknown
+inspect-waves = { $waves } harmonics of the turn describe the deviation; the noise is { $left } RMS
 inspect-rms = force error RMS: as designed { $before }, as manufactured { $after } { $unit }
 inspect-max = force error maximum: as designed { $before }, as manufactured { $after } { $unit }
 inspect-least-force = minimum force: as designed { $before }, as manufactured { $after } { $unit }

@@ -413,8 +413,8 @@ inspect-outliers = { $count } { $count ->
         [one] punto difiere
        *[other] puntos difieren
     } en hasta { $most } µm de los demás (líneas { $lines }); se excluyen
-inspect-part = solo se midió una parte del perfil, sin puntos entre { $from } y { $to }; la fuerza y el movimiento de la leva fabricada no se conocen
-inspect-waves = { $waves } ondas por vuelta explican la desviación; el ruido es { $left } RMS
+inspect-part = solo se midió una parte del perfil: no hay puntos entre { $from } y { $to }, así que la fuerza y el movimiento de la leva fabricada no se conocen
+inspect-waves = { $waves } armónicos de la vuelta describen la desviación; el ruido es { $left } RMS
 inspect-rms = error de fuerza RMS: según diseño { $before }, fabricada { $after } { $unit }
 inspect-max = error de fuerza máximo: según diseño { $before }, fabricada { $after } { $unit }
 inspect-least-force = fuerza mínima: según diseño { $before }, fabricada { $after } { $unit }
